@@ -1,0 +1,23 @@
+# Two sets of flags, each an interface target; never in CMAKE_CXX_FLAGS.
+
+# Strict floating point: the same source gives the same bits in every lane count, optimisation level and compiler.
+#   -ffp-contract=off         a*b+c is two roundings everywhere, not one where the machine has FMA
+#   -fno-tree-slp-vectorize   GCC 12 drops double > float > double roundings in that pass (tests/math: "narrowing is kept")
+#   -fno-math-errno, -fno-trapping-math   change no value; sqrt becomes one instruction, selects become blends
+#   -Wno-psabi                vectors wider than the baseline's registers have no stable ABI; none crosses a library border
+add_library(refraster_strict_fp INTERFACE)
+add_library(refraster::strict_fp ALIAS refraster_strict_fp)
+set_target_properties(refraster_strict_fp PROPERTIES EXPORT_NAME strict_fp)
+target_compile_options(refraster_strict_fp INTERFACE
+  -ffp-contract=off -fno-fast-math -fno-math-errno -fno-trapping-math -Wno-psabi
+  $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>)
+if(REFRASTER_ISA)
+  target_compile_options(refraster_strict_fp INTERFACE -march=${REFRASTER_ISA})
+endif()
+
+add_library(refraster_warnings INTERFACE)
+target_compile_options(refraster_warnings INTERFACE
+  -Wall -Wextra -Wshadow -Wconversion -Wdouble-promotion -Wno-psabi)
+if(REFRASTER_WERROR)
+  target_compile_options(refraster_warnings INTERFACE -Werror)
+endif()

@@ -1,0 +1,10 @@
+# Every dependency, each from a Debian package (scripts/packages.txt).
+find_package(OpenMP REQUIRED COMPONENTS CXX)
+find_package(glm REQUIRED CONFIG)
+find_package(RapidJSON REQUIRED CONFIG)
+find_package(OpenSSL REQUIRED COMPONENTS Crypto) # sha256 of measured tables
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(OpenEXR REQUIRED IMPORTED_TARGET OpenEXR)
+find_path(TINYOBJLOADER_INCLUDE_DIR tiny_obj_loader.h REQUIRED)
+find_path(STB_INCLUDE_DIR stb_image.h PATH_SUFFIXES stb REQUIRED)
+find_package(CLI11 REQUIRED CONFIG)

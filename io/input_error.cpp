@@ -1,0 +1,31 @@
+#include "io/input_error.h"
+
+#include <string>
+
+namespace refraster {
+
+std::string InputFault::text() const {
+  std::string result = file;
+  if (line > 0) result += ":" + std::to_string(line);
+  if (line > 0 && column > 0) result += ":" + std::to_string(column);
+  if (!path.empty()) result += (result.empty() ? "" : ": ") + path;
+  result += (result.empty() ? "" : ": ");
+  result += "found " + found;
+  if (!expected.empty()) result += ", expected " + expected;
+  return result;
+}
+
+namespace {
+std::string joined(const std::vector<InputFault>& faults) {
+  std::string result;
+  for (const InputFault& fault : faults) result += (result.empty() ? "" : "\n") + fault.text();
+  return result;
+}
+} // namespace
+
+InputError::InputError(std::vector<InputFault> list) : std::runtime_error(joined(list)), faults_(std::move(list)) {}
+
+OutputError::OutputError(const std::string& file, const std::string& reason)
+    : std::runtime_error(file + ": cannot write: " + reason) {}
+
+} // namespace refraster

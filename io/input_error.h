@@ -1,0 +1,40 @@
+#pragma once
+// What is said to a user whose file or argument is wrong.
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace refraster {
+
+/// One fault in one input. As text: `file:line:column: /json/path: found X, expected Y`; parts that do not apply are
+/// left out.
+struct InputFault {
+  std::string file;
+  int line = 0, column = 0; // counted from 1; 0: not known
+  std::string path;         // JSON pointer, or a name of a place in a binary file
+  std::string found;
+  std::string expected;
+
+  std::string text() const;
+};
+
+/// All faults found in the input, in the order of the file. what() has one line for each. Exit code 3.
+class InputError : public std::runtime_error {
+public:
+  explicit InputError(std::vector<InputFault> list);
+  explicit InputError(InputFault fault) : InputError(std::vector<InputFault>{std::move(fault)}) {}
+  const std::vector<InputFault>& faults() const { return faults_; }
+
+private:
+  std::vector<InputFault> faults_;
+};
+
+/// An output file cannot be written: full disk, missing folder, no permission. Exit code 4.
+class OutputError : public std::runtime_error {
+public:
+  OutputError(const std::string& file, const std::string& reason);
+};
+
+} // namespace refraster

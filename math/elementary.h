@@ -1,0 +1,3 @@
+#pragma once
+// placeholder: see the elementary helper
+#include "math/vec.h"

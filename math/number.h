@@ -1,0 +1,57 @@
+#pragma once
+// The vocabulary of a formula. A fragment function is written once, over a Number T, and runs as
+//   double          the reference          (math/scalar.h)
+//   float           GPU-like arithmetic    (math/scalar.h)
+//   Wide<F, N>      N lanes of either      (math/wide.h)
+//   an interval     bounds                 (tests/support/interval.h shows the least such type)
+// Only the operations below may be used on a Number, so that every one of these types can follow:
+// there is no `if` on a value, and the mask of a bounds type has no conversion to bool.
+
+#include "math/scalar.h"
+
+#include <concepts>
+
+namespace refraster {
+
+/// Beside these, every Number has (each branch-free, total, and the same bits in a lane as alone):
+///   power(x, s), atan2(y, x) …          math/elementary.h
+///   lookup<T>(fetch, i, j, k)           math/lookup.h: a table's value for each lane; a bounds type takes the hull
+template <class T>
+concept Number = requires(T x, T y, MaskOf<T> m, IndexOf<T> i) {
+  typename NumberTraits<T>::Real;
+  T(0);
+  { x + y } -> std::same_as<T>;
+  { x - y } -> std::same_as<T>;
+  { x * y } -> std::same_as<T>;
+  { x / y } -> std::same_as<T>;
+  { -x } -> std::same_as<T>;
+  { x < y } -> std::same_as<MaskOf<T>>;
+  { x > y } -> std::same_as<MaskOf<T>>;
+  { x <= y } -> std::same_as<MaskOf<T>>;
+  { x >= y } -> std::same_as<MaskOf<T>>;
+  { select(m, x, y) } -> std::same_as<T>;      // x where m, else y
+  { maximum(x, y) } -> std::same_as<T>;        // y where either is NaN
+  { minimum(x, y) } -> std::same_as<T>;        // y where either is NaN
+  { magnitude(x) } -> std::same_as<T>;         // |x|
+  { square(x) } -> std::same_as<T>;            // x x; a bounds type knows that it is not negative
+  { root(x) } -> std::same_as<T>;              // correctly rounded square root
+  { reciprocal_binade(x) } -> std::same_as<T>; // a power of two s > 0 with s |x| in [1, 2); see scalar.h
+  { cell(x) } -> std::same_as<Cell<T>>;
+  { clamp_index(i, 0, 1) } -> std::same_as<IndexOf<T>>; // into [lo, hi]
+  { wrap_index(i, 1) } -> std::same_as<IndexOf<T>>;     // modulo n, into [0, n)
+  { next_index(i) } -> std::same_as<IndexOf<T>>;        // i + 1
+};
+
+/// A parameter, which is always a double, enters a formula: rounded once to T's precision.
+template <class T>
+constexpr T as(double parameter) {
+  return T(static_cast<RealOf<T>>(parameter));
+}
+
+/// <x> = max(x, 0); 0 for NaN.
+template <class T>
+constexpr T positive(const T& x) {
+  return maximum(x, T(0));
+}
+
+} // namespace refraster

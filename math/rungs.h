@@ -1,0 +1,31 @@
+#pragma once
+// The list of precision rungs. A rung is a number type for attribute interpolation and shading; which triangle a
+// sample sees is decided before, once, for all of them.
+
+#include "math/wide.h"
+
+#include <string_view>
+#include <tuple>
+
+namespace refraster {
+
+/// The number with as many lanes of F as a vector register of this build holds.
+template <class F>
+using Native = Wide<F, native_vector_bytes / static_cast<int>(sizeof(F))>;
+
+struct DoubleRung {
+  static constexpr std::string_view name = "double";
+  static constexpr std::string_view purpose = "reference, default";
+  using Number = Native<double>;
+};
+
+struct FloatRung {
+  static constexpr std::string_view name = "float";
+  static constexpr std::string_view purpose = "speed, with GPU-like arithmetic";
+  using Number = Native<float>;
+};
+
+/// Every rung a frame can be rendered in. The order is that of `refraster list rungs`; nothing else depends on it.
+using Rungs = std::tuple<DoubleRung, FloatRung>;
+
+} // namespace refraster

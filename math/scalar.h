@@ -1,0 +1,124 @@
+#pragma once
+// The Number operations for float and double, and the meaning that every other number type must agree with.
+
+#include <bit>
+#include <cmath>
+#include <concepts>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+
+namespace refraster {
+
+/// What a number type has to say about itself. Specialised beside each number type:
+///   Real   the floating-point type of one lane: its precision, and the precision of tables read for it
+///   Mask   what a comparison gives
+///   Index  integers made from numbers, for table look-ups; 32 bits a lane
+///   lanes  how many independent numbers one T holds
+template <class T>
+struct NumberTraits;
+
+template <class T>
+using RealOf = typename NumberTraits<T>::Real;
+template <class T>
+using MaskOf = typename NumberTraits<T>::Mask;
+template <class T>
+using IndexOf = typename NumberTraits<T>::Index;
+
+/// A grid cell: the greatest integer not above x, and how far x is into the cell, in [0, 1).
+template <class T>
+struct Cell {
+  IndexOf<T> index;
+  T fraction;
+};
+
+/// The integer that has as many bits as F, for taking a number apart.
+template <class F>
+using BitsOf = std::conditional_t<sizeof(F) == 4, std::int32_t, std::int64_t>;
+
+static_assert(std::numeric_limits<double>::is_iec559 && std::numeric_limits<float>::is_iec559);
+
+template <std::floating_point F>
+struct NumberTraits<F> {
+  using Real = F;
+  using Mask = bool;
+  using Index = std::int32_t;
+  static constexpr int lanes = 1;
+};
+
+template <std::floating_point F>
+constexpr F select(bool m, F x, F y) {
+  return m ? x : y;
+}
+template <std::floating_point F>
+constexpr F maximum(F x, F y) {
+  return x > y ? x : y;
+}
+template <std::floating_point F>
+constexpr F minimum(F x, F y) {
+  return x < y ? x : y;
+}
+template <std::floating_point F>
+constexpr F square(F x) {
+  return x * x;
+}
+template <std::floating_point F>
+constexpr F magnitude(F x) {
+  constexpr BitsOf<F> without_sign = std::numeric_limits<BitsOf<F>>::max();
+  return std::bit_cast<F>(std::bit_cast<BitsOf<F>>(x) & without_sign);
+}
+template <std::floating_point F>
+F root(F x) {
+  return std::sqrt(x); // correctly rounded by IEEE 754: one instruction, the same on every machine
+}
+
+/// Number of explicit fraction bits: 23 and 52.
+template <class F>
+inline constexpr int fraction_bits = std::numeric_limits<F>::digits - 1;
+
+/// A power of two s with s |x| in [1, 2) for normal |x| up to 2^(max_exponent - 2).
+/// For zero, subnormal, huge and non-finite x: the nearest power of two that is itself normal, so that
+/// s x never overflows and s x == 0 exactly when x == 0. Multiplying by s is exact: lengths are scaled with it
+/// before they are squared, so that (1e30, 0, 0) and (1e-30, 0, 0) have a length in every rung.
+template <std::floating_point F>
+constexpr F reciprocal_binade(F x) {
+  using B = BitsOf<F>;
+  constexpr int shift = fraction_bits<F>;
+  constexpr B bias = std::numeric_limits<F>::max_exponent - 1;
+  B exponent = (std::bit_cast<B>(x) >> shift) & (2 * bias + 1);
+  exponent = exponent < 1 ? 1 : exponent;
+  exponent = exponent > 2 * bias - 1 ? 2 * bias - 1 : exponent;
+  return std::bit_cast<F>((2 * bias - exponent) << shift);
+}
+
+/// Table coordinates beyond this many cells are clamped to it, so that the index fits 32 bits; NaN counts as the lower end.
+inline constexpr double cell_limit = 1 << 30;
+
+template <std::floating_point F>
+Cell<F> cell(F x) {
+  const F limit = static_cast<F>(cell_limit);
+  const F inside = minimum(maximum(x, -limit), limit);
+  const F below = std::floor(inside);
+  return {static_cast<std::int32_t>(below), inside - below};
+}
+
+constexpr std::int32_t clamp_index(std::int32_t i, std::int32_t lo, std::int32_t hi) {
+  return i < lo ? lo : i > hi ? hi : i;
+}
+constexpr std::int32_t wrap_index(std::int32_t i, std::int32_t n) {
+  const std::int32_t remainder = i % n;
+  return remainder < 0 ? remainder + n : remainder;
+}
+constexpr std::int32_t next_index(std::int32_t i) {
+  return i + 1;
+}
+
+// Masks answer these two questions; what a mask of lanes answers differs from lane to lane.
+constexpr int count_lanes(bool m) {
+  return m ? 1 : 0;
+}
+constexpr bool any(bool m) {
+  return m;
+}
+
+} // namespace refraster

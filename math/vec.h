@@ -1,0 +1,83 @@
+#pragma once
+// Vectors and colours of any Number: GLM's types, with our own geometric functions. GLM 0.9.9 refuses its own `dot`,
+// `length` and `normalize` on numbers it does not know; these are more specialised, so they are chosen for every T.
+
+#include "math/number.h"
+
+#define GLM_FORCE_XYZW_ONLY // plain members: no swizzle unions for numbers GLM does not know
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+namespace refraster {
+
+template <class T>
+using Vec2 = glm::vec<2, T, glm::defaultp>;
+template <class T>
+using Vec3 = glm::vec<3, T, glm::defaultp>;
+template <class T>
+using Vec4 = glm::vec<4, T, glm::defaultp>;
+/// Linear red, green, blue. The same type as Vec3: products are per channel.
+template <class T>
+using Rgb = Vec3<T>;
+
+using Double2 = Vec2<double>;
+using Double3 = Vec3<double>;
+using Double4 = Vec4<double>;
+using Float2 = Vec2<float>;
+using Float3 = Vec3<float>;
+using Double3x3 = glm::dmat3; // column-major, as in GLM and GLSL: m[column][row]
+using Double4x4 = glm::dmat4;
+
+/// Parameters enter a formula channel by channel, each rounded once.
+template <class T>
+Vec3<T> as(const Double3& parameter) {
+  return {as<T>(parameter.x), as<T>(parameter.y), as<T>(parameter.z)};
+}
+
+template <class T>
+T dot(const Vec3<T>& a, const Vec3<T>& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+template <class T>
+Vec3<T> cross(const Vec3<T>& a, const Vec3<T>& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/// |a|^2. Overflows and underflows where the square does: for unit-sized vectors.
+template <class T>
+T squared_length(const Vec3<T>& a) {
+  return square(a.x) + square(a.y) + square(a.z);
+}
+
+/// A power of two that brings the largest component of a into [1, 2); see reciprocal_binade.
+template <class T>
+T reciprocal_binade(const Vec3<T>& a) {
+  return reciprocal_binade(maximum(magnitude(a.x), maximum(magnitude(a.y), magnitude(a.z))));
+}
+
+/// |a|, without overflow or underflow on the way.
+template <class T>
+T length(const Vec3<T>& a) {
+  const T scale = reciprocal_binade(a);
+  return root(squared_length(a * scale)) / scale;
+}
+
+/// a / |a| for every finite a but 0, which gives 0: also for components of 1e30 or 1e-30 in float.
+template <class T>
+Vec3<T> normalize(const Vec3<T>& a) {
+  const Vec3<T> scaled = a * reciprocal_binade(a);
+  const T squared = squared_length(scaled); // in [1, 12), or 0
+  return scaled * select(squared > T(0), T(1) / root(squared), T(0));
+}
+
+
+template <class T>
+Vec3<T> select(const MaskOf<T>& m, const Vec3<T>& a, const Vec3<T>& b) {
+  return {select(m, a.x, b.x), select(m, a.y, b.y), select(m, a.z, b.z)};
+}
+
+} // namespace refraster

@@ -1,0 +1,217 @@
+#pragma once
+// N numbers at once: a thin layer over the compilers' vector extensions (GCC and clang). Each lane holds the same
+// bits as the scalar operation would give: only IEEE operations are used, and no estimate instructions.
+// With N = 1 use the plain float or double: the formulas are the same.
+
+#include "math/number.h"
+
+#include <array>
+
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
+namespace refraster {
+
+template <class F, int N>
+using VectorOf [[gnu::vector_size(sizeof(F) * N)]] = F;
+
+/// Bytes of the widest vector register the build may use.
+#if defined(__AVX512F__)
+inline constexpr int native_vector_bytes = 64;
+#elif defined(__AVX2__)
+inline constexpr int native_vector_bytes = 32;
+#else
+inline constexpr int native_vector_bytes = 16;
+#endif
+
+/// What comparing two Wide gives: all bits of a lane set, or none.
+template <class F, int N>
+struct WideMask {
+  using Lanes = VectorOf<BitsOf<F>, N>;
+  Lanes m;
+
+  friend WideMask operator&(WideMask a, WideMask b) { return {a.m & b.m}; }
+  friend WideMask operator|(WideMask a, WideMask b) { return {a.m | b.m}; }
+  friend WideMask operator!(WideMask a) { return {~a.m}; }
+};
+
+/// N integers of 32 bits, for table look-ups.
+template <int N>
+struct WideIndex {
+  using Lanes = VectorOf<std::int32_t, N>;
+  Lanes i;
+};
+
+/// N lanes of F. Trivial, so that glm::vec can hold it; default construction leaves the lanes undefined.
+template <class F, int N>
+struct Wide {
+  static_assert(N >= 2 && (N & (N - 1)) == 0);
+  using Lanes = VectorOf<F, N>;
+  Lanes v;
+
+  Wide() = default;
+  Wide(Lanes lanes) : v(lanes) {}
+  template <class A>
+    requires std::is_arithmetic_v<A>
+  explicit(!std::same_as<A, F>) Wide(A x) : v(static_cast<F>(x) - Lanes{}) {} // x - 0 keeps the sign of zero
+
+  F operator[](int lane) const { return v[lane]; }
+  void set(int lane, F x) { v[lane] = x; }
+
+  friend Wide operator+(Wide a, Wide b) { return a.v + b.v; }
+  friend Wide operator-(Wide a, Wide b) { return a.v - b.v; }
+  friend Wide operator*(Wide a, Wide b) { return a.v * b.v; }
+  friend Wide operator/(Wide a, Wide b) { return a.v / b.v; }
+  friend Wide operator-(Wide a) { return -a.v; }
+  Wide& operator+=(Wide b) { return *this = *this + b; }
+  Wide& operator-=(Wide b) { return *this = *this - b; }
+  Wide& operator*=(Wide b) { return *this = *this * b; }
+  Wide& operator/=(Wide b) { return *this = *this / b; }
+
+  using Mask = WideMask<F, N>;
+  friend Mask operator<(Wide a, Wide b) { return {a.v < b.v}; }
+  friend Mask operator>(Wide a, Wide b) { return {a.v > b.v}; }
+  friend Mask operator<=(Wide a, Wide b) { return {a.v <= b.v}; }
+  friend Mask operator>=(Wide a, Wide b) { return {a.v >= b.v}; }
+  friend Mask operator==(Wide a, Wide b) { return {a.v == b.v}; }
+};
+
+template <class F, int N>
+struct NumberTraits<Wide<F, N>> {
+  using Real = F;
+  using Mask = WideMask<F, N>;
+  using Index = WideIndex<N>;
+  static constexpr int lanes = N;
+};
+
+template <class F, int N>
+Wide<F, N> select(WideMask<F, N> m, Wide<F, N> x, Wide<F, N> y) {
+  return m.m ? x.v : y.v;
+}
+template <class F, int N>
+Wide<F, N> maximum(Wide<F, N> x, Wide<F, N> y) {
+  return x.v > y.v ? x.v : y.v;
+}
+template <class F, int N>
+Wide<F, N> minimum(Wide<F, N> x, Wide<F, N> y) {
+  return x.v < y.v ? x.v : y.v;
+}
+template <class F, int N>
+Wide<F, N> square(Wide<F, N> x) {
+  return x.v * x.v;
+}
+
+/// The bits of each lane as an integer, and back.
+template <class F, int N>
+VectorOf<BitsOf<F>, N> bits_of(Wide<F, N> x) {
+  return reinterpret_cast<VectorOf<BitsOf<F>, N>>(x.v);
+}
+template <class F, int N>
+Wide<F, N> from_bits(VectorOf<BitsOf<F>, N> bits) {
+  return reinterpret_cast<VectorOf<F, N>>(bits);
+}
+
+template <class F, int N>
+Wide<F, N> magnitude(Wide<F, N> x) {
+  return from_bits<F, N>(bits_of(x) & std::numeric_limits<BitsOf<F>>::max());
+}
+
+template <class F, int N>
+Wide<F, N> root(Wide<F, N> x) {
+#if defined(__x86_64__)
+  constexpr int bytes = N * static_cast<int>(sizeof(F));
+  if constexpr (bytes == 16) {
+    if constexpr (sizeof(F) == 4) return VectorOf<F, N>(_mm_sqrt_ps(__m128(x.v)));
+    else return VectorOf<F, N>(_mm_sqrt_pd(__m128d(x.v)));
+  }
+#if defined(__AVX__)
+  if constexpr (bytes == 32) {
+    if constexpr (sizeof(F) == 4) return VectorOf<F, N>(_mm256_sqrt_ps(__m256(x.v)));
+    else return VectorOf<F, N>(_mm256_sqrt_pd(__m256d(x.v)));
+  }
+#endif
+#if defined(__AVX512F__)
+  if constexpr (bytes == 64) { // the zero-masked form: GCC 12 warns of its own undefined operand in the plain one
+    if constexpr (sizeof(F) == 4) return VectorOf<F, N>(_mm512_maskz_sqrt_ps(0xFFFF, __m512(x.v)));
+    else return VectorOf<F, N>(_mm512_maskz_sqrt_pd(0xFF, __m512d(x.v)));
+  }
+#endif
+#endif
+  Wide<F, N> result;
+  for (int lane = 0; lane < N; ++lane) result.v[lane] = root(x.v[lane]);
+  return result;
+}
+
+template <class F, int N>
+Wide<F, N> reciprocal_binade(Wide<F, N> x) {
+  using B = BitsOf<F>;
+  constexpr int shift = fraction_bits<F>;
+  constexpr B bias = std::numeric_limits<F>::max_exponent - 1;
+  VectorOf<B, N> exponent = (bits_of(x) >> shift) & (2 * bias + 1);
+  exponent = exponent < 1 ? 1 - VectorOf<B, N>{} : exponent;
+  exponent = exponent > 2 * bias - 1 ? 2 * bias - 1 - VectorOf<B, N>{} : exponent;
+  return from_bits<F, N>((2 * bias - exponent) << shift);
+}
+
+/// |x| <= 2^30 rounded toward minus infinity; cell() keeps to that range.
+template <class F, int N>
+Cell<Wide<F, N>> cell(Wide<F, N> x) {
+  using T = Wide<F, N>;
+  const T limit(cell_limit);
+  const T inside = minimum(maximum(x, -limit), limit);
+  // Truncate, then step down where that went up: no rounding-mode instruction is needed, and the result is exact.
+  const VectorOf<std::int32_t, N> toward_zero = __builtin_convertvector(inside.v, VectorOf<std::int32_t, N>);
+  const T truncated(__builtin_convertvector(toward_zero, VectorOf<F, N>));
+  const T below = select(truncated > inside, truncated - T(1), truncated);
+  return {{__builtin_convertvector(below.v, VectorOf<std::int32_t, N>)}, inside - below};
+}
+
+template <int N>
+WideIndex<N> clamp_index(WideIndex<N> i, std::int32_t lo, std::int32_t hi) {
+  const VectorOf<std::int32_t, N> low = lo - VectorOf<std::int32_t, N>{}, high = hi - VectorOf<std::int32_t, N>{};
+  const VectorOf<std::int32_t, N> raised = i.i < low ? low : i.i;
+  return {raised > high ? high : raised};
+}
+
+template <int N>
+WideIndex<N> wrap_index(WideIndex<N> index, std::int32_t n) {
+  using Ints = VectorOf<std::int32_t, N>;
+  Ints i = index.i;
+  if ((n & (n - 1)) == 0) return {i & (n - 1)}; // two's complement: right for negative i too
+  // An estimate of the quotient in double (error < 1 for |i| < 2^31), then one step up or down.
+  using Doubles = VectorOf<double, N>;
+  const Doubles quotient = __builtin_convertvector(i, Doubles) * (1.0 / n);
+  i = i - __builtin_convertvector(quotient, Ints) * n;
+  i = i < 0 ? i + n : i;
+  i = i >= n ? i - n : i;
+  return {i};
+}
+
+template <int N>
+WideIndex<N> next_index(WideIndex<N> i) {
+  return {i.i + 1};
+}
+
+template <class F, int N>
+int count_lanes(WideMask<F, N> m) {
+  int count = 0;
+  for (int lane = 0; lane < N; ++lane) count -= static_cast<int>(m.m[lane]);
+  return count;
+}
+template <class F, int N>
+bool any(WideMask<F, N> m) {
+  BitsOf<F> all = 0;
+  for (int lane = 0; lane < N; ++lane) all |= m.m[lane];
+  return all != 0;
+}
+
+/// The lanes [0, count) are set.
+template <class F, int N>
+WideMask<F, N> first_lanes(int count) {
+  WideMask<F, N> result;
+  for (int lane = 0; lane < N; ++lane) result.m[lane] = lane < count ? -1 : 0;
+  return result;
+}
+
+} // namespace refraster

@@ -1,0 +1,31 @@
+#pragma once
+// What a fragment function is given.
+
+#include "math/vec.h"
+#include "shading/undefined.h"
+
+namespace refraster {
+
+/// One visible sample of a surface (or one a lane). All in world space; unit vectors point away from the surface.
+template <class T>
+struct Fragment {
+  Vec3<T> position;
+  Vec3<T> normal;      // unit; as the mesh gives it: not turned toward the eye on back faces. 0 if there is none
+  Vec3<T> to_eye;      // unit; 0 with the eye at the surface
+  Rgb<T> texture;      // texture colour, white without a texture
+  const UndefinedTally<T>* tally = nullptr;
+
+  /// Counts a case that the mathematics leaves undefined, where `where` says so. See shading/undefined.h.
+  void undefined(Undefined which, const MaskOf<T>& where) const {
+    if (tally) tally->note(which, where);
+  }
+};
+
+/// The light that one light source sends to a fragment.
+template <class T>
+struct Incident {
+  Vec3<T> direction; // unit, from the surface to the light; 0 with the light at the surface
+  Rgb<T> radiance;   // C: radiance times attenuation
+};
+
+} // namespace refraster

@@ -1,0 +1,41 @@
+#pragma once
+// Light sources, and what arrives of them at a fragment.
+
+#include "shading/fragment.h"
+
+namespace refraster {
+
+/// A light that shines from one point in all directions.
+struct PointLight {
+  Double3 position{0};   // world space
+  Double3 radiance{1};
+  double constant = 1;   // Kc, Kl, Kq >= 0: attenuation 1 / (Kc + Kl d + Kq d^2), d in world units.
+  double linear = 0;     // All three 0 means no attenuation.
+  double quadratic = 0;
+};
+
+/// A light infinitely far away. Not attenuated.
+struct DirectionLight {
+  Double3 direction{0, 0, -1}; // world space: where the light travels to; any length but 0
+  Double3 radiance{1};
+};
+
+/// C = radiance / (Kc + Kl d + Kq d^2). With d = 0 no direction is defined and nothing arrives.
+template <class T>
+Incident<T> arriving(const PointLight& light, const Fragment<T>& at) {
+  const Vec3<T> way = as<T>(light.position) - at.position;
+  const T d = length(way);
+  at.undefined(Undefined::light_at_surface, d <= T(0));
+  const bool attenuated = light.constant > 0 || light.linear > 0 || light.quadratic > 0;
+  Rgb<T> radiance = as<T>(light.radiance);
+  if (attenuated) radiance /= as<T>(light.constant) + as<T>(light.linear) * d + as<T>(light.quadratic) * square(d);
+  return {normalize(way), select<T>(d > T(0), radiance, Rgb<T>(T(0)))};
+}
+
+/// C = radiance; the direction is turned round, so that it points to the light.
+template <class T>
+Incident<T> arriving(const DirectionLight& light, const Fragment<T>&) {
+  return {as<T>(-normalize(light.direction)), as<T>(light.radiance)};
+}
+
+} // namespace refraster

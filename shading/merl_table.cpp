@@ -1,0 +1,1 @@
+#include "shading/merl_table.h"

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "math/elementary.h"
+#include "shading/fields.h"
+#include "shading/fragment.h"
+
+#include <utility>
+
+namespace refraster {
+
+/// Whether a light at or below the horizon (n.l <= 0) still makes a highlight. The textbook formula keeps it.
+enum class SpecularGate { open, cut_below_horizon };
+
+/// What Phong and Blinn-Phong share: the parameters, and the ambient term.
+struct PhongParameters {
+  Double3 ka{0.05}, kd{1}, ks{1};
+  double glossiness = 8;
+  SpecularGate specular_gate = SpecularGate::open;
+
+  static void fields(auto& self, auto&& field) {
+    field("ka", self.ka, Range{}, "ambient reflection, r g b");
+    field("kd", self.kd, Range{}, "diffuse reflection, r g b");
+    field("ks", self.ks, Range{}, "specular reflection, r g b");
+    field("glossiness", self.glossiness, Range{}, "exponent of the highlight");
+    field("specular_gate", self.specular_gate, Range{}, "true: no highlight from a light at or below the horizon");
+  }
+
+  /// There is no ambient light in a scene: the surface's own ka times its colour stands for it.
+  template <Number T>
+  Rgb<T> ambient(const Fragment<T>& at) const {
+    return as<T>(ka) * at.texture;
+  }
+
+  /// (kd t <n.l> + ks lobe) C, <x> = max(x, 0), t the texture colour: the highlight is not coloured by it.
+  template <Number T>
+  Rgb<T> reflected(const Fragment<T>& at, const Incident<T>& light, const T& n_l, const T& lobe) const {
+    const T kept = specular_gate == SpecularGate::open ? lobe : select(n_l > T(0), lobe, T(0));
+    return (as<T>(kd) * at.texture * positive(n_l) + as<T>(ks) * kept) * light.radiance;
+  }
+};
+
+/// Phong reflection: radiance toward the eye from one light,
+///
+///     (kd t <n.l> + ks <r.v>^s) C,     r = 2 (n.l) n - l,     <x> = max(x, 0).
+///
+/// Phong, "Illumination for computer generated pictures", 1975.
+struct Phong : PhongParameters {
+  static constexpr std::string_view name = "phong";
+  static constexpr std::string_view shader_stems[] = {"phong_fs", "phong"};
+
+  template <Number T>
+  Rgb<T> operator()(const Fragment<T>& at, const Incident<T>& light) const {
+    const Vec3<T> n = at.normal, l = light.direction, v = at.to_eye;
+    const T n_l = dot(n, l);
+    const Vec3<T> r = n * (T(2) * n_l) - l;
+    return reflected(at, light, n_l, cosine_power(r, v, glossiness));
+  }
+};
+
+} // namespace refraster
