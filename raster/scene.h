@@ -34,6 +34,11 @@ struct Camera {
 
 enum class Cull { none, back };
 
+template <>
+struct EnumNames<Cull> {
+  static constexpr std::pair<Cull, std::string_view> names[] = {{Cull::none, "none"}, {Cull::back, "back"}};
+};
+
 struct Material {
   Model model;                            // shading/models.h
   std::shared_ptr<const Texture> texture; // null: white

@@ -2,22 +2,51 @@
 // How a fragment function declares its parameters: once, beside the member, with range and meaning. The scene reader,
 // its error messages and the documentation all follow from that declaration.
 
+#include <concepts>
 #include <limits>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 
 namespace refraster {
 
-/// What a value may be: finite and min <= x <= max, each channel for a colour.
+/// Whether the ends of a range belong to it.
+enum class Ends { included, excluded };
+
+/// What a number may be: finite, and from min to max; each channel for a colour, each coordinate for a vector.
 struct Range {
   double min = 0;
   double max = std::numeric_limits<double>::max();
+  Ends ends = Ends::included;
+
+  /// False for NaN.
+  constexpr bool contains(double x) const {
+    return ends == Ends::included ? min <= x && x <= max : min < x && x < max;
+  }
 };
 
-/// A model declares each parameter by one call:
-///     field("kd", kd, Range{}, "diffuse reflectance");
-/// for Double3 (a colour), double, or an enum that has `enum_names` (a closed list of words).
-/// Whether a parameter may be left out of a scene file is the third kind of call, `optional_field`.
+/// Every finite number.
+inline constexpr Range any_number{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max()};
+
+/// The words that stand for the values of an enum in a scene file. Specialise beside the enum, one line a value:
+///     static constexpr std::pair<Enum, std::string_view> names[] = {{Enum::a, "a"}, …};
+/// The words "true" and "false" stand for the JSON literals.
 template <class Enum>
-struct EnumNames; // specialise: static constexpr std::pair<Enum, std::string_view> names[]
+struct EnumNames;
+
+template <class Enum>
+concept NamedEnum = std::is_enum_v<Enum> && requires { EnumNames<Enum>::names; };
+
+template <NamedEnum Enum>
+constexpr std::string_view name_of(Enum value) {
+  for (const auto& [listed, name] : EnumNames<Enum>::names)
+    if (listed == value) return name;
+  return {};
+}
+
+// A model declares each parameter in its function `fields`, by one call:
+//     field("kd", self.kd, Range{}, "diffuse reflection, r g b");
+// for a Double3 (a colour), a double, or a named enum. A scene must give every colour and number; an enum, which chooses
+// between conventions, may be left out and then keeps the value that the member has from the start.
 
 } // namespace refraster

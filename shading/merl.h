@@ -15,6 +15,23 @@ enum class MerlLookup { nearest, trilinear, trilinear_edge };
 /// How the half and difference angles are computed. All agree in exact arithmetic.
 enum class MerlAngles { closed, rotation, frame };
 
+template <>
+struct EnumNames<MerlLookup> {
+  static constexpr std::pair<MerlLookup, std::string_view> names[] = {
+      {MerlLookup::nearest, "nearest"},
+      {MerlLookup::trilinear, "trilinear"},
+      {MerlLookup::trilinear_edge, "trilinear-edge"},
+  };
+};
+template <>
+struct EnumNames<MerlAngles> {
+  static constexpr std::pair<MerlAngles, std::string_view> names[] = {
+      {MerlAngles::closed, "closed"},
+      {MerlAngles::rotation, "rotation"},
+      {MerlAngles::frame, "frame"},
+  };
+};
+
 /// Measured reflection: f(i = l, o = v) <n.l> C; 0 unless n.l > 0 and n.v > 0. No ambient term.
 struct Merl {
   static constexpr std::string_view name = "merl";

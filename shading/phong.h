@@ -11,6 +11,14 @@ namespace refraster {
 /// Whether a light at or below the horizon (n.l <= 0) still makes a highlight. The textbook formula keeps it.
 enum class SpecularGate { open, cut_below_horizon };
 
+template <>
+struct EnumNames<SpecularGate> {
+  static constexpr std::pair<SpecularGate, std::string_view> names[] = {
+      {SpecularGate::open, "false"},
+      {SpecularGate::cut_below_horizon, "true"},
+  };
+};
+
 /// What Phong and Blinn-Phong share: the parameters, and the ambient term.
 struct PhongParameters {
   Double3 ka{0.05}, kd{1}, ks{1};

@@ -3,12 +3,22 @@
 
 #include "math/elementary.h"
 #include "math/lookup.h"
+#include "shading/fields.h"
 
 #include <vector>
 
 namespace refraster {
 
 enum class TextureFilter { nearest, bilinear, trilinear };
+
+template <>
+struct EnumNames<TextureFilter> {
+  static constexpr std::pair<TextureFilter, std::string_view> names[] = {
+      {TextureFilter::nearest, "nearest"},
+      {TextureFilter::bilinear, "bilinear"},
+      {TextureFilter::trilinear, "trilinear"},
+  };
+};
 
 /// One image of a mip chain. Row 0 is at v = 0: the bottom row of the image file.
 struct TextureLevel {
