@@ -5,29 +5,36 @@
 #include "math/lookup.h"
 #include "shading/fields.h"
 
+#include <cassert>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace refraster {
 
+/// nearest: the texel that holds the point. bilinear: between four texels of the image, at every size on screen.
+/// trilinear: between the two mip levels whose texels are nearest to the size of a pixel.
 enum class TextureFilter { nearest, bilinear, trilinear };
 
 template <>
 struct EnumNames<TextureFilter> {
-  static constexpr std::pair<TextureFilter, std::string_view> names[] = {
-      {TextureFilter::nearest, "nearest"},
-      {TextureFilter::bilinear, "bilinear"},
-      {TextureFilter::trilinear, "trilinear"},
-  };
+  static constexpr std::pair<TextureFilter, std::string_view> names[] = {{TextureFilter::nearest, "nearest"},
+                                                                         {TextureFilter::bilinear, "bilinear"},
+                                                                         {TextureFilter::trilinear, "trilinear"}};
 };
 
-/// One image of a mip chain. Row 0 is at v = 0: the bottom row of the image file.
+/// One image of a mip chain. Row 0 is at v = 0: the bottom row of the image file. At most 65536 texels a side.
 struct TextureLevel {
   int width = 1, height = 1;
   std::vector<float> rgb; // 3 width height values, interleaved, in [0, full_scale]
 
+  std::size_t offset(std::int32_t x, std::int32_t y) const {
+    return 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));
+  }
+
   template <class F>
   Rgb<F> texel(std::int32_t x, std::int32_t y) const {
-    const float* at = &rgb[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x))];
+    const float* at = &rgb[offset(x, y)];
     return {static_cast<F>(at[0]), static_cast<F>(at[1]), static_cast<F>(at[2])};
   }
 };
@@ -37,5 +44,90 @@ struct Texture {
   double full_scale = 255;          // the stored value that means 1: 255 or 65535, exact in float
   std::vector<TextureLevel> levels; // level 0 is the image; more only where trilinear filtering asked for them
 };
+
+/// Appends all smaller levels to a texture that has level 0 only: each side is half of that below, rounded down, at
+/// least 1, down to 1 x 1. A texel is the mean of the area that it covers in the level below (a box filter): of 2 x 2
+/// texels, and for odd sides of up to 3 x 3 with the outer ones cut. Means are rounded to float once a level.
+void build_mip_levels(Texture& texture);
+
+/// u without those whole turns that only cost precision, exactly. Table indices hold 2^30 cells, and a level has up to
+/// 2^16 a turn: so that u may have 2^14 turns. For |u| >= 2^44 the result is 0: a double has no texel left there.
+template <Number T>
+T fewer_turns(const T& u) {
+  constexpr double turns = 1 << 14;
+  return select(magnitude(u) < as<T>(turns), u, as<T>(turns) * cell(u * as<T>(1 / turns)).fraction);
+}
+
+/// The texel that holds the point, as stored.
+template <Number T>
+Rgb<T> sample_nearest(const TextureLevel& level, const Vec2<T>& uv) {
+  const auto fetch = [&](std::int32_t x, std::int32_t y, std::int32_t) { return level.texel<RealOf<T>>(x, y); };
+  const IndexOf<T> x = wrap_index(cell(uv.x * as<T>(level.width)).index, level.width);
+  const IndexOf<T> y = wrap_index(cell(uv.y * as<T>(level.height)).index, level.height);
+  return lookup<T>(fetch, x, y, IndexOf<T>{});
+}
+
+/// Between the four texels around the point, as stored: texel k has its centre at (k + 0.5) / n.
+template <Number T>
+Rgb<T> sample_bilinear(const TextureLevel& level, const Vec2<T>& uv) {
+  const auto fetch = [&](std::int32_t x, std::int32_t y, std::int32_t) { return level.texel<RealOf<T>>(x, y); };
+  const Cell<T> x = cell(uv.x * as<T>(level.width) - as<T>(0.5));
+  const Cell<T> y = cell(uv.y * as<T>(level.height) - as<T>(0.5));
+  // Wrapping follows the floor, in integers: a point just left of u = 0 lies between the last texel and the first.
+  const IndexOf<T> left = wrap_index(x.index, level.width), right = wrap_index(next_index(x.index), level.width);
+  const IndexOf<T> low = wrap_index(y.index, level.height), high = wrap_index(next_index(y.index), level.height);
+  const auto row = [&](const IndexOf<T>& j) {
+    const Rgb<T> a = lookup<T>(fetch, left, j, IndexOf<T>{}), b = lookup<T>(fetch, right, j, IndexOf<T>{});
+    return a + (b - a) * x.fraction;
+  };
+  const Rgb<T> below = row(low), above = row(high);
+  return below + (above - below) * y.fraction;
+}
+
+/// The level of detail: log2 of the longer side of a pixel's footprint, in texels of level 0. OpenGL 4.6,
+/// section 8.14.1.
+template <Number T>
+T level_of_detail(const TextureLevel& image, const Vec2<T>& uv_dx, const Vec2<T>& uv_dy) {
+  const auto texels = [&](const Vec2<T>& uv_step) {
+    return length(Vec3<T>(uv_step.x * as<T>(image.width), uv_step.y * as<T>(image.height), T(0)));
+  };
+  return log2(maximum(texels(uv_dx), texels(uv_dy)));
+}
+
+/// Between the two levels on either side of the level of detail; the image itself where it is magnified.
+template <Number T>
+Rgb<T> sample_trilinear(const Texture& texture, const Vec2<T>& uv, const Vec2<T>& uv_dx, const Vec2<T>& uv_dy) {
+  const T last = as<T>(static_cast<double>(texture.levels.size() - 1));
+  const T detail = minimum(positive(level_of_detail(texture.levels[0], uv_dx, uv_dy)), last);
+  Rgb<T> sum(T(0));
+  for (std::size_t k = 0; k < texture.levels.size(); ++k) {
+    // 1 at its own level, falling to 0 at the next ones: two levels at most have a share, and the shares add up to 1.
+    const T share = positive(T(1) - magnitude(detail - as<T>(static_cast<double>(k))));
+    if (any(share > T(0))) sum += sample_bilinear(texture.levels[k], uv) * share;
+  }
+  return sum;
+}
+
+/// The texture's colour at uv, repeated in all directions, v upward; linear values as stored, divided by full_scale at
+/// the very end. uv_dx and uv_dy are the derivatives of uv by one pixel to the right and down; only trilinear reads
+/// them. A component of uv that is NaN or infinite is taken as 0; the caller counts it (Undefined::bad_uv).
+template <Number T>
+Rgb<T> sample(const Texture& texture, TextureFilter filter, const Vec2<T>& uv, const Vec2<T>& uv_dx,
+              const Vec2<T>& uv_dy) {
+  assert(!texture.levels.empty());
+  const Vec2<T> near(fewer_turns(uv.x), fewer_turns(uv.y));
+  const auto stored = [&] {
+    switch (filter) {
+    case TextureFilter::nearest:
+      return sample_nearest(texture.levels[0], near);
+    case TextureFilter::bilinear:
+      return sample_bilinear(texture.levels[0], near);
+    case TextureFilter::trilinear:
+      return sample_trilinear(texture, near, uv_dx, uv_dy);
+    }
+    return Rgb<T>(T(0));
+  };
+  return stored() / as<T>(texture.full_scale);
+}
 
 } // namespace refraster

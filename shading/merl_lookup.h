@@ -1,0 +1,192 @@
+#pragma once
+// Reading a MERL table between its samples.
+
+#include "math/elementary.h"
+#include "math/lookup.h"
+#include "shading/half_difference.h"
+#include "shading/merl_table.h"
+
+#include <array>
+
+namespace refraster {
+
+/// How a MERL table is read between its samples. docs/merl.md shows what each is for.
+///   nearest         the sample of the bin that holds the point
+///   trilinear       linear in u, v and w, samples at the centres of their bins: the default
+///   trilinear_edge  the same with samples at the starts of their bins, as several published readers have it
+///   trilinear_log   the same as trilinear on g = log2(1 + f / epsilon)
+///   tricubic_log    Catmull-Rom splines in u, v and w on g
+/// phi_d wraps from 179 to 0, since it is periodic in pi; theta_h and theta_d are clamped. Samples that were never
+/// measured are left out and the weights of the others scaled up to a sum of 1.
+enum class MerlLookup { nearest, trilinear, trilinear_edge, trilinear_log, tricubic_log };
+
+/// A point in the table, in bins: bin k covers [k, k + 1). The table has its finest bins where theta_h is small.
+template <class T>
+struct MerlPoint {
+  T u, v, w;
+};
+
+/// u = 90 sqrt(theta_h / (pi/2)), v = 90 theta_d / (pi/2), w = 180 phi_d / pi.
+template <Number T>
+MerlPoint<T> merl_point(const HalfDifference<T>& angles) {
+  constexpr double bins_per_radian = 180 / std::numbers::pi; // of theta_d and phi_d: a bin is one degree
+  return {T(90) * root(angles.theta_h * as<T>(2 / std::numbers::pi)), angles.theta_d * as<T>(bins_per_radian),
+          angles.phi_d * as<T>(bins_per_radian)};
+}
+
+/// What was read. Where no sample around the point was ever measured, f is 0.
+template <class T>
+struct MerlValue {
+  Rgb<T> f; // 1/sr
+  MaskOf<T> unmeasured;
+};
+
+/// The `count` samples of one axis that a point lies among, and how far the point is from the first of the middle two
+/// to the second, in [0, 1).
+template <class T, int count>
+struct Taps {
+  std::array<IndexOf<T>, count> index;
+  T fraction;
+};
+
+/// x counts in samples: sample k is at x = k. The border samples continue to infinity.
+template <int count, Number T>
+Taps<T, count> clamped_taps(const T& x, int samples) {
+  const Cell<T> at = cell(x - T(count / 2 - 1));
+  Taps<T, count> taps{{}, at.fraction};
+  IndexOf<T> k = at.index;
+  for (IndexOf<T>& tap : taps.index) {
+    tap = clamp_index(k, 0, samples - 1);
+    k = next_index(k);
+  }
+  return taps;
+}
+
+/// The same on a circle.
+template <int count, Number T>
+Taps<T, count> wrapped_taps(const T& x, int samples) {
+  const Cell<T> at = cell(x - T(count / 2 - 1));
+  Taps<T, count> taps{{}, at.fraction};
+  IndexOf<T> k = at.index;
+  for (IndexOf<T>& tap : taps.index) {
+    tap = wrap_index(k, samples);
+    k = next_index(k);
+  }
+  return taps;
+}
+
+/// From a to b, and exactly a for a = b.
+template <Number T>
+Vec4<T> mix(const Vec4<T>& a, const Vec4<T>& b, const T& fraction) {
+  return a + (b - a) * fraction;
+}
+
+/// The Catmull-Rom spline through four values, between b and c.
+template <Number T>
+Vec4<T> mix_cubic(const Vec4<T>& a, const Vec4<T>& b, const Vec4<T>& c, const Vec4<T>& d, const T& fraction) {
+  const Vec4<T> slope_b = (c - a) * as<T>(0.5), slope_c = (d - b) * as<T>(0.5), rise = c - b;
+  return b + (slope_b +
+              (rise * T(3) - slope_b * T(2) - slope_c + (slope_b + slope_c - rise * T(2)) * fraction) * fraction) *
+                 fraction;
+}
+
+/// Reads the samples of one table in the precision of T, as (r, g, b, 1), and as 0 where nothing was measured: a sum
+/// with any weights is then the weighted sum of what was measured, and beside it the sum of the weights.
+template <Number T>
+struct MerlReader {
+  const RealOf<T>* values;
+
+  Vec4<T> operator()(const IndexOf<T>& h, const IndexOf<T>& d, const IndexOf<T>& p) const {
+    const auto fetch = [this](std::int32_t h_bin, std::int32_t d_bin, std::int32_t p_bin) {
+      const RealOf<T>* at = values + MerlTable::offset(h_bin, d_bin, p_bin);
+      return Rgb<RealOf<T>>(at[0], at[1], at[2]);
+    };
+    const Rgb<T> rgb = lookup<T>(fetch, h, d, p);
+    const MaskOf<T> measured = minimum(rgb.x, minimum(rgb.y, rgb.z)) >= T(0);
+    const Rgb<T> kept = select<T>(measured, rgb, Rgb<T>(T(0)));
+    return {kept.x, kept.y, kept.z, select(measured, T(1), T(0))};
+  }
+
+  Vec4<T> nearest(const MerlPoint<T>& at) const {
+    return (*this)(clamp_index(cell(at.u).index, 0, MerlTable::theta_h_bins - 1),
+                   clamp_index(cell(at.v).index, 0, MerlTable::theta_d_bins - 1),
+                   clamp_index(cell(at.w).index, 0, MerlTable::phi_d_bins - 1));
+  }
+
+  /// `first` is the coordinate of sample 0 on each axis: 0.5 where samples are at the centres of their bins, else 0.
+  Vec4<T> trilinear(const MerlPoint<T>& at, double first) const {
+    const auto h = clamped_taps<2>(at.u - as<T>(first), MerlTable::theta_h_bins);
+    const auto d = clamped_taps<2>(at.v - as<T>(first), MerlTable::theta_d_bins);
+    const auto p = wrapped_taps<2>(at.w - as<T>(first), MerlTable::phi_d_bins);
+    const auto along_p = [&](int i, int j) {
+      const auto &h_bin = h.index[static_cast<std::size_t>(i)], &d_bin = d.index[static_cast<std::size_t>(j)];
+      return mix((*this)(h_bin, d_bin, p.index[0]), (*this)(h_bin, d_bin, p.index[1]), p.fraction);
+    };
+    return mix(mix(along_p(0, 0), along_p(0, 1), d.fraction), mix(along_p(1, 0), along_p(1, 1), d.fraction),
+               h.fraction);
+  }
+
+  /// Samples at the centres of their bins. Where one of the 64 was never measured, trilinear: the weights of a spline
+  /// are partly negative, so that scaling them up to a sum of 1 could turn a bright neighbour into anything.
+  Vec4<T> tricubic(const MerlPoint<T>& at) const {
+    const auto h = clamped_taps<4>(at.u - as<T>(0.5), MerlTable::theta_h_bins);
+    const auto d = clamped_taps<4>(at.v - as<T>(0.5), MerlTable::theta_d_bins);
+    const auto p = wrapped_taps<4>(at.w - as<T>(0.5), MerlTable::phi_d_bins);
+    T measured(1);
+    std::array<Vec4<T>, 4> along_h;
+    for (std::size_t i = 0; i < 4; ++i) {
+      std::array<Vec4<T>, 4> along_d;
+      for (std::size_t j = 0; j < 4; ++j) {
+        std::array<Vec4<T>, 4> tap;
+        for (std::size_t k = 0; k < 4; ++k) {
+          tap[k] = (*this)(h.index[i], d.index[j], p.index[k]);
+          measured = minimum(measured, tap[k].w);
+        }
+        along_d[j] = mix_cubic(tap[0], tap[1], tap[2], tap[3], p.fraction);
+      }
+      along_h[i] = mix_cubic(along_d[0], along_d[1], along_d[2], along_d[3], d.fraction);
+    }
+    const Vec4<T> smooth = mix_cubic(along_h[0], along_h[1], along_h[2], along_h[3], h.fraction);
+    const MaskOf<T> incomplete = measured < T(1);
+    if (!any(incomplete)) return {smooth.x, smooth.y, smooth.z, T(1)};
+    const Vec4<T> plain = trilinear(at, 0.5);
+    return {select(incomplete, plain.x, smooth.x), select(incomplete, plain.y, smooth.y),
+            select(incomplete, plain.z, smooth.z), select(incomplete, plain.w, T(1))};
+  }
+};
+
+/// The weighted mean of what was measured.
+template <Number T>
+MerlValue<T> merl_mean(const Vec4<T>& sum) {
+  const MaskOf<T> unmeasured = sum.w <= T(0);
+  const T weight = select(unmeasured, T(1), sum.w);
+  return {Rgb<T>(sum.x / weight, sum.y / weight, sum.z / weight), unmeasured};
+}
+
+/// f = epsilon (2^g - 1). A spline may dip below 0; f does not.
+template <Number T>
+MerlValue<T> from_logarithm(const MerlValue<T>& g) {
+  const auto f = [](const T& x) { return as<T>(MerlTable::log_epsilon) * positive(exp2(x) - T(1)); };
+  return {Rgb<T>(f(g.f.x), f(g.f.y), f(g.f.z)), g.unmeasured};
+}
+
+/// The BRDF at a point of the table. Reads only the copy of the table that the number and the lookup need.
+template <Number T>
+MerlValue<T> merl_value(const MerlTable& table, MerlLookup lookup, const MerlPoint<T>& at) {
+  using F = RealOf<T>;
+  switch (lookup) {
+  case MerlLookup::nearest:
+    return merl_mean(MerlReader<T>{table.values<F>()}.nearest(at));
+  case MerlLookup::trilinear:
+    return merl_mean(MerlReader<T>{table.values<F>()}.trilinear(at, 0.5));
+  case MerlLookup::trilinear_edge:
+    return merl_mean(MerlReader<T>{table.values<F>()}.trilinear(at, 0));
+  case MerlLookup::trilinear_log:
+    return from_logarithm(merl_mean(MerlReader<T>{table.log_values<F>()}.trilinear(at, 0.5)));
+  case MerlLookup::tricubic_log:
+    return from_logarithm(merl_mean(MerlReader<T>{table.log_values<F>()}.tricubic(at)));
+  }
+  return {Rgb<T>(T(0)), T(0) <= T(0)};
+}
+
+} // namespace refraster
