@@ -2,13 +2,25 @@
 // From two directions to the half and difference angles of a measured BRDF.
 
 #include "math/elementary.h"
+#include "shading/fields.h"
 
 #include <numbers>
+#include <string_view>
+#include <utility>
 
 namespace refraster {
 
 /// How the azimuth of the difference vector is computed. All agree in exact arithmetic.
 enum class MerlAngles { closed, rotation, frame };
+
+template <>
+struct EnumNames<MerlAngles> {
+  static constexpr std::pair<MerlAngles, std::string_view> names[] = {
+      {MerlAngles::closed, "closed"},
+      {MerlAngles::rotation, "rotation"},
+      {MerlAngles::frame, "frame"},
+  };
+};
 
 /// Rusinkiewicz's coordinates of an isotropic BRDF, in radians. With h = (i + o) / |i + o|:
 ///   theta_h in [0, pi/2]  from the normal n to h

@@ -1,35 +1,13 @@
 #pragma once
 
-#include "shading/fields.h"
 #include "shading/fragment.h"
 #include "shading/merl_lookup.h"
 
 #include <cassert>
 #include <memory>
 #include <string_view>
-#include <utility>
 
 namespace refraster {
-
-template <>
-struct EnumNames<MerlLookup> {
-  static constexpr std::pair<MerlLookup, std::string_view> names[] = {
-      {MerlLookup::nearest, "nearest"},
-      {MerlLookup::trilinear, "trilinear"},
-      {MerlLookup::trilinear_edge, "trilinear-edge"},
-      {MerlLookup::trilinear_log, "trilinear-log"},
-      {MerlLookup::tricubic_log, "tricubic-log"},
-  };
-};
-
-template <>
-struct EnumNames<MerlAngles> {
-  static constexpr std::pair<MerlAngles, std::string_view> names[] = {
-      {MerlAngles::closed, "closed"},
-      {MerlAngles::rotation, "rotation"},
-      {MerlAngles::frame, "frame"},
-  };
-};
 
 /// Measured reflection: radiance toward the eye from one light,
 ///

@@ -20,6 +20,17 @@ namespace refraster {
 /// measured are left out and the weights of the others scaled up to a sum of 1.
 enum class MerlLookup { nearest, trilinear, trilinear_edge, trilinear_log, tricubic_log };
 
+template <>
+struct EnumNames<MerlLookup> {
+  static constexpr std::pair<MerlLookup, std::string_view> names[] = {
+      {MerlLookup::nearest, "nearest"},
+      {MerlLookup::trilinear, "trilinear"},
+      {MerlLookup::trilinear_edge, "trilinear-edge"},
+      {MerlLookup::trilinear_log, "trilinear-log"},
+      {MerlLookup::tricubic_log, "tricubic-log"},
+  };
+};
+
 /// A point in the table, in bins: bin k covers [k, k + 1). The table has its finest bins where theta_h is small.
 template <class T>
 struct MerlPoint {

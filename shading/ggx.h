@@ -1,0 +1,81 @@
+#pragma once
+// BRDFs with a formula, as a truth to compare tables with and as a source of tables that anyone may have.
+// Each is f(n, i, o) in 1/sr, without cosine, for unit vectors with n.i > 0 and n.o > 0; isotropic, reciprocal, and
+// reflecting no more than arrives.
+
+#include "math/vec.h"
+
+#include <numbers>
+
+namespace refraster {
+
+/// The same in all directions: albedo / pi.
+struct Lambert {
+  Double3 albedo{0.5}; // share of the light that is reflected, each channel in [0, 1]
+
+  template <Number T>
+  Rgb<T> operator()(const Vec3<T>&, const Vec3<T>&, const Vec3<T>&) const {
+    return as<T>(albedo / std::numbers::pi);
+  }
+};
+
+/// The density of microfacet normals, D(h) = alpha^2 / (pi (alpha^2 cos^2 theta_h + sin^2 theta_h)^2).
+/// The sine comes from the cross product: 1 - cos^2 would leave few digits of it where D is largest.
+/// Walter et al., "Microfacet models for refraction through rough surfaces", 2007, equation 33.
+template <Number T>
+T ggx_density(const Vec3<T>& n, const Vec3<T>& h, double alpha) {
+  const T spread = as<T>(alpha * alpha) * square(dot(n, h)) + squared_length(cross(n, h));
+  return as<T>(alpha * alpha / std::numbers::pi) / square(spread);
+}
+
+/// Masking and shadowing over 4 (n.i) (n.o), with both heights correlated. Walter's G1 has Lambda(x) such that this is
+///     1 / (2 (n_o sqrt(a + (1 - a) n_i^2) + n_i sqrt(a + (1 - a) n_o^2))),     a = alpha^2.
+/// Heitz, "Understanding the masking-shadowing function in microfacet-based BRDFs", 2014, equation 99.
+template <Number T>
+T ggx_visibility(const T& n_i, const T& n_o, double alpha) {
+  const T a = as<T>(alpha * alpha), rest = as<T>(1 - alpha * alpha);
+  return as<T>(0.5) / (n_o * root(a + rest * square(n_i)) + n_i * root(a + rest * square(n_o)));
+}
+
+/// Rough metal: D G F / (4 n.i n.o), F = f0 + (1 - f0) (1 - i.h)^5.
+/// Schlick, "An inexpensive BRDF model for physically-based rendering", 1994, for the Fresnel factor F.
+struct GgxConductor {
+  double alpha = 0.1; // width of the density, in (0, 1]: the slope at which it has fallen to a quarter
+  Double3 f0{0.9};    // reflectance at normal incidence, each channel in [0, 1]
+
+  template <Number T>
+  Rgb<T> operator()(const Vec3<T>& n, const Vec3<T>& i, const Vec3<T>& o) const {
+    const Vec3<T> h = normalize(i + o);
+    const T away = positive(T(1) - dot(i, h));
+    const T away_5 = square(square(away)) * away;
+    const Rgb<T> fresnel = as<T>(f0) + as<T>(Double3(1) - f0) * away_5;
+    return fresnel * (ggx_density(n, h, alpha) * ggx_visibility(dot(n, i), dot(n, o), alpha));
+  }
+};
+
+/// The share of unpolarised light that a smooth dielectric reflects, at cosine c of the angle of incidence; ior > 1.
+/// Walter et al. 2007, equation 22.
+template <Number T>
+T dielectric_fresnel(const T& c, double ior) {
+  const T g = root(as<T>(ior * ior - 1) + square(c));
+  return as<T>(0.5) * square((g - c) / (g + c)) * (T(1) + square((c * (g + c) - T(1)) / (c * (g - c) + T(1))));
+}
+
+/// Rough dielectric over a diffuse ground: D G F / (4 n.i n.o) + (1 - F(n.i)) (1 - F(n.o)) albedo / pi. Light that
+/// enters meets the ground once; what the surface throws back inside is lost.
+struct GgxDielectric {
+  double alpha = 0.3;  // as for GgxConductor
+  double ior = 1.5;    // refractive index, > 1
+  Double3 albedo{0.5}; // of the ground, each channel in [0, 1]
+
+  template <Number T>
+  Rgb<T> operator()(const Vec3<T>& n, const Vec3<T>& i, const Vec3<T>& o) const {
+    const Vec3<T> h = normalize(i + o);
+    const T n_i = dot(n, i), n_o = dot(n, o);
+    const T gloss = dielectric_fresnel(dot(i, h), ior) * ggx_density(n, h, alpha) * ggx_visibility(n_i, n_o, alpha);
+    const T entering = T(1) - dielectric_fresnel(n_i, ior), leaving = T(1) - dielectric_fresnel(n_o, ior);
+    return as<T>(albedo / std::numbers::pi) * (entering * leaving) + Rgb<T>(gloss);
+  }
+};
+
+} // namespace refraster
