@@ -1,3 +1,8 @@
 #pragma once
-// placeholder: see the elementary helper
-#include "math/vec.h"
+// The elementary functions of a Number: branch-free, total, the same bits in every lane as alone, and with a maximal
+// error that is tested. No libm: its results change with the machine. For a bounds type see tests/support/interval.h.
+
+#include "math/atan2.h"
+#include "math/degrees.h"
+#include "math/exp_log.h"
+#include "math/power.h"

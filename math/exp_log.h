@@ -1,0 +1,203 @@
+#pragma once
+// Logarithm and exponential to base 2. Each exists twice: in double for double lanes, to twice the precision where a
+// power needs it; and in double for float lanes, with polynomials just long enough, so that rounding the result to
+// float is nearly the only error. Widening costs half the lanes, compensated float arithmetic would cost more.
+// The polynomials come from tests/math/fit_polynomials.py.
+
+#include "math/polynomial.h"
+#include "math/twofold.h"
+
+namespace refraster {
+
+/// Proven by tests/math/test_elementary.cpp against 50 digits; in units in the last place of the result.
+template <class F>
+inline constexpr double log2_max_ulp = sizeof(F) == 4 ? 0.52 : 1.0;
+template <class F>
+inline constexpr double exp2_max_ulp = sizeof(F) == 4 ? 0.6 : 1.0;
+
+/// Results of exp2 and power below 2^lowest_power are cut to 0, far above the subnormal numbers: one subnormal in a
+/// register costs every lane an excursion into microcode, and no image shows the difference.
+template <class F>
+inline constexpr double lowest_power = sizeof(F) == 4 ? -120 : -1000;
+template <class F>
+inline constexpr double highest_power = std::numeric_limits<F>::max_exponent; // 2^this overflows
+
+inline constexpr Twofold<double> two_over_ln2 = {0x1.71547652b82fep+1, 0x1.777d0ffda0d24p-55};
+inline constexpr Twofold<double> two_thirds_over_ln2 = {0x1.ec709dc3a03fdp-1, 0x1.d27f05548af0cp-55};
+inline constexpr Twofold<double> ln2 = {0x1.62e42fefa39efp-1, 0x1.abc9e3b39803fp-56};
+inline constexpr Twofold<double> log2_of_1_5 = {0x1.2b803473f7ad1p-1, -0x1.817fd3b7d7e5dp-58};
+
+/// x = m 2^exponent with m in [least, 2 least), for normal x > 0.
+template <class T>
+struct Binary {
+  T m, exponent;
+};
+template <Lanes T>
+Binary<T> binary(const T& x, RealOf<T> least) {
+  using F = RealOf<T>;
+  constexpr int shift = fraction_bits<F>;
+  constexpr BitsOf<F> bias = std::numeric_limits<F>::max_exponent - 1;
+  const LaneBits<T> bits = bits_of(x);
+  const LaneBits<T> biased = shift_right<T>(bits + (one_bits<T> - bits_of(least)), shift);
+  return {from_bits<T>(bits - ((biased - bias) << shift)), to_number<T>(biased) - as<T>(bias)};
+}
+
+/// m 2^exponent for m in [1/2, 2) and a whole exponent, where the result is normal.
+template <Lanes T>
+T times_power_of_2(const T& m, const T& exponent) {
+  using F = RealOf<T>;
+  // 1.5 2^fraction_bits + exponent has the exponent, in two's complement, in its lowest bits; the shift drops the rest.
+  const LaneBits<T> exponent_bits = bits_of(exponent + as<T>(1.5 * integer_shelf<T>));
+  return from_bits<T>(bits_of(m) + (exponent_bits << fraction_bits<F>));
+}
+
+/// The largest float, as a double: a result is held below it before it is rounded to float.
+inline constexpr double largest_float = 0x1.fffffep127;
+
+/// The nearest whole number (ties to even), for |x| < 2^(fraction_bits - 1).
+template <Lanes T>
+T rounded(const T& x) {
+  const T shelf = as<T>(1.5 * integer_shelf<T>);
+  return (x + shelf) - shelf;
+}
+
+/// What the logarithm of x = c m 2^k is made from: log2(x) = k + log2(c) + log2((sum + difference) / (sum -
+/// difference)), where sum and difference are of m and c: difference / sum is the argument of a fast series, atanh.
+template <class T>
+struct Log2Argument {
+  T k;
+  T difference; // m - c: exact
+  T a, b;       // two numbers whose sum is m + c, |a| >= |b| or both of one binade
+  Twofold<T> log2_c;
+};
+
+/// For normal x > 0. c is 1 or 3/2, so that |m - c| / (m + c) <= 0.1011.
+template <Lanes T>
+  requires(sizeof(RealOf<T>) == 8)
+Log2Argument<T> log2_argument(const T& x) {
+  const auto [m, k] = binary(x, 0x1.bb67ae8584caap-1); // sqrt(3)/2: m in [0.866, 1.732)
+  const MaskOf<T> high = m > T(0x1.3988e1409212ep+0);  // sqrt(3/2)
+  const T c = select(high, T(1.5), T(1));
+  const Twofold<T> log2_c = {select(high, T(log2_of_1_5.hi), T(0)), select(high, T(log2_of_1_5.lo), T(0))};
+  return {k, m - c, c, m, log2_c};
+}
+
+/// log2(1 - q) for 0 <= q < 1/2, without ever rounding 1 - q: c = 1, m = 1 - q.
+template <Lanes T>
+Log2Argument<T> log2_argument_of_1_minus(const T& q) {
+  return {T(0), -q, T(2), -q, {T(0), T(0)}};
+}
+
+template <Lanes T>
+Log2Argument<T> select(const MaskOf<T>& m, const Log2Argument<T>& x, const Log2Argument<T>& y) {
+  return {select(m, x.k, y.k),
+          select(m, x.difference, y.difference),
+          select(m, x.a, y.a),
+          select(m, x.b, y.b),
+          {select(m, x.log2_c.hi, y.log2_c.hi), select(m, x.log2_c.lo, y.log2_c.lo)}};
+}
+
+/// The logarithm with a relative error below 2^-66.
+///     log2((1 + z) / (1 - z)) = z (A + w (A/3 + w q(w))),   w = z^2,   A = 2 / ln 2
+/// The tail w q(w) adds at most 2^-7 of A/3, and w A/3 2^-8 of A: so q is needed to single, the rest to twice
+/// precision.
+template <Lanes T>
+Twofold<T> wide_log2(const Log2Argument<T>& x) {
+  // q(w) within 5.5e-21 / w^2 for w in [0, 0.01021].
+  constexpr std::array q = {0x1.2776c50ef9bd0p-1, 0x1.a61762a7cbc62p-2, 0x1.484b139e1606dp-2,
+                            0x1.0c9abb3e965f5p-2, 0x1.c658d23e95b77p-3, 0x1.97aaebd9d94eep-3};
+  const Twofold<T> sum = quick_sum(x.a, x.b);
+  const T reciprocal = T(1) / sum.hi;
+  const T quotient = x.difference * reciprocal;
+  const Twofold<T> back = wide_product(quotient, sum.hi);
+  const T rest = ((x.difference - back.hi) - back.lo) - quotient * sum.lo;
+  const Twofold<T> z = quick_sum(quotient, rest * reciprocal);
+  const Twofold<T> w = wide_product(z, z);
+  const Twofold<T> third = as<T>(two_thirds_over_ln2), all = as<T>(two_over_ln2);
+  const Twofold<T> inner = quick_sum(third.hi, third.lo + w.hi * polynomial(w.hi, q));
+  const Twofold<T> tail = wide_product(w, inner);
+  const Twofold<T> factor = quick_sum(all.hi, tail.hi);
+  const Twofold<T> log2_m = wide_product(z, {factor.hi, factor.lo + (tail.lo + all.lo)});
+  const Twofold<T> whole = exact_sum(x.k, x.log2_c.hi);
+  const Twofold<T> result = exact_sum(whole.hi, log2_m.hi);
+  return quick_sum(result.hi, result.lo + (whole.lo + x.log2_c.lo + log2_m.lo));
+}
+
+/// 2^(y.hi + y.lo) for |y.hi| <= 1022.
+template <Lanes T>
+T wide_exp2(const Twofold<T>& y) {
+  // (2^f - 1 - f ln2) / f^2 within 6.2e-17 for |f| <= 1/2.
+  constexpr std::array p = {0x1.ebfbdff82c590p-3,  0x1.c6b08d704a0c3p-5,  0x1.3b2ab6fba385ep-7,  0x1.5d87fe78a4726p-10,
+                            0x1.4309130378a59p-13, 0x1.ffcbfc6c25056p-17, 0x1.62bfe45fe5732p-20, 0x1.b524ed52d4475p-24,
+                            0x1.e5e9f7ac8a428p-28, 0x1.e9ec20ad87111p-32};
+  const T n = rounded(y.hi);
+  const Twofold<T> f = quick_sum(y.hi - n, y.lo);
+  // 2^f = 1 + ln2 f + f^2 p(f): the first two terms to twice the precision, the third is below 0.07.
+  const Twofold<T> linear = wide_product(f.hi, T(ln2.hi));
+  const Twofold<T> sum = quick_sum(T(1), linear.hi);
+  const T rest = f.hi * f.hi * polynomial(f.hi, p) + (linear.lo + f.hi * T(ln2.lo));
+  const T m = sum.hi + (sum.lo + (rest + f.lo * (T(ln2.hi) * sum.hi)));
+  return times_power_of_2(m, n);
+}
+
+/// k + log2(1 + t) for float lanes, in double: 1 + t in [sqrt(1/2), sqrt(2)]. Relative error below 2^-33 where k = 0.
+template <Lanes T>
+T narrow_log2(const T& k, const T& t) {
+  // log2(1 + t) / t within 1.1e-10 of it.
+  constexpr std::array p = {0x1.71547652ef9f3p+0, -0x1.7154767bad52ep-1, 0x1.ec709c00c8e65p-2, -0x1.715435ec2e848p-2,
+                            0x1.277732d9f9739p-2, -0x1.ec8d73c9543f5p-3, 0x1.a615c8f669af8p-3, -0x1.6eb02972eb972p-3,
+                            0x1.45a2ab702556cp-3, -0x1.41800aa78f070p-3, 0x1.3d259f0ac9b3bp-3, -0x1.61ab39fbf0aa0p-4};
+  return k + t * polynomial(t, p);
+}
+
+/// 2^y for float lanes, in double: |y| <= 1022. Relative error below 2^-27.4.
+template <Lanes T>
+T narrow_exp2(const T& y) {
+  // (2^f - 1) / f within 7.5e-9 for |f| <= 1/2.
+  constexpr std::array p = {0x1.62e4302fcf031p-1, 0x1.ebfbe07d594d8p-3,  0x1.c6af6cccf54bdp-5,
+                            0x1.3b29e40dfe0c2p-7, 0x1.5f08975d6cc11p-10, 0x1.446c521b4a8c5p-13};
+  const T n = rounded(y);
+  const T f = y - n;
+  return times_power_of_2(T(1) + f * polynomial(f, p), n);
+}
+
+inline constexpr double sqrt_half = 0x1.6a09e667f3bcdp-1;
+
+/// log2(x), always finite: x below the smallest positive number (0, negative, NaN) counts as that number, x above the
+/// largest as that. Error: log2_max_ulp.
+template <Lanes T>
+T log2(const T& x) {
+  using F = RealOf<T>;
+  const T inside = minimum(maximum(x, T(std::numeric_limits<F>::denorm_min())), T(std::numeric_limits<F>::max()));
+  if constexpr (sizeof(F) == 4) {
+    return in_double(
+        []<class D>(const D& wide) {
+          const auto [m, k] = binary(wide, sqrt_half);
+          return narrow_log2(k, m - D(1));
+        },
+        inside);
+  } else {
+    const MaskOf<T> subnormal = inside < T(std::numeric_limits<F>::min());
+    Log2Argument<T> argument = log2_argument(select(subnormal, inside * T(0x1p54), inside));
+    argument.k = argument.k - select(subnormal, T(54), T(0));
+    const Twofold<T> result = wide_log2(argument);
+    return result.hi + result.lo;
+  }
+}
+
+/// 2^x, always finite: 0 below x = lowest_power and for NaN, the largest number where the result would overflow.
+/// Error: exp2_max_ulp.
+template <Lanes T>
+T exp2(const T& x) {
+  using F = RealOf<T>;
+  const T inside = minimum(maximum(x, T(F(lowest_power<F>) - 1)), T(F(highest_power<F>)));
+  T result;
+  if constexpr (sizeof(F) == 4) {
+    result = in_double([]<class D>(const D& y) { return minimum(narrow_exp2(y), D(largest_float)); }, inside);
+  } else {
+    result = minimum(wide_exp2(Twofold<T>{inside, T(0)}), T(std::numeric_limits<double>::max()));
+  }
+  return select(inside >= T(F(lowest_power<F>)), result, T(0));
+}
+
+} // namespace refraster
