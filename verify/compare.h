@@ -1,1 +1,75 @@
 #pragma once
+// How far two images are apart, and where.
+
+#include "raster/image.h"
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace refraster {
+
+/// The unit of a comparison. Two 8-bit images are compared in levels, 0 to 255; any other pair in values, where an
+/// 8-bit level l is l / 255.
+enum class CompareUnit { levels, values };
+
+/// What PSNR takes as the whole range: 255 levels, or 1.
+constexpr double full_range(CompareUnit unit) {
+  return unit == CompareUnit::levels ? 255 : 1;
+}
+constexpr std::string_view unit_name(CompareUnit unit) {
+  return unit == CompareUnit::levels ? "levels" : "values";
+}
+
+/// When two images count as the same. A limit that is not set does not judge; without any, all values must be equal.
+struct CompareLimits {
+  std::optional<double> max_abs = {};          // in the unit: a value that differs by more is over the limit
+  std::optional<double> max_rms = {};          // in the unit
+  std::optional<std::uint64_t> max_count = {}; // so many pixels may be over the limit (over 0, if max_abs is not set)
+
+  bool any() const { return max_abs || max_rms || max_count; }
+};
+
+/// A pixel of which at least one value differs.
+struct PixelDifference {
+  int x = 0, y = 0;
+  double difference = 0;    // of the channel that differs most; infinity if one has no difference
+  std::vector<double> a, b; // all channels, in the unit
+};
+
+inline constexpr std::size_t worst_pixels_kept = 10;
+
+/// What compare() found. Differences are b - a, of each channel of each pixel. Two values have no difference if one is
+/// NaN (which equals nothing, itself included) or infinite (which equals only the same infinity): such pixels are
+/// counted, and their values kept out of every sum and maximum.
+struct Comparison {
+  CompareUnit unit = CompareUnit::levels;
+  int width = 0, height = 0, channels = 0;
+
+  std::uint64_t incomparable_pixels = 0; // a value has no difference
+  std::uint64_t nan_pixels_a = 0, nan_pixels_b = 0;
+  std::uint64_t equal_pixels = 0;     // all values have the same bits, and none is NaN
+  std::uint64_t zero_sign_pixels = 0; // differ in nothing but the sign of a zero
+  std::uint64_t pixels_over = 0;      // incomparable, or a value is over the limit
+  double max = 0;                     // |b - a|
+  double rms = 0;                     // root of the mean square over all values
+  double psnr_db = 0;                 // 20 log10(full_range / rms); infinity if rms is 0
+  std::vector<double> mean;           // of b - a, by channel: shows a bias that no single pixel does
+  std::vector<PixelDifference> worst; // at most worst_pixels_kept; the most different first, then row by row
+  bool same = false;                  // within the limits; never with an incomparable pixel
+
+  std::uint64_t pixels() const { return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height); }
+};
+
+/// Compares in levels. The images must agree in size and channels (assert). Computed in double, row by row.
+Comparison compare(const Image<std::uint8_t>& a, const Image<std::uint8_t>& b, const CompareLimits& limits);
+
+/// Compares in values. Otherwise as above.
+Comparison compare(const Image<float>& a, const Image<float>& b, const CompareLimits& limits);
+
+/// |b - a|: 0 for the same infinity, infinity where there is no difference. In levels or values, as above.
+double value_difference(std::uint8_t a, std::uint8_t b);
+double value_difference(float a, float b);
+
+} // namespace refraster

@@ -1,0 +1,168 @@
+#include "verify/compare_report.h"
+
+#include "io/json_writer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace refraster {
+namespace {
+
+/// As printf.
+template <class... Arguments>
+std::string format(const char* pattern, Arguments... arguments) {
+  const int length = std::snprintf(nullptr, 0, pattern, arguments...);
+  std::string text(static_cast<std::size_t>(length), '\0');
+  std::snprintf(text.data(), text.size() + 1, pattern, arguments...);
+  return text;
+}
+
+std::string line(const char* label, const std::string& content) {
+  return format("%-14s %s\n", label, content.c_str());
+}
+
+std::string number(double x) {
+  return format("%.6g", x);
+}
+
+/// Nine digits tell any two floats apart; levels are integers.
+std::string value_text(double value) {
+  return format("%.9g", value);
+}
+
+std::string values_text(const std::vector<double>& values) {
+  std::string text;
+  for (const double value : values) text += (text.empty() ? "" : " ") + value_text(value);
+  return text;
+}
+
+/// "12 (0.0013 %)"; a share that is not 0 or all is never printed as if it were.
+std::string count_text(std::uint64_t count, std::uint64_t whole) {
+  double percent = 100 * static_cast<double>(count) / static_cast<double>(whole);
+  if (count < whole) percent = std::min(percent, 99.9999);
+  return format("%-10llu %.4g %%", static_cast<unsigned long long>(count), percent);
+}
+
+std::string limits_text(const CompareLimits& limits) {
+  std::string text;
+  const auto add = [&](const char* name, const std::string& value) {
+    text += (text.empty() ? "" : ", ") + std::string(name) + " " + value;
+  };
+  if (limits.max_abs) add("max-abs", number(*limits.max_abs));
+  if (limits.max_rms) add("max-rms", number(*limits.max_rms));
+  if (limits.max_count) add("max-count", std::to_string(*limits.max_count));
+  return text;
+}
+
+std::string verdict(const ComparisonReport& report) {
+  const Comparison& found = report.found;
+  if (found.equal_pixels == found.pixels()) return "equal";
+  if (found.same) return "equal within " + limits_text(report.limits);
+  if (report.limits.any()) return "differ by more than " + limits_text(report.limits);
+  return "differ";
+}
+
+std::string worst_table(const std::vector<PixelDifference>& worst) {
+  std::vector<std::string> places, as, bs;
+  for (const PixelDifference& pixel : worst) {
+    places.push_back(format("(%d, %d)", pixel.x, pixel.y));
+    as.push_back(values_text(pixel.a));
+    bs.push_back(values_text(pixel.b));
+  }
+  const auto width = [](const std::vector<std::string>& column, std::size_t least) {
+    for (const std::string& cell : column) least = std::max(least, cell.size());
+    return static_cast<int>(least);
+  };
+  const int place_width = width(places, 6), a_width = width(as, 1), b_width = width(bs, 1);
+  std::string text =
+      format("worst pixels   %-*s  %-*s  %-*s  %s\n", place_width, "(x, y)", a_width, "a", b_width, "b", "difference");
+  for (std::size_t i = 0; i < worst.size(); ++i)
+    text +=
+        format("               %-*s  %-*s  %-*s  %s\n", place_width, places[i].c_str(), a_width, as[i].c_str(), b_width,
+               bs[i].c_str(), std::isfinite(worst[i].difference) ? number(worst[i].difference).c_str() : "none");
+  return text;
+}
+
+void write_optional(JsonWriter& json, std::string_view name, const auto& value) {
+  json.key(name);
+  if (value) json.value(*value);
+  else json.null();
+}
+
+} // namespace
+
+std::string comparison_text(const ComparisonReport& report) {
+  const Comparison& found = report.found;
+  std::string text = verdict(report) + "\n";
+  text += line("a", report.file_a);
+  text += line("b", report.file_b);
+  text += line("size", format("%d x %d, %d channels, compared in %s", found.width, found.height, found.channels,
+                              found.unit == CompareUnit::levels ? "levels of 255" : "values"));
+  if (found.incomparable_pixels > 0) {
+    text += line("NaN, infinite", count_text(found.incomparable_pixels, found.pixels()));
+    text += line("  NaN in a, b", format("%llu, %llu", static_cast<unsigned long long>(found.nan_pixels_a),
+                                         static_cast<unsigned long long>(found.nan_pixels_b)));
+  }
+  text += line("equal pixels", count_text(found.equal_pixels, found.pixels()));
+  if (found.equal_pixels == found.pixels()) return text;
+  if (found.zero_sign_pixels > 0) text += line("only 0 and -0", count_text(found.zero_sign_pixels, found.pixels()));
+  text += line(("over " + number(report.limits.max_abs.value_or(0))).c_str(),
+               count_text(found.pixels_over, found.pixels()));
+  text += line("max", number(found.max));
+  text += line("rms", number(found.rms));
+  text += line("psnr", std::isfinite(found.psnr_db) ? format("%.2f dB", found.psnr_db) : "infinite");
+  std::string means;
+  for (const double mean : found.mean) means += format("%s%+.3g", means.empty() ? "" : "  ", mean);
+  text += line("mean of b - a", means);
+  if (!found.worst.empty()) text += worst_table(found.worst);
+  return text;
+}
+
+std::string comparison_json(const ComparisonReport& report) {
+  const Comparison& found = report.found;
+  JsonWriter json;
+  json.begin_object();
+  json.member("a", report.file_a);
+  json.member("b", report.file_b);
+  json.member("same", found.same);
+  json.member("unit", unit_name(found.unit));
+  json.member("size", std::vector<int>{found.width, found.height});
+  json.member("channels", found.channels);
+  json.key("limits");
+  json.begin_object();
+  write_optional(json, "max_abs", report.limits.max_abs);
+  write_optional(json, "max_rms", report.limits.max_rms);
+  write_optional(json, "max_count", report.limits.max_count);
+  json.end_object();
+  json.key("pixels");
+  json.begin_object();
+  json.member("all", found.pixels());
+  json.member("incomparable", found.incomparable_pixels);
+  json.member("nan_in_a", found.nan_pixels_a);
+  json.member("nan_in_b", found.nan_pixels_b);
+  json.member("equal", found.equal_pixels);
+  json.member("differ_in_sign_of_zero", found.zero_sign_pixels);
+  json.member("over_max_abs", found.pixels_over);
+  json.end_object();
+  json.member("max", found.max);
+  json.member("rms", found.rms);
+  json.member("psnr_db", found.psnr_db);
+  json.member("mean", found.mean);
+  json.key("worst");
+  json.begin_array();
+  for (const PixelDifference& pixel : found.worst) {
+    json.begin_object();
+    json.member("x", pixel.x);
+    json.member("y", pixel.y);
+    json.member("difference", pixel.difference);
+    json.member("a", pixel.a);
+    json.member("b", pixel.b);
+    json.end_object();
+  }
+  json.end_array();
+  json.end_object();
+  return json.text();
+}
+
+} // namespace refraster

@@ -1,0 +1,24 @@
+#pragma once
+// What compare() found, for people and for programs.
+
+#include "verify/compare.h"
+
+#include <string>
+
+namespace refraster {
+
+/// A comparison and what it was of.
+struct ComparisonReport {
+  std::string file_a, file_b;
+  CompareLimits limits;
+  Comparison found;
+};
+
+/// A few aligned lines; the first one is the verdict. Numbers are rounded for reading.
+std::string comparison_text(const ComparisonReport& report);
+
+/// Every number in full, members always in the same order. psnr_db is null where it is infinite; a value in `worst` is
+/// null where it is NaN or infinite. docs/compare.md describes them.
+std::string comparison_json(const ComparisonReport& report);
+
+} // namespace refraster

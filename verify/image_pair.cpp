@@ -1,0 +1,1 @@
+#include "verify/image_pair.h"
