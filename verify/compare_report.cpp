@@ -33,7 +33,10 @@ std::string value_text(double value) {
 
 std::string values_text(const std::vector<double>& values) {
   std::string text;
-  for (const double value : values) text += (text.empty() ? "" : " ") + value_text(value);
+  for (const double value : values) {
+    if (!text.empty()) text += ' ';
+    text += value_text(value);
+  }
   return text;
 }
 

@@ -49,20 +49,21 @@ void note_samples(const MerlTable& table, MerlFacts& facts) {
 
 /// A direction above the surface, uniform in solid angle.
 Double3 random_direction(std::mt19937& bits) {
-  const auto uniform = [&] { return (bits() + 0.5) / 4294967296.0; }; // std::uniform_real differs between libraries
+  const auto uniform = [&] { return (static_cast<double>(bits()) + 0.5) / 4294967296.0; };
   const double z = uniform(), phi = 2 * std::numbers::pi * uniform();
   return direction(std::acos(z), phi);
 }
 
 void note_reciprocity(const MerlTable& table, MerlFacts& facts) {
-  std::mt19937 bits; // the same pairs every time
+  std::mt19937 bits; // the same pairs every time; the library's distributions are not the same everywhere
   facts.reciprocity_pairs = 100'000;
   for (int k = 0; k < facts.reciprocity_pairs; ++k) {
     const Double3 i = random_direction(bits), o = random_direction(bits);
     const Rgb<double> there = brdf(table, i, o), back = brdf(table, o, i);
     for (int c = 0; c < 3; ++c) {
       const double larger = std::max(there[c], back[c]);
-      if (larger > 0) facts.reciprocity_error = std::max(facts.reciprocity_error, std::abs(there[c] - back[c]) / larger);
+      if (larger > 0)
+        facts.reciprocity_error = std::max(facts.reciprocity_error, std::abs(there[c] - back[c]) / larger);
     }
   }
 }
