@@ -3,14 +3,16 @@
 
 #include "shading/fragment.h"
 
+#include <limits>
+
 namespace refraster {
 
 /// A light that shines from one point in all directions.
 struct PointLight {
-  Double3 position{0};   // world space
+  Double3 position{0}; // world space
   Double3 radiance{1};
-  double constant = 1;   // Kc, Kl, Kq >= 0: attenuation 1 / (Kc + Kl d + Kq d^2), d in world units.
-  double linear = 0;     // All three 0 means no attenuation.
+  double constant = 1; // Kc, Kl, Kq >= 0: attenuation 1 / (Kc + Kl d + Kq d^2), d in world units.
+  double linear = 0;   // All three 0 means no attenuation.
   double quadratic = 0;
 };
 
@@ -20,15 +22,22 @@ struct DirectionLight {
   Double3 radiance{1};
 };
 
-/// C = radiance / (Kc + Kl d + Kq d^2). With d = 0 no direction is defined and nothing arrives.
+/// C = radiance / (Kc + Kl d + Kq d^2), at most the largest finite number: d may be so small that nothing is left of
+/// the divisor. With d = 0 no direction is defined and nothing arrives.
 template <class T>
 Incident<T> arriving(const PointLight& light, const Fragment<T>& at) {
+  using Limits = std::numeric_limits<RealOf<T>>;
   const Vec3<T> way = as<T>(light.position) - at.position;
   const T d = length(way);
   at.undefined(Undefined::light_at_surface, d <= T(0));
   const bool attenuated = light.constant > 0 || light.linear > 0 || light.quadratic > 0;
   Rgb<T> radiance = as<T>(light.radiance);
-  if (attenuated) radiance /= as<T>(light.constant) + as<T>(light.linear) * d + as<T>(light.quadratic) * square(d);
+  if (attenuated) {
+    const T divisor = as<T>(light.constant) + as<T>(light.linear) * d + as<T>(light.quadratic) * square(d);
+    radiance /= maximum(divisor, T(Limits::min()));
+    const T largest(Limits::max());
+    radiance = {minimum(radiance.x, largest), minimum(radiance.y, largest), minimum(radiance.z, largest)};
+  }
   return {normalize(way), select<T>(d > T(0), radiance, Rgb<T>(T(0)))};
 }
 

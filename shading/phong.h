@@ -39,10 +39,20 @@ struct PhongParameters {
     return as<T>(ka) * at.texture;
   }
 
-  /// (kd t <n.l> + ks lobe) C, <x> = max(x, 0), t the texture colour: the highlight is not coloured by it.
+  /// <a.b>^s. 0^0 is 1: an exponent of 0 makes a highlight that is everywhere.
   template <Number T>
-  Rgb<T> reflected(const Fragment<T>& at, const Incident<T>& light, const T& n_l, const T& lobe) const {
-    const T kept = specular_gate == SpecularGate::open ? lobe : select(n_l > T(0), lobe, T(0));
+  T lobe(const Fragment<T>& at, const Vec3<T>& a, const Vec3<T>& b) const {
+    if (ks.x == 0 && ks.y == 0 && ks.z == 0) return T(0); // not used, so not paid for
+    if (glossiness == 0) at.undefined(Undefined::zero_to_the_zero, dot(a, b) <= T(0));
+    return cosine_power(a, b, glossiness);
+  }
+
+  /// (kd t <n.l> + ks highlight) C, <x> = max(x, 0), t the texture colour: the highlight is not coloured by it.
+  /// 0 without a normal.
+  template <Number T>
+  Rgb<T> reflected(const Fragment<T>& at, const Incident<T>& light, const T& n_l, const T& highlight) const {
+    const T gated = specular_gate == SpecularGate::open ? highlight : select(n_l > T(0), highlight, T(0));
+    const T kept = select(squared_length(at.normal) > T(0), gated, T(0));
     return (as<T>(kd) * at.texture * positive(n_l) + as<T>(ks) * kept) * light.radiance;
   }
 };
@@ -61,7 +71,7 @@ struct Phong : PhongParameters {
     const Vec3<T> n = at.normal, l = light.direction, v = at.to_eye;
     const T n_l = dot(n, l);
     const Vec3<T> r = n * (T(2) * n_l) - l;
-    return reflected(at, light, n_l, cosine_power(r, v, glossiness));
+    return reflected(at, light, n_l, lobe(at, r, v));
   }
 };
 
