@@ -1,6 +1,7 @@
 # Every dependency, each from a Debian package (scripts/packages.txt).
 find_package(OpenMP REQUIRED COMPONENTS CXX)
 find_package(glm REQUIRED CONFIG)
+find_package(Boost REQUIRED) # headers: exact integers of any size
 find_package(RapidJSON REQUIRED CONFIG)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto) # sha256 of measured tables
 find_package(PkgConfig REQUIRED)

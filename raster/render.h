@@ -36,18 +36,19 @@ struct Crop {
 enum class Transfer { linear, srgb };
 
 struct RenderOptions {
-  int width = 1280, height = 720;    // of the full image: 1 to 16384 each
-  std::vector<Crop> crop;            // none, or one within the image: only these pixels, with the same values
-  std::string_view rung = "double";  // a name in math/rungs.h
-  int threads = 0;                   // 0: as many as the machine has
-  int tile_size = 64;                // 8 to 128, a power of two. Changes no pixel.
+  int width = 1280, height = 720;   // of the full image: 1 to 16384 each
+  std::vector<Crop> crop;           // none, or one within the image: only these pixels, with the same values
+  std::string_view rung = "double"; // a name in math/rungs.h
+  int samples = 1;                  // a pixel: 1, 2, 4, 8 or 16 at the standard positions; shaded once a triangle
+  int threads = 0;                  // 0: as many as the machine has
+  int tile_size = 64;               // 8 to 128, a power of two. Changes no pixel.
   // What to make. Only what is asked for is computed and takes memory.
-  bool want_levels = true;           // 8-bit image
-  bool want_radiance = false;        // float image
+  bool want_levels = true;              // 8-bit image
+  bool want_radiance = false;           // float image
   Transfer transfer = Transfer::linear; // of the 8-bit image
   std::vector<Aov> aovs;
-  std::function<void(double)> progress;              // called with the share done, in [0, 1], from one thread at a time
-  const std::atomic<bool>* cancel = nullptr;         // when it becomes true, the frame is given up
+  std::function<void(double)> progress;      // called with the share done, in [0, 1], from one thread at a time
+  const std::atomic<bool>* cancel = nullptr; // when it becomes true, the frame is given up
 };
 
 /// Seconds of wall time in each stage of a frame.
@@ -57,27 +58,28 @@ struct StageSeconds {
 
 /// What a frame met. The same for every thread count and tile size.
 struct FrameCounts {
-  std::uint64_t triangles = 0;          // in the scene
-  std::uint64_t not_finite = 0;         // dropped: a vertex with NaN or infinity
-  std::uint64_t outside = 0;            // dropped: wholly outside the view
-  std::uint64_t degenerate = 0;         // dropped: no area, before or after snapping
-  std::uint64_t culled = 0;             // dropped: seen from behind, with "cull": "back"
-  std::uint64_t between_samples = 0;    // dropped: covers no sample's row or column
-  std::uint64_t clipped = 0;            // of those drawn: reach behind the eye, past a depth plane or the guard band
+  std::uint64_t triangles = 0;       // in the scene
+  std::uint64_t not_finite = 0;      // dropped: a vertex with NaN or infinity
+  std::uint64_t outside = 0;         // dropped: wholly outside the view
+  std::uint64_t degenerate = 0;      // dropped: no area, before or after snapping
+  std::uint64_t culled = 0;          // dropped: seen from behind, with "cull": "back"
+  std::uint64_t between_samples = 0; // dropped: covers no sample's row or column
+  std::uint64_t clipped = 0;         // of those drawn: reach behind the eye, past a depth plane or the guard band
   std::uint64_t drawn = 0;
-  std::uint64_t pixels = 0;             // in the image or crop
-  std::uint64_t shaded = 0;             // pixels that see a surface: each shaded once
-  std::uint64_t lane_slots = 0;         // lanes computed for them: shaded / lane_slots is the occupancy
+  std::uint64_t pixels = 0;     // in the image or crop
+  std::uint64_t shaded = 0;     // pixels that see a surface
+  std::uint64_t fragments = 0;  // shaded for them: one a pixel and triangle seen; the same number with 1 sample
+  std::uint64_t lane_slots = 0; // lanes computed for them: fragments / lane_slots is the occupancy
   UndefinedCounts undefined;
 };
 
 struct Frame {
-  Image<std::uint8_t> levels;              // 3 channels; empty if not wanted
-  Image<float> radiance;                   // 3 channels, unclamped; empty if not wanted
-  std::vector<Image<float>> aovs;          // in the order of RenderOptions::aovs
+  Image<std::uint8_t> levels;     // 3 channels; empty if not wanted
+  Image<float> radiance;          // 3 channels, unclamped; empty if not wanted
+  std::vector<Image<float>> aovs; // in the order of RenderOptions::aovs
   FrameCounts counts;
   StageSeconds seconds;
-  int threads = 0;                         // used
+  int threads = 0; // used
   bool cancelled = false;
 };
 

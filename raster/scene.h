@@ -16,9 +16,9 @@ namespace refraster {
 /// Triangles in object space, counter-clockwise seen from outside. Coordinates are float: what a GPU is given, so that
 /// both sides of a comparison start from the same numbers.
 struct Mesh {
-  std::vector<Float3> positions;                      // one entry a unique (position, normal, uv)
-  std::vector<Float3> normals;                        // as many as positions; any length
-  std::vector<Float2> uvs;                            // as many as positions, or none: then (0, 0) everywhere
+  std::vector<Float3> positions;                       // one entry a unique (position, normal, uv)
+  std::vector<Float3> normals;                         // as many as positions; any length
+  std::vector<Float2> uvs;                             // as many as positions, or none: then (0, 0) everywhere
   std::vector<std::array<std::uint32_t, 3>> triangles; // indices into the above, each < positions.size()
 };
 
@@ -61,9 +61,9 @@ struct Object {
 struct Scene {
   Camera camera;
   Double3 background{0};
-  std::vector<PointLight> point_lights;         // light is summed in this order, points first
+  std::vector<PointLight> point_lights; // light is summed in this order, points first
   std::vector<DirectionLight> direction_lights;
-  std::vector<Object> objects;                  // drawn in this order
+  std::vector<Object> objects; // drawn in this order
 };
 
 } // namespace refraster

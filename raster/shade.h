@@ -1,0 +1,63 @@
+#pragma once
+// From what a tile sees to its pixels, in the number of a rung.
+
+#include "raster/render.h"
+#include "raster/visibility.h"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace refraster {
+
+/// A visible piece of a pixel, shaded once: all samples of the pixel that see one triangle.
+struct TileFragment {
+  std::int32_t place = 0;    // in the tile's list of triangles
+  std::uint8_t x = 0, y = 0; // pixel, counted from the tile's corner
+  std::uint8_t samples = 1;  // how many see it
+};
+
+/// The tile's fragments in row order, and within a pixel in the order of its samples.
+void list_fragments(const TileVisibility& visibility, const Crop& tile, int samples,
+                    std::vector<TileFragment>& fragments);
+
+/// Everything that stays the same through a frame.
+struct FrameContext {
+  const Scene& scene;
+  const Geometry& geometry;
+  const Bins& bins;
+  const RenderOptions& options;
+  Crop region; // pixels of the full image that the frame's images hold
+};
+
+/// What is known of a tile once visibility is decided.
+struct VisibleTile {
+  Crop tile;
+  std::span<const std::uint32_t> triangles;
+  const TileVisibility& visibility;
+};
+
+/// Shades tiles one after the other. Holds scratch memory: one for each thread.
+class TileShader {
+public:
+  virtual ~TileShader() = default;
+  /// Shades each fragment of the tile once, resolves the samples, and writes the tile's pixels to the images that
+  /// `frame` holds; adds to `counts`. Values are finite.
+  virtual void shade(const FrameContext& context, const VisibleTile& visible, Frame& frame, FrameCounts& counts) = 0;
+};
+
+/// For a rung by its name; null if there is none of that name.
+std::unique_ptr<TileShader> make_tile_shader(std::string_view rung);
+
+// Each defined in a file of its own, raster/rungs/<name>.cpp: a full instantiation of everything above the number.
+std::unique_ptr<TileShader> make_double_shader();
+std::unique_ptr<TileShader> make_float_shader();
+
+/// Writes the tile's part of an image of `aov`. Computed in double whatever the rung: from `fragments`, of which a
+/// pixel shows its first.
+void write_aov(const FrameContext& context, const VisibleTile& visible, std::span<const TileFragment> fragments,
+               Aov aov, Image<float>& image);
+
+} // namespace refraster

@@ -1,0 +1,95 @@
+#pragma once
+// One packet of fragments of one material: interpolate, light, sum.
+
+#include "raster/surface.h"
+#include "shading/light.h"
+#include "shading/models.h"
+#include "shading/texture.h"
+
+#include <limits>
+
+namespace refraster {
+
+/// What the fragment stage knows of a packet before any light is considered.
+template <class T>
+struct PacketSurface {
+  Vec3<T> position, normal, to_eye; // normal and to_eye unit, or 0
+  Rgb<T> texture;
+};
+
+/// The interpolated normal at unit length; where that is 0, the triangle's own; where that is 0 too, 0.
+template <class T, class Triangle>
+Vec3<T> shading_normal(const Scene& scene, const Geometry& geometry, const Packet<T, Triangle>& packet,
+                       const Vec3<T>& interpolated, const UndefinedTally<T>& tally) {
+  const auto is_zero = [](const Vec3<T>& n) {
+    return maximum(magnitude(n.x), maximum(magnitude(n.y), magnitude(n.z))) <= T(0);
+  };
+  const MaskOf<T> zero = is_zero(interpolated);
+  if (!any(zero)) return normalize(interpolated);
+  tally.note(Undefined::zero_normal, zero);
+  Vec3<T> own;
+  for (int lane = 0; lane < NumberTraits<T>::lanes; ++lane) {
+    const Double3 n = face_normal(scene, geometry, packet.triangle[static_cast<std::size_t>(lane)]->number);
+    const Double3 scaled = n * reciprocal_binade(n);
+    own.x.set(lane, static_cast<RealOf<T>>(scaled.x));
+    own.y.set(lane, static_cast<RealOf<T>>(scaled.y));
+    own.z.set(lane, static_cast<RealOf<T>>(scaled.z));
+  }
+  tally.note(Undefined::no_normal, zero & is_zero(own));
+  return normalize(select<T>(zero, own, interpolated));
+}
+
+template <class T, class Triangle>
+Rgb<T> texture_colour(const Material& material, const Packet<T, Triangle>& packet, const PacketBarycentrics<T>& at,
+                      const UndefinedTally<T>& tally) {
+  const auto uv = [](const Triangle& t) -> const auto& {
+    return t.uv;
+  };
+  const Vec2<T> point(interpolate(packet, at.at, uv, 0), interpolate(packet, at.at, uv, 1));
+  const auto finite = [](const T& x) { return magnitude(x) <= T(std::numeric_limits<RealOf<T>>::max()); };
+  tally.note(Undefined::bad_uv, !(finite(point.x) & finite(point.y)));
+  Vec2<T> right(T(0)), down(T(0));
+  if (material.texture_filter == TextureFilter::trilinear) {
+    right = {change(packet, at.right, uv, 0), change(packet, at.right, uv, 1)};
+    down = {change(packet, at.down, uv, 0), change(packet, at.down, uv, 1)};
+  }
+  return sample(*material.texture, material.texture_filter, point, right, down);
+}
+
+template <class T, class Triangle>
+PacketSurface<T> packet_surface(const Scene& scene, const Geometry& geometry, const Material& material,
+                                const Packet<T, Triangle>& packet, const UndefinedTally<T>& tally) {
+  const bool derivatives = material.texture && material.texture_filter == TextureFilter::trilinear;
+  const PacketBarycentrics<T> at = barycentrics(packet, derivatives ? Derivatives::yes : Derivatives::no);
+  PacketSurface<T> surface;
+  surface.position = interpolate3(
+      packet, at.at, [](const Triangle& t) -> const auto& { return t.position; });
+  const Vec3<T> normal = interpolate3(
+      packet, at.at, [](const Triangle& t) -> const auto& { return t.normal; });
+  surface.normal = shading_normal(scene, geometry, packet, normal, tally);
+  const Vec3<T> way_to_eye = as<T>(scene.camera.position) - surface.position;
+  surface.to_eye = normalize(way_to_eye);
+  tally.note(Undefined::eye_at_surface, dot(surface.to_eye, surface.to_eye) <= T(0));
+  surface.texture = material.texture ? texture_colour(material, packet, at, tally) : Rgb<T>(T(1));
+  return surface;
+}
+
+/// x where it is finite; the largest finite number of its sign for an infinity; 0 for NaN.
+template <class T>
+T finite(const T& x, const UndefinedTally<T>& tally) {
+  const T most(std::numeric_limits<RealOf<T>>::max());
+  tally.note(Undefined::not_finite, !(magnitude(x) <= most));
+  const T kept = minimum(maximum(x, -most), most);
+  return select((x > T(0)) | (x <= T(0)), kept, T(0));
+}
+
+/// Radiance toward the eye: the ambient term, then point lights and direction lights, summed in the order of the scene.
+template <class T, class Model>
+Rgb<T> radiance(const Scene& scene, const Model& model, const Fragment<T>& at, const UndefinedTally<T>& tally) {
+  Rgb<T> sum = model.ambient(at);
+  for (const PointLight& light : scene.point_lights) sum += model(at, arriving(light, at));
+  for (const DirectionLight& light : scene.direction_lights) sum += model(at, arriving(light, at));
+  return {finite(sum.x, tally), finite(sum.y, tally), finite(sum.z, tally)};
+}
+
+} // namespace refraster

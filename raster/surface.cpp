@@ -1,0 +1,91 @@
+#include "raster/surface.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace refraster {
+
+namespace {
+// Line values lie between 1 and 2^52: above this no product of value and weight is subnormal, so that scaling by a
+// power of two, as in a packet that holds a projective triangle, changes no digit.
+template <class Real>
+constexpr double least_weight = sizeof(Real) == 4 ? 0x1p-70 : 0x1p-900;
+} // namespace
+
+template <class Real>
+SurfaceTriangle<Real> surface_triangle(const Scene& scene, const Geometry& geometry, const Bins& bins,
+                                       std::uint32_t number) {
+  const TriangleRef ref = triangle_ref(scene, geometry, number);
+  const std::array<WindowVertex, 3> v = window_corners(geometry, ref);
+  SurfaceTriangle<Real> t;
+  t.object = ref.object;
+  t.number = number;
+
+  std::array<std::uint8_t, 3> corner{};
+  if ((v[0].outcode | v[1].outcode | v[2].outcode) & outcode::unsnapped) {
+    t.projective = &bins.projective_triangle(number);
+    t.weight = {Real(1), Real(1), Real(1)}; // line_values applies the projective weights before it rounds
+    corner = t.projective->corner;
+  } else {
+    const SnappedTriangle set_up = *set_up_snapped(v);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const SnappedLine& line = set_up.line[k];
+      t.line[k] = {static_cast<double>(line.a), static_cast<double>(line.b), static_cast<double>(line.c)};
+      t.weight[k] = static_cast<Real>(set_up.weight[k] < least_weight<Real> ? 0 : set_up.weight[k]);
+    }
+    corner = set_up.corner;
+  }
+
+  // value(k, c): component c at the triangle's corner k, in double; differences are taken before they are rounded.
+  const auto anchored = [&](auto& attribute, int components, auto&& value) {
+    for (int c = 0; c < components; ++c) {
+      const auto at = static_cast<std::size_t>(c);
+      attribute[0][at] = static_cast<Real>(value(0, c));
+      attribute[1][at] = static_cast<Real>(value(1, c) - value(0, c));
+      attribute[2][at] = static_cast<Real>(value(2, c) - value(0, c));
+    }
+  };
+  const auto world = [&](int k) -> const WorldVertex& {
+    return geometry.world[ref.vertex[corner[static_cast<std::size_t>(k)]]];
+  };
+  anchored(t.position, 3, [&](int k, int c) { return world(k).position[c]; });
+  anchored(t.normal, 3, [&](int k, int c) { return world(k).normal[c]; });
+
+  const Mesh& mesh = *scene.objects[ref.object].mesh;
+  if (mesh.uvs.empty()) {
+    t.uv = {};
+    t.uv_whole = {};
+    return t;
+  }
+  std::array<std::array<double, 2>, 3> uv{};
+  const auto& indices = mesh.triangles[ref.triangle];
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t c = 0; c < 2; ++c) {
+      const double value = static_cast<double>(mesh.uvs[indices[corner[k]]][static_cast<int>(c)]);
+      uv[k][c] = value;
+    }
+  for (std::size_t c = 0; c < 2; ++c) {
+    const double least = std::min({uv[0][c], uv[1][c], uv[2][c]});
+    t.uv_whole[c] = magnitude(least) < 1e300 ? std::floor(least) : 0; // only a finite uv has whole repeats
+    // Exact: uv is a float and the difference of two doubles this close to it. Small negative ones stay as they are.
+    if (least > -1 && least < 1) t.uv_whole[c] = 0;
+    for (std::size_t k = 0; k < 3; ++k) uv[k][c] -= t.uv_whole[c];
+  }
+  anchored(t.uv, 2, [&](int k, int c) { return uv[static_cast<std::size_t>(k)][static_cast<std::size_t>(c)]; });
+  return t;
+}
+
+template SurfaceTriangle<double> surface_triangle(const Scene&, const Geometry&, const Bins&, std::uint32_t);
+template SurfaceTriangle<float> surface_triangle(const Scene&, const Geometry&, const Bins&, std::uint32_t);
+
+Double3 face_normal(const Scene& scene, const Geometry& geometry, std::uint32_t number) {
+  const TriangleRef ref = triangle_ref(scene, geometry, number);
+  const Mesh& mesh = *scene.objects[ref.object].mesh;
+  const auto corner = [&](std::size_t k) { return Double3(mesh.positions[mesh.triangles[ref.triangle][k]]); };
+  const Double3 p0 = corner(0), e1 = corner(1) - p0, e2 = corner(2) - p0;
+  // Each edge is brought near unit length first, so that the cross product neither overflows nor vanishes.
+  const Double3 normal = cross(e1 * reciprocal_binade(e1), e2 * reciprocal_binade(e2));
+  return geometry.transforms[ref.object].world_from_normal * normal;
+}
+
+} // namespace refraster

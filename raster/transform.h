@@ -1,0 +1,74 @@
+#pragma once
+// The vertex stage, in double: object space to world space, clip space and window.
+
+#include "raster/scene.h"
+#include "raster/subpixel.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace refraster {
+
+/// The matrices of the lecture's vertex shader for one object.
+struct ObjectTransform {
+  Double4x4 clip_from_object;  // projection . view . model
+  Double4x4 world_from_object; // model = T . Rx . Ry . Rz . S
+  Double3x3
+      world_from_normal; // cofactors of the model's 3x3 part, times the sign of its determinant, times a power of two
+};
+
+/// projection . view: OpenGL's clip space, -w <= x, y, z <= w inside. `aspect` is width / height.
+Double4x4 clip_from_world(const Camera& camera, double aspect);
+
+/// Defined for every scale: a mirrored one keeps outward normals outward, a flattened one gives the plane's normal.
+ObjectTransform object_transform(const Object& object, const Double4x4& clip_from_world);
+
+/// Which of the six clip half-spaces a vertex lies outside of, and two states. Comparisons of exact doubles.
+namespace outcode {
+inline constexpr std::uint8_t left = 1, right = 2, bottom = 4, top = 8, near = 16, far = 32;
+inline constexpr std::uint8_t sides = 63;
+inline constexpr std::uint8_t not_finite = 64; // a clip coordinate is NaN or infinite
+inline constexpr std::uint8_t unsnapped = 128; // w <= 0, or beyond the guard band: has no place on the lattice
+} // namespace outcode
+
+/// A vertex as the rasterizer sees it.
+struct WindowVertex {
+  std::int32_t x = 0, y = 0; // subpixels; 0 if unsnapped
+  double z = 0;              // z / w, in [-1, 1] between the depth planes
+  double inverse_w = 0;      // 1 / w > 0
+  std::uint8_t outcode = 0;
+};
+
+/// A vertex as shading sees it.
+struct WorldVertex {
+  Double3 position;
+  Double3 normal; // any length
+};
+
+Double4 clip_position(const ObjectTransform& transform, const Float3& position);
+
+/// Snaps x / w and y / w to the lattice, half to even.
+WindowVertex window_vertex(const Double4& clip, int width, int height);
+
+/// Every object's vertices, one after the other, and where each object's vertices and triangles begin.
+struct Geometry {
+  std::vector<ObjectTransform> transforms;
+  std::vector<std::uint32_t> first_vertex;   // objects + 1 entries
+  std::vector<std::uint32_t> first_triangle; // objects + 1 entries
+  std::vector<WindowVertex> window;
+  std::vector<WorldVertex> world;
+
+  std::uint32_t triangles() const { return first_triangle.back(); }
+};
+
+/// Transforms each unique vertex once. The scene may have up to 2^32 - 1 vertices and triangles in all.
+Geometry transform(const Scene& scene, int width, int height, int threads);
+
+/// A triangle by its number in the frame: object, corner indices into Geometry's arrays and into the mesh.
+struct TriangleRef {
+  std::uint32_t object = 0, triangle = 0; // triangle: in the object's mesh
+  std::uint32_t vertex[3] = {};           // in Geometry::window and ::world
+};
+TriangleRef triangle_ref(const Scene& scene, const Geometry& geometry, std::uint32_t triangle);
+
+} // namespace refraster
