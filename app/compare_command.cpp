@@ -1,0 +1,66 @@
+// refraster compare A B
+
+#include "app/command.h"
+#include "app/output.h"
+#include "io/image_file.h"
+#include "verify/compare_report.h"
+#include "verify/heat_image.h"
+#include "verify/image_pair.h"
+
+#include <iostream>
+#include <memory>
+
+namespace refraster {
+namespace {
+
+struct CompareArguments {
+  std::string a, b, diff, json;
+  CompareLimits limits;
+};
+
+template <class Value>
+Comparison compare_pair(const std::pair<Image<Value>, Image<Value>>& pair, const CompareArguments& arguments) {
+  const auto& [a, b] = pair;
+  Comparison found = compare(a, b, arguments.limits);
+  if (!arguments.diff.empty()) write_image(arguments.diff, heat_image(a, b, found));
+  return found;
+}
+
+ExitCode run(const CompareArguments& arguments) {
+  if (!arguments.diff.empty()) check_writable(arguments.diff);
+  if (!arguments.json.empty()) check_writable(arguments.json);
+  const ImagePair images = read_image_pair(arguments.a, arguments.b);
+  const Comparison found = std::visit([&](const auto& pair) { return compare_pair(pair, arguments); }, images);
+  const ComparisonReport report{arguments.a, arguments.b, arguments.limits, found};
+  if (!arguments.json.empty()) write_text(arguments.json, comparison_json(report));
+  if (arguments.json != standard_output) std::cout << comparison_text(report);
+  return found.same ? ExitCode::ok : ExitCode::differ;
+}
+
+} // namespace
+
+void add_compare(CLI::App& program, Action& chosen) {
+  CLI::App& command = add_sub_command(program, "compare", "How far two images are apart, and where");
+  const auto arguments = std::make_shared<CompareArguments>();
+  CompareArguments& a = *arguments;
+  command.add_option("a", a.a, "image, .png .hdr .pfm or .exr")->required()->type_name("A");
+  command.add_option("b", a.b, "image of the same size; differences are b - a")->required()->type_name("B");
+  command.add_option("--diff", a.diff, "write a heat image: black where equal, the lighter the more different")
+      ->type_name("FILE.png");
+  command.add_option("--json", a.json, "write the numbers as JSON; - is standard output")->type_name("FILE");
+  command.add_option("--max-abs", a.limits.max_abs, "largest difference of a value that is allowed")
+      ->check(CLI::NonNegativeNumber);
+  command.add_option("--max-rms", a.limits.max_rms, "largest root mean square difference that is allowed")
+      ->check(CLI::NonNegativeNumber);
+  command.add_option("--max-count", a.limits.max_count, "so many pixels may differ by more than --max-abs, or at all");
+  command.footer("Two 8-bit images are compared in levels, 0 to 255; others in values, where a level is 1/255.\n"
+                 "Without a limit, all values must be the same. NaN equals nothing.\n"
+                 "Exit code 0: the same within the limits, 1: not, 3: not comparable.");
+  command.final_callback([&chosen, arguments] {
+    if (!arguments->diff.empty() && image_format(arguments->diff) != ImageFormat::png)
+      throw CLI::ValidationError("--diff", "found \"" + arguments->diff + "\", expected a name ending in .png");
+    chosen = [arguments] { return run(*arguments); };
+  });
+}
+
+} // namespace refraster

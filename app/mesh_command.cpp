@@ -1,0 +1,83 @@
+// refraster mesh sphere | cube | plane | torus: the shapes of a scene's "mesh", with the same parameters, as a file.
+
+#include "app/command.h"
+#include "app/output.h"
+#include "io/obj_file.h"
+#include "io/scene_keys.h"
+#include "raster/primitives.h"
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+
+namespace refraster {
+namespace {
+
+Mesh made(const SphereShape& shape) {
+  return sphere_mesh(shape.segments, shape.rings);
+}
+Mesh made(const CubeShape&) {
+  return cube_mesh();
+}
+Mesh made(const PlaneShape& shape) {
+  return plane_mesh(shape.segments);
+}
+Mesh made(const TorusShape& shape) {
+  return torus_mesh(shape.segments, shape.rings, shape.tube_radius);
+}
+
+/// "tube_radius" in a scene file is "--tube-radius" here.
+std::string option_name(std::string_view key) {
+  std::string name = "--" + std::string(key);
+  std::replace(name.begin(), name.end(), '_', '-');
+  return name;
+}
+
+CLI::Validator within(const Range& range) {
+  const auto number = [](double x) { return CLI::detail::to_string(x); };
+  const std::string expected = range.ends == Ends::included
+                                   ? "from " + number(range.min) + " to " + number(range.max)
+                                   : "more than " + number(range.min) + " and less than " + number(range.max);
+  return CLI::Validator(
+      [range, expected](const std::string& text) {
+        double value = 0;
+        if (CLI::detail::lexical_cast(text, value) && range.contains(value)) return std::string();
+        return "found " + text + ", expected a number " + expected;
+      },
+      expected);
+}
+
+template <class S>
+void add_shape(CLI::App& mesh, Action& chosen) {
+  const std::string name(S::name);
+  CLI::App& command = add_sub_command(mesh, name, std::string(S::meaning));
+  const auto shape = std::make_shared<S>();
+  const auto output = std::make_shared<std::string>(name + ".obj");
+  S::fields(*shape, [&](std::string_view key, auto& value, const Range& range, std::string_view meaning, Presence) {
+    command.add_option(option_name(key), value, std::string(meaning))->check(within(range));
+  });
+  command.add_option("-o,--output", *output, "OBJ file to write")->type_name("FILE");
+  command.final_callback([&chosen, shape, output] {
+    chosen = [shape, output] {
+      check_writable(*output);
+      write_obj(*output, made(*shape));
+      std::cout << *output << "\n";
+      return ExitCode::ok;
+    };
+  });
+}
+
+template <class... S>
+void add_shapes(CLI::App& mesh, Action& chosen, const std::variant<S...>*) {
+  (add_shape<S>(mesh, chosen), ...);
+}
+
+} // namespace
+
+void add_mesh(CLI::App& program, Action& chosen) {
+  CLI::App& mesh = add_sub_command(program, "mesh", "Make a mesh and write it as OBJ");
+  mesh.require_subcommand(1);
+  add_shapes(mesh, chosen, static_cast<const Shape*>(nullptr));
+}
+
+} // namespace refraster

@@ -1,0 +1,183 @@
+// refraster render SCENE
+
+#include "app/arguments.h"
+#include "app/command.h"
+#include "app/interrupt.h"
+#include "app/output.h"
+#include "app/progress_line.h"
+#include "io/image_file.h"
+#include "io/report.h"
+#include "io/scene_file.h"
+#include "math/rungs.h"
+#include "raster/render.h"
+
+#include <chrono>
+#include <iostream>
+#include <memory>
+
+namespace refraster {
+namespace {
+
+enum class Progress { shown, quiet };
+
+struct RenderArguments {
+  std::string scene, output, report;
+  Size size;
+  std::vector<Crop> crop;
+  std::vector<Aov> aovs;
+  std::string rung = "double";
+  int samples = 1, threads = 0, tile_size = 64;
+  Transfer transfer = Transfer::linear;
+  Progress progress = Progress::shown;
+};
+
+template <class... Rung>
+std::vector<std::string> rung_names(const std::tuple<Rung...>*) {
+  return {std::string(Rung::name)...};
+}
+
+/// Seconds since it was made.
+class Stopwatch {
+public:
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now();
+};
+
+/// Next to "ball.png" stands "ball.depth.pfm", next to "ball.exr" "ball.depth.exr".
+std::string aov_path(const std::string& output, Aov aov) {
+  const std::size_t dot = output.rfind('.');
+  const char* ending = image_format(output) == ImageFormat::exr ? ".exr" : ".pfm";
+  return output.substr(0, dot) + "." + std::string(aov_names[static_cast<std::size_t>(aov)]) + ending;
+}
+
+/// What one option alone does not show.
+void check_together(const RenderArguments& arguments) {
+  for (const Crop& crop : arguments.crop) {
+    if (crop.width <= arguments.size.width - crop.x && crop.height <= arguments.size.height - crop.y) continue;
+    throw CLI::ValidationError("--crop", "reaches out of the image of " + std::to_string(arguments.size.width) + "x" +
+                                             std::to_string(arguments.size.height) + " pixels");
+  }
+  if (!image_format(arguments.output))
+    throw CLI::ValidationError("--output", "found \"" + arguments.output +
+                                               "\", expected a name ending in .png, .hdr, .pfm or .exr");
+  if (arguments.transfer == Transfer::srgb && image_format(arguments.output) != ImageFormat::png)
+    throw CLI::ValidationError("--srgb", "is for .png; float images hold linear values");
+}
+
+RenderOptions options_from(const RenderArguments& arguments) {
+  RenderOptions options;
+  options.width = arguments.size.width;
+  options.height = arguments.size.height;
+  options.crop = arguments.crop;
+  options.rung = arguments.rung;
+  options.threads = arguments.threads;
+  options.tile_size = arguments.tile_size;
+  options.want_levels = image_format(arguments.output) == ImageFormat::png;
+  options.want_radiance = !options.want_levels;
+  options.transfer = arguments.transfer;
+  options.aovs = arguments.aovs;
+  options.cancel = &interrupted();
+  return options;
+}
+
+Frame rendered(const Scene& scene, RenderOptions options, Progress progress) {
+  if (progress == Progress::quiet) return render(scene, options);
+  ProgressLine line;
+  options.progress = [&line](double share) { line.show(share); };
+  return render(scene, options);
+}
+
+/// Writes what was asked for and gives the paths.
+std::vector<std::string> write_images(const Frame& frame, const RenderArguments& arguments) {
+  std::vector<std::string> paths = {arguments.output};
+  if (frame.radiance.empty()) write_image(arguments.output, frame.levels);
+  else write_image(arguments.output, frame.radiance);
+  for (std::size_t i = 0; i < arguments.aovs.size(); ++i) {
+    paths.push_back(aov_path(arguments.output, arguments.aovs[i]));
+    write_image(paths.back(), frame.aovs[i]);
+  }
+  return paths;
+}
+
+ExitCode run(const RenderArguments& arguments) {
+  check_writable(arguments.output);
+  for (const Aov aov : arguments.aovs) check_writable(aov_path(arguments.output, aov));
+  if (!arguments.report.empty()) check_writable(arguments.report);
+
+  const Stopwatch reading;
+  const Scene scene = read_scene(arguments.scene);
+  const double read_seconds = reading.seconds();
+  if (interrupted()) return ExitCode::interrupted;
+
+  const Frame frame = rendered(scene, options_from(arguments), arguments.progress);
+  if (frame.cancelled || interrupted()) return ExitCode::interrupted;
+
+  const Stopwatch writing;
+  const std::vector<std::string> paths = write_images(frame, arguments);
+  if (!arguments.report.empty()) {
+    write_text(arguments.report, report_json({.scene = arguments.scene,
+                                              .outputs = paths,
+                                              .width = arguments.size.width,
+                                              .height = arguments.size.height,
+                                              .crop = arguments.crop,
+                                              .rung = arguments.rung,
+                                              .samples = arguments.samples,
+                                              .tile_size = arguments.tile_size,
+                                              .threads = frame.threads,
+                                              .read_seconds = read_seconds,
+                                              .write_seconds = writing.seconds(),
+                                              .seconds = frame.seconds,
+                                              .counts = frame.counts}));
+  }
+  if (arguments.report == standard_output) return ExitCode::ok; // which then holds the report and nothing else
+  for (const std::string& path : paths) std::cout << path << "\n";
+  return ExitCode::ok;
+}
+
+} // namespace
+
+void add_render(CLI::App& program, Action& chosen) {
+  CLI::App& command = add_sub_command(program, "render", "Make the image of a scene");
+  const auto arguments = std::make_shared<RenderArguments>();
+  RenderArguments& a = *arguments;
+
+  command.add_option("scene", a.scene, "scene file; docs/scene-format.md")->required()->type_name("SCENE");
+  command.add_option("-o,--output", a.output, "image to write: .png (8 bit), .hdr, .pfm or .exr (float, unclamped)")
+      ->type_name("FILE")
+      ->default_str("SCENE.png in the current directory");
+  add_parsed_option(command, "--size", a.size, size_from, "WxH",
+                    "WIDTHxHEIGHT, each 1 to " + std::to_string(largest_side), "pixels of the image")
+      ->default_str("1280x720");
+  add_parsed_option(command, "--crop", a.crop, crop_from, "X,Y,W,H", "x,y,width,height in pixels from the top left",
+                    "make only this part of the image, with the same pixels");
+  command.add_option("--rung", a.rung, "precision of shading; `refraster list rungs`")
+      ->check(CLI::IsMember(rung_names(static_cast<const Rungs*>(nullptr))));
+  command.add_option("--samples", a.samples, "samples a pixel; only 1 for now")->check([](const std::string& text) {
+    return text == "1" ? std::string()
+                       : "found " + text + ", expected 1: more than one sample a pixel is not there yet";
+  });
+  command.add_option("--threads", a.threads, "threads; 0: as many as this machine has")->check(CLI::Range(0, 1024));
+  command.add_option("--tile-size", a.tile_size, "pixels along a side of the tiles that threads work on")
+      ->check(CLI::IsMember({8, 16, 32, 64, 128}));
+  add_parsed_option(command, "--aov", a.aovs, aovs_from, "LIST",
+                    "some of depth,normal,position,uv,albedo,triangle,object, each once",
+                    "more images to write, as NAME.depth.pfm next to NAME.png (.exr next to .exr): depth, normal, "
+                    "position, uv, albedo, triangle, object");
+  command.add_option("--report", a.report, "write a report of the run as JSON; - is standard output")
+      ->type_name("FILE");
+  command.add_flag_callback(
+      "--srgb", [&a] { a.transfer = Transfer::srgb; }, "apply the sRGB curve (.png only)");
+  command.add_flag_callback(
+      "-q,--quiet", [&a] { a.progress = Progress::quiet; }, "no progress line");
+
+  command.final_callback([&chosen, arguments] {
+    if (arguments->output.empty()) arguments->output = stem(arguments->scene) + ".png";
+    check_together(*arguments);
+    chosen = [arguments] { return run(*arguments); };
+  });
+}
+
+} // namespace refraster
