@@ -1,0 +1,69 @@
+#pragma once
+// Triangles without a scene file: what the raster tests put through set-up, coverage and depth.
+
+#include "raster/setup.h"
+#include "raster/visibility.h"
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <variant>
+#include <vector>
+
+namespace refraster::test {
+
+/// A vertex already on the lattice, at depth z, w = 1.
+inline WindowVertex lattice_vertex(std::int32_t x, std::int32_t y, double z = 0, double w = 1) {
+  WindowVertex v;
+  v.x = x, v.y = y, v.z = z, v.inverse_w = 1 / w;
+  return v;
+}
+
+/// Either kind of set-up, chosen as the pipeline does.
+struct AnyTriangle {
+  std::variant<SnappedTriangle, ProjectiveTriangle> set_up;
+
+  bool covers(std::int32_t x, std::int32_t y) const {
+    return std::visit(
+        [&](const auto& t) { return t.line[0].covers(x, y) && t.line[1].covers(x, y) && t.line[2].covers(x, y); },
+        set_up);
+  }
+  double depth(std::int32_t x, std::int32_t y) const {
+    return std::visit([&](const auto& t) { return t.depth(x, y); }, set_up);
+  }
+};
+
+inline std::optional<AnyTriangle> set_up(const std::array<Double4, 3>& clip, int width, int height) {
+  std::array<WindowVertex, 3> v;
+  for (std::size_t k = 0; k < 3; ++k) v[k] = window_vertex(clip[k], width, height);
+  const int any = v[0].outcode | v[1].outcode | v[2].outcode;
+  if (any & outcode::not_finite) return std::nullopt;
+  if (any & outcode::unsnapped) {
+    if (auto t = set_up_projective(v, clip, width, height)) return AnyTriangle{*t};
+    return std::nullopt;
+  }
+  if (auto t = set_up_snapped(v)) return AnyTriangle{*t};
+  return std::nullopt;
+}
+
+/// A frame of lattice triangles that never saw a camera: for driving TileVisibility directly.
+struct LatticeFrame {
+  Scene scene;
+  Geometry geometry;
+  Bins bins;
+
+  explicit LatticeFrame(const std::vector<std::array<WindowVertex, 3>>& triangles) {
+    auto mesh = std::make_shared<Mesh>();
+    for (const auto& t : triangles) {
+      const auto first = static_cast<std::uint32_t>(geometry.window.size());
+      mesh->triangles.push_back({first, first + 1, first + 2});
+      for (const WindowVertex& v : t) geometry.window.push_back(v);
+    }
+    geometry.first_vertex = {0, static_cast<std::uint32_t>(geometry.window.size())};
+    geometry.first_triangle = {0, static_cast<std::uint32_t>(triangles.size())};
+    scene.objects.emplace_back();
+    scene.objects[0].mesh = mesh;
+  }
+};
+
+} // namespace refraster::test
