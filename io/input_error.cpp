@@ -6,19 +6,18 @@ namespace refraster {
 
 std::string InputFault::text() const {
   std::string result = file;
-  if (line > 0) result += ":" + std::to_string(line);
-  if (line > 0 && column > 0) result += ":" + std::to_string(column);
-  if (!path.empty()) result += (result.empty() ? "" : ": ") + path;
-  result += (result.empty() ? "" : ": ");
-  result += "found " + found;
-  if (!expected.empty()) result += ", expected " + expected;
+  if (line > 0) result.append(":").append(std::to_string(line));
+  if (line > 0 && column > 0) result.append(":").append(std::to_string(column));
+  if (!path.empty()) result.append(result.empty() ? "" : ": ").append(path);
+  result.append(result.empty() ? "found " : ": found ").append(found);
+  if (!expected.empty()) result.append(", expected ").append(expected);
   return result;
 }
 
 namespace {
 std::string joined(const std::vector<InputFault>& faults) {
   std::string result;
-  for (const InputFault& fault : faults) result += (result.empty() ? "" : "\n") + fault.text();
+  for (const InputFault& fault : faults) result.append(result.empty() ? "" : "\n").append(fault.text());
   return result;
 }
 } // namespace

@@ -81,9 +81,10 @@ void write_counts(JsonWriter& json, const FrameCounts& counts) {
   json.begin_object();
   json.member("in_image", counts.pixels);
   json.member("shaded", counts.shaded);
+  json.member("fragments", counts.fragments);
   json.member("lane_slots", counts.lane_slots);
   json.key("occupancy");
-  if (counts.lane_slots > 0) json.value(static_cast<double>(counts.shaded) / static_cast<double>(counts.lane_slots));
+  if (counts.lane_slots > 0) json.value(static_cast<double>(counts.fragments) / static_cast<double>(counts.lane_slots));
   else json.null();
   json.end_object();
   json.key("undefined");

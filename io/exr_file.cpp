@@ -1,0 +1,106 @@
+#include "io/atomic_file.h"
+#include "io/image_formats.h"
+
+#include <algorithm>
+
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfIO.h>
+#include <ImfInputFile.h>
+#include <ImfOutputFile.h>
+
+namespace refraster {
+namespace {
+
+/// An AtomicFile as OpenEXR wants to write it.
+class ExrStream : public Imf::OStream {
+public:
+  ExrStream(const std::string& path, AtomicFile& file) : Imf::OStream(path.c_str()), file_(file) {}
+  void write(const char bytes[], int size) override { file_.write(bytes, static_cast<std::size_t>(size)); }
+  std::uint64_t tellp() override { return file_.position(); }
+  void seekp(std::uint64_t position) override { file_.seek(position); }
+
+private:
+  AtomicFile& file_;
+};
+
+/// Channel c of an image whose first pixel is (0, 0) of the buffer that OpenEXR addresses.
+Imf::Slice slice(const Image<float>& image, int c, int x_origin, int y_origin) {
+  const std::size_t pixel = sizeof(float) * static_cast<std::size_t>(image.channels);
+  const std::size_t row = pixel * static_cast<std::size_t>(image.width);
+  // OpenEXR takes one type of pointer for reading and writing; a writer only reads.
+  char* const base = reinterpret_cast<char*>(const_cast<float*>(image.values.data() + c));
+  return {Imf::FLOAT,
+          base - static_cast<std::ptrdiff_t>(pixel) * x_origin - static_cast<std::ptrdiff_t>(row) * y_origin, pixel, row};
+}
+
+} // namespace
+
+ImageFile read_exr(const std::string& path, std::uint64_t file_bytes) {
+  try {
+    Imf::InputFile file(path.c_str());
+    const Imath::Box2i window = file.header().dataWindow();
+    const auto width = static_cast<std::uint64_t>(std::int64_t{window.max.x} - window.min.x + 1);
+    const auto height = static_cast<std::uint64_t>(std::int64_t{window.max.y} - window.min.y + 1);
+    // Deflate again, and the smallest channel has two bytes.
+    check_image_size(path, width, height, file_bytes, 1032 / 2);
+    ImageFile result;
+    result.bits = 32;
+    result.full_scale = 1;
+    const Imf::ChannelList& list = file.header().channels();
+    for (auto it = list.begin(); it != list.end(); ++it) {
+      if (it.channel().xSampling != 1 || it.channel().ySampling != 1)
+        throw InputError(InputFault{path, 0, 0, it.name(), "a subsampled channel", "a value for every pixel"});
+      result.channels.push_back(it.name());
+    }
+    // The file has them in alphabetic order: A B G R. The colour comes first here, as R G B A.
+    std::size_t front = 0;
+    for (const char* const name : {"R", "G", "B", "A"})
+      for (std::size_t i = front; i < result.channels.size(); ++i)
+        if (result.channels[i] == name) std::rotate(result.channels.begin() + static_cast<std::ptrdiff_t>(front++),
+                                                    result.channels.begin() + static_cast<std::ptrdiff_t>(i),
+                                                    result.channels.begin() + static_cast<std::ptrdiff_t>(i + 1));
+    if (result.channels.size() > 64)
+      throw InputError(InputFault{path, 0, 0, "channels", std::to_string(result.channels.size()), "at most 64"});
+    result.values = Image<float>(static_cast<int>(width), static_cast<int>(height), static_cast<int>(result.channels.size()));
+    Imf::FrameBuffer buffer;
+    for (std::size_t c = 0; c < result.channels.size(); ++c)
+      buffer.insert(result.channels[c], slice(result.values, static_cast<int>(c), window.min.x, window.min.y));
+    file.setFrameBuffer(buffer);
+    file.readPixels(window.min.y, window.max.y);
+    return result;
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::exception& error) { // whatever OpenEXR has to say about it
+    std::string reason = error.what();
+    for (char& c : reason)
+      if (c == '\n') c = ' ';
+    throw InputError(InputFault{path, 0, 0, "", "an image that cannot be decoded: " + reason, "an OpenEXR image"});
+  }
+}
+
+void write_exr(const std::string& path, const Image<float>& image, const std::vector<std::string>& channels) {
+  AtomicFile file(path);
+  ExrStream stream(path, file);
+  try {
+    Imf::Header header(image.width, image.height);
+    header.compression() = Imf::ZIP_COMPRESSION; // lossless
+    Imf::FrameBuffer buffer;
+    for (int c = 0; c < image.channels; ++c) {
+      const std::string& name = channels[static_cast<std::size_t>(c)];
+      header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+      buffer.insert(name, slice(image, c, 0, 0));
+    }
+    Imf::OutputFile output(stream, header);
+    output.setFrameBuffer(buffer);
+    output.writePixels(image.height);
+  } catch (const OutputError&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw OutputError(path, error.what());
+  }
+  file.commit();
+}
+
+} // namespace refraster

@@ -1,0 +1,83 @@
+#include "io/image_file.h"
+
+#include "io/image_formats.h"
+#include "io/input_error.h"
+#include "io/input_file.h"
+
+#include <algorithm>
+
+namespace refraster {
+namespace {
+constexpr std::uint64_t max_file_bytes = std::uint64_t{1} << 33; // twice the largest image in float RGB A
+constexpr std::string_view exr_magic = "\x76\x2f\x31\x01";
+} // namespace
+
+void check_image_size(const std::string& path, std::uint64_t width, std::uint64_t height, std::uint64_t file_bytes,
+                      std::uint64_t max_pixels_per_byte) {
+  const auto fail = [&](const std::string& expected) {
+    throw InputError(
+        InputFault{path, 0, 0, "", std::to_string(width) + " x " + std::to_string(height) + " pixels", expected});
+  };
+  if (width == 0 || height == 0) fail("at least 1 x 1");
+  if (width > max_image_side || height > max_image_side) fail("at most " + std::to_string(max_image_side) + " a side");
+  if (width * height > max_image_pixels) fail("at most " + std::to_string(max_image_pixels) + " pixels");
+  if (width * height > file_bytes * max_pixels_per_byte) fail("as many as a file of " + std::to_string(file_bytes) + " bytes can hold");
+}
+
+std::vector<std::string> default_channels(int count) {
+  switch (count) {
+  case 1: return {"Y"};
+  case 2: return {"Y", "A"};
+  case 3: return {"R", "G", "B"};
+  default: return {"R", "G", "B", "A"};
+  }
+}
+
+ImageFile read_image(const std::string& path) {
+  if (auto fault = file_fault(path, "an image", max_file_bytes)) throw InputError(std::move(*fault));
+  if (read_prefix(path, 4) == exr_magic) return read_exr(path, file_size_bytes(path));
+  const std::string bytes = read_file(path, "an image", max_file_bytes);
+  if (bytes.starts_with("PF") || bytes.starts_with("Pf")) return read_pfm(path, bytes);
+  return read_stb(path, bytes);
+}
+
+Texture read_texture(const std::string& path) {
+  const ImageFile image = read_image(path);
+  if (image.bits > 16)
+    throw InputError(InputFault{path, 0, 0, "", "an image of floating-point numbers", "8 or 16 bits a channel"});
+  Texture texture;
+  texture.full_scale = image.full_scale;
+  TextureLevel& level = texture.levels.emplace_back();
+  level.width = image.values.width;
+  level.height = image.values.height;
+  level.rgb.reserve(3 * image.values.values.size() / static_cast<std::size_t>(image.values.channels));
+  const bool grey = image.values.channels < 3;
+  for (int y = level.height - 1; y >= 0; --y) // v goes up: row 0 of a texture is the last of the image
+    for (int x = 0; x < level.width; ++x) {
+      const float* const pixel = image.values.at(x, y);
+      for (int c = 0; c < 3; ++c) level.rgb.push_back(pixel[grey ? 0 : c]);
+    }
+  return texture;
+}
+
+void write_float_image(const std::string& path, const Image<float>& image, std::vector<std::string> channels) {
+  const std::string format = extension(path);
+  const auto need = [&](bool possible, const char* expected) {
+    if (!possible) throw InputError(InputFault{path, 0, 0, "", std::to_string(image.channels) + " channels", expected});
+  };
+  if (format == "hdr") {
+    need(image.channels == 3, "3 channels in an .hdr file");
+    write_hdr(path, image);
+  } else if (format == "pfm") {
+    need(image.channels == 1 || image.channels == 3, "1 or 3 channels in a .pfm file");
+    write_pfm(path, image);
+  } else if (format == "exr") {
+    if (channels.empty()) channels = default_channels(image.channels);
+    need(static_cast<int>(channels.size()) == image.channels, "a name for every channel");
+    write_exr(path, image, channels);
+  } else {
+    throw InputError(InputFault{path, 0, 0, "", "the extension \"." + format + "\"", ".hdr, .pfm or .exr"});
+  }
+}
+
+} // namespace refraster

@@ -1,0 +1,37 @@
+#pragma once
+// Image files.
+
+#include "raster/image.h"
+#include "shading/texture.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace refraster {
+
+/// An image as it is stored.
+struct ImageFile {
+  Image<float> values;    // 1 to 4 channels or, of an EXR file, as many as it has; row 0 at the top
+  int bits = 8;           // of a channel: 8, 16 or 32 (float)
+  double full_scale = 255; // the value that means 1: 255, 65535, or 1 for float
+  std::vector<std::string> channels; // names, as R G B A, or Y for one channel
+};
+
+/// Reads `.png .jpg .tga .bmp` (8 or 16 bits), `.hdr .pfm .exr` (float). What it is, is seen from its content.
+/// Throws InputError. The size it declares is checked against limits, and against the size of the file, before any
+/// memory is taken: at most 65536 pixels a side and 2^28 in all.
+ImageFile read_image(const std::string& path);
+
+/// Reads an image of 8 or 16 bits as a texture with level 0 only: one channel becomes grey, alpha is dropped.
+Texture read_texture(const std::string& path);
+
+/// Writes 8-bit grey (1 channel) or RGB (3) as PNG, with no colour profile. Throws OutputError.
+void write_png(const std::string& path, const Image<std::uint8_t>& image);
+
+/// Writes float values, format by extension: `.hdr` (3 channels, 8-bit mantissas: lossy), `.pfm` (1 or 3 channels),
+/// `.exr` (any channels, 32-bit float). Throws OutputError; InputError for another extension or number of channels.
+/// `channels` names those of an EXR file; by default R G B, or Y for a single one.
+void write_float_image(const std::string& path, const Image<float>& image, std::vector<std::string> channels = {});
+
+} // namespace refraster

@@ -1,0 +1,201 @@
+#include "io/json.h"
+
+#include "io/text.h"
+
+#include <rapidjson/error/en.h>
+#include <rapidjson/reader.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace refraster {
+namespace {
+
+constexpr unsigned parse_flags = rapidjson::kParseIterativeFlag | rapidjson::kParseCommentsFlag |
+                                 rapidjson::kParseTrailingCommasFlag | rapidjson::kParseFullPrecisionFlag |
+                                 rapidjson::kParseValidateEncodingFlag;
+
+/// Builds the list of values from what the reader meets. The reader tells no positions, but its stream stands just
+/// behind a scalar or key when the handler is called, and on the bracket of an array or object.
+class TreeBuilder {
+public:
+  TreeBuilder(const std::string& text, const rapidjson::StringStream& stream, std::string& decoded,
+              std::vector<JsonNode>& nodes)
+      : text_(text), stream_(stream), decoded_(decoded), nodes_(nodes) {}
+
+  bool too_deep() const { return open_.size() > static_cast<std::size_t>(JsonDocument::max_depth); }
+
+  bool Null() { return scalar(JsonKind::null, offset() - 4); }
+  bool Bool(bool value) { return scalar(JsonKind::boolean, offset() - (value ? 4 : 5)); }
+  bool Int(int value) { return number(value); }
+  bool Uint(unsigned value) { return number(value); }
+  bool Int64(std::int64_t value) { return number(static_cast<double>(value)); }
+  bool Uint64(std::uint64_t value) { return number(static_cast<double>(value)); }
+  bool Double(double value) { return number(value); }
+  bool RawNumber(const char*, rapidjson::SizeType, bool) { return false; } // only with kParseNumbersAsStringsFlag
+
+  bool String(const char* text, rapidjson::SizeType length, bool) {
+    scalar(JsonKind::string, opening_quote());
+    nodes_.back().string = keep(text, length);
+    return true;
+  }
+  bool Key(const char* text, rapidjson::SizeType length, bool) {
+    key_begin_ = opening_quote();
+    key_ = keep(text, length);
+    return true;
+  }
+  bool StartObject() { return start(JsonKind::object); }
+  bool StartArray() { return start(JsonKind::array); }
+  bool EndObject(rapidjson::SizeType) { return finish(); }
+  bool EndArray(rapidjson::SizeType) { return finish(); }
+
+private:
+  struct Open {
+    JsonIndex node, last_child;
+  };
+
+  std::uint32_t offset() const { return static_cast<std::uint32_t>(stream_.Tell()); }
+
+  /// Of the string whose closing quote was just read: the last quote before it that no odd run of backslashes escapes.
+  std::uint32_t opening_quote() const {
+    std::uint32_t at = offset() - 1;
+    for (;;) {
+      --at;
+      if (text_[at] != '"') continue;
+      std::uint32_t run = at;
+      while (run > 0 && text_[run - 1] == '\\') --run;
+      if ((at - run) % 2 == 0) return at;
+    }
+  }
+
+  /// The decoded text is never longer than the file, for which `decoded_` has room: views into it stay valid.
+  std::string_view keep(const char* text, std::size_t length) {
+    const std::size_t begin = decoded_.size();
+    decoded_.append(text, length);
+    return std::string_view(decoded_).substr(begin, length);
+  }
+
+  void add(JsonKind kind, std::uint32_t begin) {
+    const auto index = static_cast<JsonIndex>(nodes_.size());
+    JsonNode node{};
+    node.kind = kind;
+    node.begin = begin;
+    node.end = offset();
+    if (!open_.empty()) {
+      Open& parent = open_.back();
+      if (nodes_[parent.node].kind == JsonKind::object) {
+        node.key = key_;
+        node.key_begin = key_begin_;
+      }
+      (parent.last_child ? nodes_[parent.last_child].next : nodes_[parent.node].first_child) = index;
+      parent.last_child = index;
+      ++nodes_[parent.node].children;
+    }
+    nodes_.push_back(node);
+  }
+
+  bool scalar(JsonKind kind, std::uint32_t begin) {
+    add(kind, begin);
+    return true;
+  }
+  bool number(double value) {
+    std::uint32_t begin = offset();
+    while (begin > 0 && std::string_view("+-.0123456789eE").find(text_[begin - 1]) != std::string_view::npos) --begin;
+    add(JsonKind::number, begin);
+    nodes_.back().number = value;
+    return true;
+  }
+  bool start(JsonKind kind) {
+    add(kind, offset());
+    open_.push_back({static_cast<JsonIndex>(nodes_.size() - 1), 0});
+    return !too_deep();
+  }
+  bool finish() {
+    nodes_[open_.back().node].end = offset() + 1;
+    open_.pop_back();
+    return true;
+  }
+
+  const std::string& text_;
+  const rapidjson::StringStream& stream_;
+  std::string& decoded_;
+  std::vector<JsonNode>& nodes_;
+  std::vector<Open> open_;
+  std::string_view key_;
+  std::uint32_t key_begin_ = 0;
+};
+
+const char* expected_syntax(rapidjson::ParseErrorCode code) {
+  switch (code) {
+  case rapidjson::kParseErrorDocumentEmpty: return "a JSON value";
+  case rapidjson::kParseErrorDocumentRootNotSingular: return "the end of the file";
+  case rapidjson::kParseErrorValueInvalid: return "a JSON value";
+  case rapidjson::kParseErrorObjectMissName: return "a key in quotes, or '}'";
+  case rapidjson::kParseErrorObjectMissColon: return "':'";
+  case rapidjson::kParseErrorObjectMissCommaOrCurlyBracket: return "',' or '}'";
+  case rapidjson::kParseErrorArrayMissCommaOrSquareBracket: return "',' or ']'";
+  case rapidjson::kParseErrorStringUnicodeEscapeInvalidHex: return "four hexadecimal digits after \\u";
+  case rapidjson::kParseErrorStringUnicodeSurrogateInvalid: return "a pair of UTF-16 surrogates";
+  case rapidjson::kParseErrorStringEscapeInvalid: return "one of \\\" \\\\ \\/ \\b \\f \\n \\r \\t \\u";
+  case rapidjson::kParseErrorStringMissQuotationMark: return "a string that ends in '\"'";
+  case rapidjson::kParseErrorStringInvalidEncoding: return "UTF-8";
+  case rapidjson::kParseErrorNumberTooBig: return "a number below 1.8e308";
+  case rapidjson::kParseErrorNumberMissFraction: return "a digit after '.'";
+  case rapidjson::kParseErrorNumberMissExponent: return "a digit in the exponent";
+  case rapidjson::kParseErrorUnspecificSyntaxError: return "a comment: //, or /* closed by */";
+  default: return "JSON";
+  }
+}
+
+} // namespace
+
+JsonDocument::JsonDocument(std::string file, std::string text) : file_(std::move(file)), text_(std::move(text)) {
+  if (text_.starts_with("\xef\xbb\xbf")) text_.replace(0, 3, "   "); // byte order mark
+  if (const std::size_t zero = text_.find('\0'); zero != std::string::npos)
+    throw InputError(fault_at(zero, "", "a zero byte", "text"));
+  if (text_.size() > max_bytes)
+    throw InputError(fault_at(0, "", std::to_string(text_.size()) + " bytes", "at most " + std::to_string(max_bytes)));
+  decoded_.reserve(text_.size());
+  rapidjson::StringStream stream(text_.c_str());
+  rapidjson::Reader reader;
+  TreeBuilder builder(text_, stream, decoded_, nodes_);
+  reader.Parse<parse_flags>(stream, builder);
+  if (!reader.HasParseError()) return;
+
+  const std::size_t at = std::min(reader.GetErrorOffset(), text_.size());
+  if (builder.too_deep())
+    throw InputError(fault_at(at, "", "nesting deeper than " + std::to_string(max_depth), "a flatter file"));
+  std::string found = "the end of the file";
+  if (at < text_.size()) {
+    const std::size_t word_end = text_.find_first_of(" \t\r\n,:[]{}", at + 1);
+    found = in_quotes(std::string_view(text_).substr(at, word_end == std::string::npos ? word_end : word_end - at));
+  }
+  throw InputError(fault_at(at, "", std::move(found), expected_syntax(reader.GetParseErrorCode())));
+}
+
+std::string_view JsonDocument::source(const JsonNode& node) const {
+  return std::string_view(text_).substr(node.begin, node.end - node.begin);
+}
+
+std::string JsonDocument::describe(const JsonNode& node) const {
+  switch (node.kind) {
+  case JsonKind::string: return in_quotes(node.string);
+  case JsonKind::array: return "an array of " + counted(node.children, "value");
+  case JsonKind::object: return "an object";
+  default: return std::string(source(node).substr(0, 60));
+  }
+}
+
+InputFault JsonDocument::fault_at(std::size_t offset, std::string path, std::string found, std::string expected) const {
+  InputFault fault;
+  fault.file = file_;
+  const TextPlace place = place_in(text_, offset);
+  fault.line = place.line;
+  fault.column = place.column;
+  fault.path = std::move(path);
+  fault.found = std::move(found);
+  fault.expected = std::move(expected);
+  return fault;
+}
+
+} // namespace refraster

@@ -1,0 +1,122 @@
+#include "io/atomic_file.h"
+#include "io/image_formats.h"
+
+#include <stb_image.h>
+#include <stb_image_write.h>
+
+#include <algorithm>
+#include <cstring>
+#include <memory>
+
+namespace refraster {
+namespace {
+
+/// A file in memory that notices when more is asked for than it holds: stb goes on with zeros then, and some of its
+/// decoders return the image as if nothing were missing.
+struct Source {
+  std::string_view bytes;
+  std::size_t at = 0;
+  bool ran_out = false;
+
+  static int read(void* user, char* data, int size) {
+    Source& self = *static_cast<Source*>(user);
+    const std::size_t count = std::min(static_cast<std::size_t>(size), self.bytes.size() - self.at);
+    if (count == 0 && size > 0) self.ran_out = true;
+    std::memcpy(data, self.bytes.data() + self.at, count);
+    self.at += count;
+    return static_cast<int>(count);
+  }
+  static void skip(void* user, int count) {
+    Source& self = *static_cast<Source*>(user);
+    const std::int64_t wanted = static_cast<std::int64_t>(self.at) + count;
+    if (wanted > static_cast<std::int64_t>(self.bytes.size())) self.ran_out = true;
+    self.at = static_cast<std::size_t>(std::clamp<std::int64_t>(wanted, 0, static_cast<std::int64_t>(self.bytes.size())));
+  }
+  static int at_end(void* user) {
+    const Source& self = *static_cast<const Source*>(user);
+    return self.at == self.bytes.size();
+  }
+  static constexpr stbi_io_callbacks calls{read, skip, at_end};
+};
+
+InputError not_decoded(const std::string& path, bool ran_out) {
+  if (ran_out) return InputError(InputFault{path, 0, 0, "", "a truncated image", "a whole one"});
+  const char* const reason = stbi_failure_reason();
+  return InputError(InputFault{path, 0, 0, "", std::string("an image that cannot be decoded: ") + (reason ? reason : "unknown"),
+                               "an image"});
+}
+
+/// Decodes by one of stb's functions and copies to float, row 0 at the top.
+template <class Value>
+void decode(const std::string& path, std::string_view bytes, Image<float>& values,
+            Value* (*load)(const stbi_io_callbacks*, void*, int*, int*, int*, int)) {
+  Source source{bytes};
+  int width = 0, height = 0, channels = 0;
+  const std::unique_ptr<Value, void (*)(void*)> pixels(load(&Source::calls, &source, &width, &height, &channels, 0),
+                                                       stbi_image_free);
+  if (!pixels || source.ran_out) throw not_decoded(path, source.ran_out);
+  values = Image<float>(width, height, channels);
+  std::transform(pixels.get(), pixels.get() + values.values.size(), values.values.begin(),
+                 [](Value value) { return static_cast<float>(value); });
+}
+
+/// What stb's writers hand over, into the file. Exceptions must not pass through C code: they wait here.
+struct Sink {
+  AtomicFile& file;
+  std::exception_ptr error;
+
+  static void write(void* user, void* data, int size) {
+    Sink& self = *static_cast<Sink*>(user);
+    if (self.error) return;
+    try {
+      self.file.write(data, static_cast<std::size_t>(size));
+    } catch (...) {
+      self.error = std::current_exception();
+    }
+  }
+};
+
+} // namespace
+
+ImageFile read_stb(const std::string& path, std::string_view bytes) {
+  Source source{bytes};
+  int width = 0, height = 0, channels = 0;
+  if (!stbi_info_from_callbacks(&Source::calls, &source, &width, &height, &channels)) throw not_decoded(path, source.ran_out);
+  // Deflate makes at most 1032 bytes of one, and PNG's smallest pixel is one bit; no other format here is denser.
+  check_image_size(path, static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height), bytes.size(), 8 * 1032);
+  ImageFile result;
+  if (Source again{bytes}; stbi_is_hdr_from_callbacks(&Source::calls, &again)) {
+    decode<float>(path, bytes, result.values, stbi_loadf_from_callbacks);
+    result.bits = 32;
+    result.full_scale = 1;
+  } else if (Source again16{bytes}; stbi_is_16_bit_from_callbacks(&Source::calls, &again16)) {
+    decode<stbi_us>(path, bytes, result.values, stbi_load_16_from_callbacks);
+    result.bits = 16;
+    result.full_scale = 65535;
+  } else {
+    decode<stbi_uc>(path, bytes, result.values, stbi_load_from_callbacks);
+  }
+  result.channels = default_channels(result.values.channels);
+  return result;
+}
+
+void write_png(const std::string& path, const Image<std::uint8_t>& image) {
+  AtomicFile file(path);
+  Sink sink{file, nullptr};
+  const int done = stbi_write_png_to_func(Sink::write, &sink, image.width, image.height, image.channels,
+                                          image.values.data(), image.width * image.channels);
+  if (sink.error) std::rethrow_exception(sink.error);
+  if (!done) throw OutputError(path, "out of memory");
+  file.commit();
+}
+
+void write_hdr(const std::string& path, const Image<float>& image) {
+  AtomicFile file(path);
+  Sink sink{file, nullptr};
+  const int done = stbi_write_hdr_to_func(Sink::write, &sink, image.width, image.height, image.channels, image.values.data());
+  if (sink.error) std::rethrow_exception(sink.error);
+  if (!done) throw OutputError(path, "out of memory");
+  file.commit();
+}
+
+} // namespace refraster

@@ -1,0 +1,22 @@
+#pragma once
+// Text of an input file, in messages.
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace refraster {
+
+/// A word in quotes, cut where it is long; control characters are shown as '?'.
+std::string in_quotes(std::string_view word);
+
+/// "1 number", "2 numbers".
+std::string counted(std::size_t count, std::string_view noun);
+
+/// A place in a text, counted from 1; columns are characters of UTF-8, not bytes.
+struct TextPlace {
+  int line, column;
+};
+TextPlace place_in(std::string_view text, std::size_t offset);
+
+} // namespace refraster
