@@ -138,4 +138,24 @@ Mesh torus_mesh(int segments, int rings, double tube_radius) {
   return mesh;
 }
 
+Mesh knot_mesh(int segments, int rings, double tube_radius) {
+  assert(segments >= 3 && rings >= 3 && tube_radius > 0);
+  constexpr double strand = 0.5; // from the unit circle to the knot
+  const Double3 axis(0, 1, 0);
+  Mesh mesh;
+  add_grid(mesh, segments, rings, [&](int segment, int ring) {
+    const Double3 out = outward(turn(2 * segment % segments, segments)), east = cross(axis, out);
+    const CirclePoint winding = turn(3 * segment % segments, segments);
+    // The knot lies on a torus, whose normal is perpendicular to the knot at every point: a frame without a twist.
+    const Double3 normal = winding.cosine * out - winding.sine * axis;
+    const Double3 onward =
+        2 * (1 + strand * winding.cosine) * east - 3 * strand * (winding.sine * out + winding.cosine * axis);
+    const Double3 sideways = normalize(cross(normal, onward));
+    const CirclePoint around = turn(ring, rings);
+    const Double3 tube = around.cosine * normal + around.sine * sideways;
+    add_vertex(mesh, out + strand * normal + tube_radius * tube, tube, share(segment, segments), share(ring, rings));
+  });
+  return mesh;
+}
+
 } // namespace refraster
