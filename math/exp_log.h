@@ -39,26 +39,30 @@ Binary<T> binary(const T& x, RealOf<T> least) {
   constexpr BitsOf<F> bias = std::numeric_limits<F>::max_exponent - 1;
   const LaneBits<T> bits = bits_of(x);
   const LaneBits<T> biased = shift_right<T>(bits + (one_bits<T> - bits_of(least)), shift);
-  return {from_bits<T>(bits - ((biased - bias) << shift)), to_number<T>(biased) - as<T>(bias)};
-}
-
-/// m 2^exponent for m in [1/2, 2) and a whole exponent, where the result is normal.
-template <Lanes T>
-T times_power_of_2(const T& m, const T& exponent) {
-  using F = RealOf<T>;
-  // 1.5 2^fraction_bits + exponent has the exponent, in two's complement, in its lowest bits; the shift drops the rest.
-  const LaneBits<T> exponent_bits = bits_of(exponent + as<T>(1.5 * integer_shelf<T>));
-  return from_bits<T>(bits_of(m) + (exponent_bits << fraction_bits<F>));
+  return {from_bits<T>(bits - ((biased - bias) << shift)), to_number<T>(biased, -bias)};
 }
 
 /// The largest float, as a double: a result is held below it before it is rounded to float.
 inline constexpr double largest_float = 0x1.fffffep127;
 
-/// The nearest whole number (ties to even), for |x| < 2^(fraction_bits - 1).
+/// n + fraction = x: n the nearest whole number (ties to even), |x| < 2^(fraction_bits - 1).
+template <class T>
+struct Rounded {
+  T fraction;
+  LaneBits<T> n; // only the lowest bits: two's complement
+};
 template <Lanes T>
-T rounded(const T& x) {
-  const T shelf = as<T>(1.5 * integer_shelf<T>);
-  return (x + shelf) - shelf;
+Rounded<T> rounded(const T& x) {
+  // With 1.5 2^fraction_bits added, the last place is worth 1: the sum is rounded to it, and ends in the bits of n.
+  const T shelf = as<T>(1.5 * double{integer_shelf<T>});
+  const T on_shelf = x + shelf;
+  return {x - (on_shelf - shelf), bits_of(on_shelf)};
+}
+
+/// m 2^n for m in [1/2, 2), where the result is normal.
+template <Lanes T>
+T times_power_of_2(const T& m, const LaneBits<T>& n) {
+  return from_bits<T>(bits_of(m) + (n << fraction_bits<RealOf<T>>));
 }
 
 /// What the logarithm of x = c m 2^k is made from: log2(x) = k + log2(c) + log2((sum + difference) / (sum -
@@ -126,12 +130,12 @@ Twofold<T> wide_log2(const Log2Argument<T>& x) {
 /// 2^(y.hi + y.lo) for |y.hi| <= 1022.
 template <Lanes T>
 T wide_exp2(const Twofold<T>& y) {
-  // (2^f - 1 - f ln2) / f^2 within 6.2e-17 for |f| <= 1/2.
-  constexpr std::array p = {0x1.ebfbdff82c590p-3,  0x1.c6b08d704a0c3p-5,  0x1.3b2ab6fba385ep-7,  0x1.5d87fe78a4726p-10,
-                            0x1.4309130378a59p-13, 0x1.ffcbfc6c25056p-17, 0x1.62bfe45fe5732p-20, 0x1.b524ed52d4475p-24,
-                            0x1.e5e9f7ac8a428p-28, 0x1.e9ec20ad87111p-32};
-  const T n = rounded(y.hi);
-  const Twofold<T> f = quick_sum(y.hi - n, y.lo);
+  // (2^f - 1 - f ln2) / f^2 within 1.2e-17 for |f| <= 1/2.
+  constexpr std::array p = {0x1.ebfbdff82c58fp-3,  0x1.c6b08d704a0c2p-5,  0x1.3b2ab6fba4e79p-7,  0x1.5d87fe78a5275p-10,
+                            0x1.430912f86b061p-13, 0x1.ffcbfc670dfa0p-17, 0x1.62c0224555c35p-20, 0x1.b524fae5b6938p-24,
+                            0x1.e4cf04ec53e47p-28, 0x1.e9d3feff50da6p-32, 0x1.c4b5aee3ce99ep-36};
+  const auto [fraction, n] = rounded(y.hi);
+  const Twofold<T> f = quick_sum(fraction, y.lo);
   // 2^f = 1 + ln2 f + f^2 p(f): the first two terms to twice the precision, the third is below 0.07.
   const Twofold<T> linear = wide_product(f.hi, T(ln2.hi));
   const Twofold<T> sum = quick_sum(T(1), linear.hi);
@@ -156,12 +160,23 @@ T narrow_exp2(const T& y) {
   // (2^f - 1) / f within 7.5e-9 for |f| <= 1/2.
   constexpr std::array p = {0x1.62e4302fcf031p-1, 0x1.ebfbe07d594d8p-3,  0x1.c6af6cccf54bdp-5,
                             0x1.3b29e40dfe0c2p-7, 0x1.5f08975d6cc11p-10, 0x1.446c521b4a8c5p-13};
-  const T n = rounded(y);
-  const T f = y - n;
+  const auto [f, n] = rounded(y);
   return times_power_of_2(T(1) + f * polynomial(f, p), n);
 }
 
 inline constexpr double sqrt_half = 0x1.6a09e667f3bcdp-1;
+
+/// x = (1 + t) 2^k, 1 + t in [sqrt(1/2), sqrt(2)], for x > 0 and finite; subnormal x too.
+template <class T>
+struct OnePlus {
+  T t, k;
+};
+template <Lanes T>
+OnePlus<T> one_plus(const T& x) {
+  const MaskOf<T> subnormal = x < T(std::numeric_limits<RealOf<T>>::min());
+  const auto [m, k] = binary(select(subnormal, x * T(0x1p24f), x), RealOf<T>(sqrt_half));
+  return {m - T(1), k - select(subnormal, T(24), T(0))}; // both exact
+}
 
 /// log2(x), always finite: x below the smallest positive number (0, negative, NaN) counts as that number, x above the
 /// largest as that. Error: log2_max_ulp.
@@ -170,12 +185,9 @@ T log2(const T& x) {
   using F = RealOf<T>;
   const T inside = minimum(maximum(x, T(std::numeric_limits<F>::denorm_min())), T(std::numeric_limits<F>::max()));
   if constexpr (sizeof(F) == 4) {
-    return in_double(
-        []<class D>(const D& wide) {
-          const auto [m, k] = binary(wide, sqrt_half);
-          return narrow_log2(k, m - D(1));
-        },
-        inside);
+    const auto [t, k] = one_plus(inside);
+    return in_double([]<class D>(const D& k_double, const D& t_double) { return narrow_log2(k_double, t_double); }, k,
+                     t);
   } else {
     const MaskOf<T> subnormal = inside < T(std::numeric_limits<F>::min());
     Log2Argument<T> argument = log2_argument(select(subnormal, inside * T(0x1p54), inside));

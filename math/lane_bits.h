@@ -58,10 +58,11 @@ inline constexpr BitsOf<RealOf<T>> one_bits = std::bit_cast<BitsOf<RealOf<T>>>(R
 template <class T>
 inline constexpr RealOf<T> integer_shelf = RealOf<T>(BitsOf<RealOf<T>>(1) << fraction_bits<RealOf<T>>);
 
-/// n as a number, for 0 <= n < 2^fraction_bits.
+/// n + offset as a number, for 0 <= n < 2^fraction_bits.
 template <Lanes T>
-T to_number(LaneBits<T> n) {
-  return from_bits<T>(n | std::bit_cast<BitsOf<RealOf<T>>>(integer_shelf<T>)) - T(integer_shelf<T>);
+T to_number(LaneBits<T> n, BitsOf<RealOf<T>> offset) {
+  const RealOf<T> shelf = integer_shelf<T> - static_cast<RealOf<T>>(offset);
+  return from_bits<T>(n | std::bit_cast<BitsOf<RealOf<T>>>(integer_shelf<T>)) - T(shelf);
 }
 
 /// x with the sign bit of y wherever that is set, for x >= 0.

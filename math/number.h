@@ -22,7 +22,7 @@ concept Number = requires(T x, T y, MaskOf<T> m, IndexOf<T> i) {
   T(0);
   { x + y } -> std::same_as<T>;
   { x - y } -> std::same_as<T>;
-  { x * y } -> std::same_as<T>;
+  { x* y } -> std::same_as<T>;
   { x / y } -> std::same_as<T>;
   { -x } -> std::same_as<T>;
   { x < y } -> std::same_as<MaskOf<T>>;

@@ -23,13 +23,17 @@ T power_of(const Log2Argument<T>& base, double s) {
   return select(y.hi >= T(lowest_power<double>), result, T(0));
 }
 
-/// 2^(s (k + log2(1 + t))) for float lanes that were widened to double.
+/// ((1 + t) 2^k)^s for float lanes.
 template <Lanes T>
-T narrow_power_of(const T& k, const T& t, double s) {
-  const T y = narrow_log2(k, t) * T(s);
-  const T inside = minimum(maximum(y, T(lowest_power<float> - 1)), T(highest_power<float>));
-  const T result = minimum(narrow_exp2(inside), T(largest_float));
-  return select(y >= T(lowest_power<float>), result, T(0));
+  requires(sizeof(RealOf<T>) == 4)
+T power_of(const OnePlus<T>& base, double s) {
+  const auto in_range = [s]<class D>(const D& k, const D& t) {
+    const D y = narrow_log2(k, t) * D(s);
+    return minimum(narrow_exp2(minimum(maximum(y, D(lowest_power<float> - 1)), D(highest_power<float>))),
+                   D(largest_float));
+  };
+  const T result = in_double(in_range, base.k, base.t);
+  return select(result >= T(0x1p-120f), result, T(0));
 }
 
 /// x^s for s >= 0; x^0 = 1, also for x = 0; x < 0 and NaN count as 0. Always finite: a result below 2^lowest_power is
@@ -43,12 +47,7 @@ T power(const T& x, double s) {
   const T base = minimum(select(is_positive, x, T(1)), largest);
   T result;
   if constexpr (sizeof(F) == 4) {
-    result = in_double(
-        [s]<class D>(const D& wide) {
-          const auto [m, k] = binary(wide, sqrt_half);
-          return narrow_power_of(k, m - D(1), s);
-        },
-        base);
+    result = power_of(one_plus(base), s);
   } else {
     const MaskOf<T> subnormal = base < T(std::numeric_limits<F>::min());
     Log2Argument<T> argument = log2_argument(select(subnormal, base * T(0x1p54), base));
@@ -75,22 +74,15 @@ T cosine_power(const Vec3<T>& a, const Vec3<T>& b, double s) {
   using F = RealOf<T>;
   if (s == 0) return T(1);
   const T cosine = dot(a, b);
-  const T q =
-      minimum(T(F(0.5)) * squared_length(a - b), T(F(0.5))); // the limit only matters for vectors that are not unit
+  const T q = minimum(T(F(0.5)) * squared_length(a - b), T(F(0.5))); // more only where a or b is not unit
+  const MaskOf<T> is_near = cosine > T(F(0.75)), is_positive = cosine >= T(std::numeric_limits<F>::min());
+  const T some_cosine = select(is_positive, cosine, T(1));
   if constexpr (sizeof(F) == 4) {
-    return in_double(
-        [s]<class D>(const D& dot_ab, const D& one_minus) {
-          const MaskOf<D> is_near = dot_ab > D(0.75);
-          const MaskOf<D> is_positive = dot_ab > D(0);
-          const auto [m, k] = binary(select(is_positive, dot_ab, D(1)), sqrt_half);
-          const D result = narrow_power_of(select(is_near, D(0), k), select(is_near, -one_minus, m - D(1)), s);
-          return select(is_positive, result, D(0));
-        },
-        cosine, q);
+    const auto [m, k] = binary(some_cosine, F(sqrt_half));
+    const OnePlus<T> base = {select(is_near, -q, m - T(1)), select(is_near, T(0), k)};
+    return select(is_positive, power_of(base, s), T(0));
   } else {
-    const MaskOf<T> is_positive = cosine >= T(std::numeric_limits<F>::min());
-    const Log2Argument<T> far = log2_argument(select(is_positive, cosine, T(1)));
-    const Log2Argument<T> argument = select(cosine > T(0.75), log2_argument_of_1_minus(q), far);
+    const Log2Argument<T> argument = select(is_near, log2_argument_of_1_minus(q), log2_argument(some_cosine));
     return select(is_positive, power_of(argument, s), T(0));
   }
 }

@@ -91,7 +91,8 @@ constexpr F reciprocal_binade(F x) {
   return std::bit_cast<F>((2 * bias - exponent) << shift);
 }
 
-/// Table coordinates beyond this many cells are clamped to it, so that the index fits 32 bits; NaN counts as the lower end.
+/// Table coordinates beyond this many cells are clamped to it, so that the index fits 32 bits; NaN counts as the lower
+/// end.
 inline constexpr double cell_limit = 1 << 30;
 
 template <std::floating_point F>

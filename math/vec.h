@@ -74,7 +74,6 @@ Vec3<T> normalize(const Vec3<T>& a) {
   return scaled * select(squared > T(0), T(1) / root(squared), T(0));
 }
 
-
 template <class T>
 Vec3<T> select(const MaskOf<T>& m, const Vec3<T>& a, const Vec3<T>& b) {
   return {select(m, a.x, b.x), select(m, a.y, b.y), select(m, a.z, b.z)};
