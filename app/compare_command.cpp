@@ -18,19 +18,12 @@ struct CompareArguments {
   CompareLimits limits;
 };
 
-template <class Value>
-Comparison compare_pair(const std::pair<Image<Value>, Image<Value>>& pair, const CompareArguments& arguments) {
-  const auto& [a, b] = pair;
-  Comparison found = compare(a, b, arguments.limits);
-  if (!arguments.diff.empty()) write_image(arguments.diff, heat_image(a, b, found));
-  return found;
-}
-
 ExitCode run(const CompareArguments& arguments) {
   if (!arguments.diff.empty()) check_writable(arguments.diff);
   if (!arguments.json.empty()) check_writable(arguments.json);
   const ImagePair images = read_image_pair(arguments.a, arguments.b);
-  const Comparison found = std::visit([&](const auto& pair) { return compare_pair(pair, arguments); }, images);
+  const Comparison found = compare(images.a, images.b, images.unit, arguments.limits);
+  if (!arguments.diff.empty()) write_png(arguments.diff, heat_image(images.a, images.b, found));
   const ComparisonReport report{arguments.a, arguments.b, arguments.limits, found};
   if (!arguments.json.empty()) write_text(arguments.json, comparison_json(report));
   if (arguments.json != standard_output) std::cout << comparison_text(report);

@@ -19,14 +19,14 @@ void print_rgb(const char* label, const Rgb<double>& rgb) {
 }
 
 ExitCode print_info(const std::string& path) {
-  const MerlFile file = read_merl(path);
-  const MerlFacts facts = merl_facts(*file.table);
+  const std::shared_ptr<const MerlTable> table = read_merl(path);
+  const std::string material(merl_material_name(file_sha256(path)));
+  const MerlFacts facts = merl_facts(*table);
   const auto per_channel = [&](double ChannelFacts::*fact) {
     return Rgb<double>(facts.channels[0].*fact, facts.channels[1].*fact, facts.channels[2].*fact);
   };
   std::printf("%-16s %s\n", "file", path.c_str());
-  std::printf("%-16s %s\n", "material",
-              file.material.empty() ? "not one of the 100 of the database" : file.material.c_str());
+  std::printf("%-16s %s\n", "material", material.empty() ? "not one of the 100 of the database" : material.c_str());
   std::printf("%-16s %d x %d x %d (theta_h, theta_d, phi_d)\n", "samples", MerlTable::theta_h_bins,
               MerlTable::theta_d_bins, MerlTable::phi_d_bins);
   std::printf("%-16s %llu (%.2f %%)\n", "never measured", static_cast<unsigned long long>(facts.never_measured),
@@ -60,7 +60,7 @@ CLI::App& add_formula(CLI::App& synth, Action& chosen, const std::string& name, 
   command.final_callback([&chosen, formula, output] {
     chosen = [formula, output] {
       check_writable(*output);
-      write_merl(*output, merl_table_from(*formula));
+      write_merl(*output, merl_table_from(std::as_const(*formula)));
       std::cout << *output << "\n";
       return ExitCode::ok;
     };

@@ -1,8 +1,11 @@
 #include "app/output.h"
 
 #include "io/atomic_file.h"
+#include "io/image_file.h"
 #include "io/input_error.h"
+#include "io/input_file.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -27,7 +30,25 @@ void check_writable(const std::string& path) {
 
 void write_text(const std::string& path, const std::string& text) {
   if (path == standard_output) std::cout << text;
-  else write_atomically(path, text);
+  else write_file(path, text);
+}
+
+std::optional<ImageFormat> image_format(const std::string& path) {
+  const std::string ending = extension(path);
+  if (ending == "png") return ImageFormat::png;
+  if (ending == "hdr") return ImageFormat::hdr;
+  if (ending == "pfm") return ImageFormat::pfm;
+  if (ending == "exr") return ImageFormat::exr;
+  return std::nullopt;
+}
+
+void write_values(const std::string& path, const Image<float>& image) {
+  if (image.channels != 2) return write_float_image(path, image);
+  if (image_format(path) == ImageFormat::exr) return write_float_image(path, image, {"U", "V"});
+  Image<float> padded(image.width, image.height, 3);
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) std::copy_n(image.at(x, y), 2, padded.at(x, y));
+  write_float_image(path, padded);
 }
 
 std::string stem(const std::string& path) {

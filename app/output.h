@@ -1,6 +1,9 @@
 #pragma once
 // Where results go.
 
+#include "raster/image.h"
+
+#include <optional>
 #include <string>
 
 namespace refraster {
@@ -15,6 +18,14 @@ void check_writable(const std::string& path);
 
 /// Writes a text file as a whole or not at all; or to standard output. Throws OutputError.
 void write_text(const std::string& path, const std::string& text);
+
+enum class ImageFormat { png, hdr, pfm, exr };
+
+/// By extension, in any case; nothing for one that is not written.
+std::optional<ImageFormat> image_format(const std::string& path);
+
+/// Writes .hdr, .pfm or .exr. A file format that has no images of two channels gets a third one of zeros.
+void write_values(const std::string& path, const Image<float>& image);
 
 /// "scenes/ball.json" gives "ball".
 std::string stem(const std::string& path);

@@ -73,6 +73,7 @@ RenderOptions options_from(const RenderArguments& arguments) {
   options.height = arguments.size.height;
   options.crop = arguments.crop;
   options.rung = arguments.rung;
+  options.samples = arguments.samples;
   options.threads = arguments.threads;
   options.tile_size = arguments.tile_size;
   options.want_levels = image_format(arguments.output) == ImageFormat::png;
@@ -93,11 +94,11 @@ Frame rendered(const Scene& scene, RenderOptions options, Progress progress) {
 /// Writes what was asked for and gives the paths.
 std::vector<std::string> write_images(const Frame& frame, const RenderArguments& arguments) {
   std::vector<std::string> paths = {arguments.output};
-  if (frame.radiance.empty()) write_image(arguments.output, frame.levels);
-  else write_image(arguments.output, frame.radiance);
+  if (frame.radiance.empty()) write_png(arguments.output, frame.levels);
+  else write_values(arguments.output, frame.radiance);
   for (std::size_t i = 0; i < arguments.aovs.size(); ++i) {
     paths.push_back(aov_path(arguments.output, arguments.aovs[i]));
-    write_image(paths.back(), frame.aovs[i]);
+    write_values(paths.back(), frame.aovs[i]);
   }
   return paths;
 }
@@ -155,10 +156,8 @@ void add_render(CLI::App& program, Action& chosen) {
                     "make only this part of the image, with the same pixels");
   command.add_option("--rung", a.rung, "precision of shading; `refraster list rungs`")
       ->check(CLI::IsMember(rung_names(static_cast<const Rungs*>(nullptr))));
-  command.add_option("--samples", a.samples, "samples a pixel; only 1 for now")->check([](const std::string& text) {
-    return text == "1" ? std::string()
-                       : "found " + text + ", expected 1: more than one sample a pixel is not there yet";
-  });
+  command.add_option("--samples", a.samples, "samples a pixel, at the standard positions; shaded once a triangle")
+      ->check(CLI::IsMember({1, 2, 4, 8, 16}));
   command.add_option("--threads", a.threads, "threads; 0: as many as this machine has")->check(CLI::Range(0, 1024));
   command.add_option("--tile-size", a.tile_size, "pixels along a side of the tiles that threads work on")
       ->check(CLI::IsMember({8, 16, 32, 64, 128}));

@@ -11,25 +11,15 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::infinity();
 
-bool same_bits(std::uint8_t a, std::uint8_t b) {
-  return a == b;
-}
 bool same_bits(float a, float b) {
   return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
-}
-bool is_nan(std::uint8_t) {
-  return false;
-}
-bool is_nan(float value) {
-  return std::isnan(value);
 }
 
 /// The pixels seen so far that differ most, in order. A newcomer goes behind those it equals, so that ties stay in the
 /// order of the image.
 class Worst {
 public:
-  template <class Value>
-  void see(int x, int y, double difference, const Value* a, const Value* b, int channels) {
+  void see(int x, int y, double difference, const float* a, const float* b, int channels) {
     if (kept_.size() == worst_pixels_kept && !(difference > kept_.back().difference)) return;
     const auto place = std::upper_bound(kept_.begin(), kept_.end(), difference,
                                         [](double d, const PixelDifference& p) { return d > p.difference; });
@@ -68,8 +58,15 @@ bool within(const Comparison& found, const CompareLimits& limits) {
   return true;
 }
 
-template <class Value>
-Comparison compared(const Image<Value>& a, const Image<Value>& b, CompareUnit unit, const CompareLimits& limits) {
+} // namespace
+
+double value_difference(float a, float b) {
+  if (a == b) return 0; // so that the same infinity twice is no difference
+  const double difference = std::abs(static_cast<double>(b) - static_cast<double>(a));
+  return std::isfinite(difference) ? difference : none;
+}
+
+Comparison compare(const Image<float>& a, const Image<float>& b, CompareUnit unit, const CompareLimits& limits) {
   assert(a.width == b.width && a.height == b.height && a.channels == b.channels);
   Comparison found;
   found.unit = unit;
@@ -83,12 +80,12 @@ Comparison compared(const Image<Value>& a, const Image<Value>& b, CompareUnit un
 
   for (int y = 0; y < a.height; ++y) {
     for (int x = 0; x < a.width; ++x) {
-      const Value *pixel_a = a.at(x, y), *pixel_b = b.at(x, y);
+      const float *pixel_a = a.at(x, y), *pixel_b = b.at(x, y);
       bool equal = true, nan_a = false, nan_b = false;
       double largest = 0;
       for (std::size_t c = 0; c < channels; ++c) {
-        nan_a |= is_nan(pixel_a[c]);
-        nan_b |= is_nan(pixel_b[c]);
+        nan_a |= std::isnan(pixel_a[c]);
+        nan_b |= std::isnan(pixel_b[c]);
         equal &= same_bits(pixel_a[c], pixel_b[c]);
         const double difference = value_difference(pixel_a[c], pixel_b[c]);
         largest = std::max(largest, difference);
@@ -116,26 +113,6 @@ Comparison compared(const Image<Value>& a, const Image<Value>& b, CompareUnit un
   found.worst = worst.take();
   found.same = within(found, limits);
   return found;
-}
-
-} // namespace
-
-double value_difference(std::uint8_t a, std::uint8_t b) {
-  return std::abs(static_cast<double>(b) - static_cast<double>(a));
-}
-
-double value_difference(float a, float b) {
-  if (a == b) return 0; // so that the same infinity twice is no difference
-  const double difference = std::abs(static_cast<double>(b) - static_cast<double>(a));
-  return std::isfinite(difference) ? difference : none;
-}
-
-Comparison compare(const Image<std::uint8_t>& a, const Image<std::uint8_t>& b, const CompareLimits& limits) {
-  return compared(a, b, CompareUnit::levels, limits);
-}
-
-Comparison compare(const Image<float>& a, const Image<float>& b, const CompareLimits& limits) {
-  return compared(a, b, CompareUnit::values, limits);
 }
 
 } // namespace refraster

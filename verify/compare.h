@@ -62,14 +62,11 @@ struct Comparison {
   std::uint64_t pixels() const { return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height); }
 };
 
-/// Compares in levels. The images must agree in size and channels (assert). Computed in double, row by row.
-Comparison compare(const Image<std::uint8_t>& a, const Image<std::uint8_t>& b, const CompareLimits& limits);
+/// The images must agree in size and channels (assert), and be in the unit: levels are 0 to 255, exact in float.
+/// Computed in double, row by row: the same bits every time.
+Comparison compare(const Image<float>& a, const Image<float>& b, CompareUnit unit, const CompareLimits& limits);
 
-/// Compares in values. Otherwise as above.
-Comparison compare(const Image<float>& a, const Image<float>& b, const CompareLimits& limits);
-
-/// |b - a|: 0 for the same infinity, infinity where there is no difference. In levels or values, as above.
-double value_difference(std::uint8_t a, std::uint8_t b);
+/// |b - a|: 0 for the same infinity, infinity where there is no difference.
 double value_difference(float a, float b);
 
 } // namespace refraster

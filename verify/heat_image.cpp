@@ -15,8 +15,19 @@ constexpr std::size_t steps = std::size(stops) - 1;
 // Where anything differs at all, the colour starts here: black is for equal pixels alone.
 constexpr double smallest_share = 1.0 / static_cast<double>(steps);
 
-template <class Value>
-Image<std::uint8_t> drawn(const Image<Value>& a, const Image<Value>& b, const Comparison& found) {
+} // namespace
+
+Rgb8 heat_colour(double t) {
+  const double place = std::clamp(t, 0.0, 1.0) * static_cast<double>(steps);
+  const std::size_t stop = std::min(static_cast<std::size_t>(place), steps - 1);
+  const double fraction = place - static_cast<double>(stop);
+  Rgb8 colour{};
+  for (std::size_t c = 0; c < 3; ++c)
+    colour[c] = static_cast<std::uint8_t>(std::lround(std::lerp(stops[stop][c], stops[stop + 1][c], fraction)));
+  return colour;
+}
+
+Image<std::uint8_t> heat_image(const Image<float>& a, const Image<float>& b, const Comparison& found) {
   const double level = full_range(found.unit) / 255;
   const double whole = std::log1p(found.max / level);
   Image<std::uint8_t> image(a.width, a.height, 3);
@@ -32,26 +43,6 @@ Image<std::uint8_t> drawn(const Image<Value>& a, const Image<Value>& b, const Co
     }
   }
   return image;
-}
-
-} // namespace
-
-Rgb8 heat_colour(double t) {
-  const double place = std::clamp(t, 0.0, 1.0) * static_cast<double>(steps);
-  const std::size_t stop = std::min(static_cast<std::size_t>(place), steps - 1);
-  const double fraction = place - static_cast<double>(stop);
-  Rgb8 colour{};
-  for (std::size_t c = 0; c < 3; ++c)
-    colour[c] = static_cast<std::uint8_t>(std::lround(std::lerp(stops[stop][c], stops[stop + 1][c], fraction)));
-  return colour;
-}
-
-Image<std::uint8_t> heat_image(const Image<std::uint8_t>& a, const Image<std::uint8_t>& b, const Comparison& found) {
-  return drawn(a, b, found);
-}
-
-Image<std::uint8_t> heat_image(const Image<float>& a, const Image<float>& b, const Comparison& found) {
-  return drawn(a, b, found);
 }
 
 } // namespace refraster

@@ -21,7 +21,6 @@ inline constexpr Rgb8 incomparable_colour = {0, 255, 255};
 /// so that one level is seen beside a hundred:
 ///     t = log(1 + d / level) / log(1 + max / level),     level = full_range / 255.
 /// `found` is the comparison of these images.
-Image<std::uint8_t> heat_image(const Image<std::uint8_t>& a, const Image<std::uint8_t>& b, const Comparison& found);
 Image<std::uint8_t> heat_image(const Image<float>& a, const Image<float>& b, const Comparison& found);
 
 } // namespace refraster

@@ -1,1 +1,40 @@
 #include "verify/image_pair.h"
+
+#include "io/image_file.h"
+#include "io/input_error.h"
+
+namespace refraster {
+namespace {
+
+std::string shape_text(const Image<float>& image) {
+  return std::to_string(image.width) + " x " + std::to_string(image.height) + " pixels of " +
+         std::to_string(image.channels) + (image.channels == 1 ? " channel" : " channels");
+}
+
+void scale_to_values(ImageFile& image) {
+  if (image.full_scale == 1) return;
+  for (float& value : image.values.values) value = static_cast<float>(static_cast<double>(value) / image.full_scale);
+}
+
+} // namespace
+
+ImagePair read_image_pair(const std::string& path_a, const std::string& path_b) {
+  ImageFile a = read_image(path_a), b = read_image(path_b);
+  const bool same_shape =
+      a.values.width == b.values.width && a.values.height == b.values.height && a.values.channels == b.values.channels;
+  if (!same_shape) {
+    InputFault fault;
+    fault.file = path_b;
+    fault.found = shape_text(b.values);
+    fault.expected = shape_text(a.values) + " as " + path_a + " has";
+    throw InputError(fault);
+  }
+  const CompareUnit unit = a.bits == 8 && b.bits == 8 ? CompareUnit::levels : CompareUnit::values;
+  if (unit == CompareUnit::values) {
+    scale_to_values(a);
+    scale_to_values(b);
+  }
+  return {std::move(a.values), std::move(b.values), unit};
+}
+
+} // namespace refraster

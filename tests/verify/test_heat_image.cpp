@@ -39,7 +39,7 @@ TEST_CASE("a larger difference is never a darker colour") {
 
 TEST_CASE("equal is black, the largest difference is the end of the ramp, the smallest is seen") {
   const auto a = row({0, 0, 0}), b = row({0, 1e-12F, 1});
-  const Image<std::uint8_t> heat = heat_image(a, b, compare(a, b, {}));
+  const Image<std::uint8_t> heat = heat_image(a, b, compare(a, b, CompareUnit::values, {}));
   CHECK(pixel(heat, 0) == Rgb8{0, 0, 0});
   CHECK(lightness(pixel(heat, 1)) > 10);
   CHECK(pixel(heat, 2) == heat_colour(1));
@@ -47,11 +47,10 @@ TEST_CASE("equal is black, the largest difference is the end of the ramp, the sm
 
 TEST_CASE("NaN has a colour of its own") {
   const auto a = row({std::numeric_limits<float>::quiet_NaN(), 0}), b = row({0, 0});
-  CHECK(pixel(heat_image(a, b, compare(a, b, {})), 0) == incomparable_colour);
+  CHECK(pixel(heat_image(a, b, compare(a, b, CompareUnit::values, {})), 0) == incomparable_colour);
 }
 
 TEST_CASE("the ramp is logarithmic: with seven levels at its end, one level is at a third") {
-  Image<std::uint8_t> a(2, 1, 1), b(2, 1, 1);
-  b.values = {1, 7};
-  CHECK(pixel(heat_image(a, b, compare(a, b, {})), 0) == heat_colour(1.0 / 3)); // log 2 / log 8
+  const auto a = row({0, 0}), b = row({1, 7});
+  CHECK(pixel(heat_image(a, b, compare(a, b, CompareUnit::levels, {})), 0) == heat_colour(1.0 / 3)); // log 2 / log 8
 }

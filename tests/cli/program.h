@@ -1,0 +1,51 @@
+#pragma once
+// Runs the program as a user does, in a folder of its own.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace refraster {
+
+/// A folder that is gone, with all in it, when the test is over.
+class TemporaryFolder {
+public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+  /// Names of what is in it, sorted.
+  std::vector<std::string> files() const;
+
+private:
+  std::filesystem::path path_;
+};
+
+/// What a finished run left.
+struct Finished {
+  int exit_code = -1; // 128 + signal if it was killed
+  std::string out, err;
+};
+
+/// A run that has started.
+class Running {
+public:
+  Running(const std::filesystem::path& folder, const std::vector<std::string>& arguments);
+  void send(int signal) const;
+  Finished wait();
+
+private:
+  TemporaryFolder texts_;
+  int process_ = -1;
+};
+
+/// Runs `refraster ARGUMENTS` with `folder` as the current directory, standard output and error being files.
+Finished run_program(const std::filesystem::path& folder, const std::vector<std::string>& arguments);
+
+std::string text_of(const std::filesystem::path& file);
+void save_text(const std::filesystem::path& file, const std::string& text);
+
+} // namespace refraster
