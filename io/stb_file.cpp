@@ -110,13 +110,4 @@ void write_png(const std::string& path, const Image<std::uint8_t>& image) {
   file.commit();
 }
 
-void write_hdr(const std::string& path, const Image<float>& image) {
-  AtomicFile file(path);
-  Sink sink{file, nullptr};
-  const int done = stbi_write_hdr_to_func(Sink::write, &sink, image.width, image.height, image.channels, image.values.data());
-  if (sink.error) std::rethrow_exception(sink.error);
-  if (!done) throw OutputError(path, "out of memory");
-  file.commit();
-}
-
 } // namespace refraster
