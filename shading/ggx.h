@@ -1,7 +1,7 @@
 #pragma once
 // BRDFs with a formula, as a truth to compare tables with and as a source of tables that anyone may have.
-// Each is f(n, i, o) in 1/sr, without cosine, for unit vectors with n.i > 0 and n.o > 0; isotropic, reciprocal, and
-// reflecting no more than arrives.
+// Each is f(n, i, o) in 1/sr, without cosine, for unit vectors with n.i > 0 and n.o > 0; isotropic, reciprocal to
+// the last bit, and reflecting no more than arrives.
 
 #include "math/vec.h"
 
@@ -37,6 +37,12 @@ T ggx_visibility(const T& n_i, const T& n_o, double alpha) {
   return as<T>(0.5) / (n_o * root(a + rest * square(n_i)) + n_i * root(a + rest * square(n_o)));
 }
 
+/// i.h = o.h = |i + o| / 2: written so, exchanging i and o changes no bit.
+template <Number T>
+T cosine_to_half(const Vec3<T>& i, const Vec3<T>& o) {
+  return as<T>(0.5) * root(squared_length(i + o));
+}
+
 /// Rough metal: D G F / (4 n.i n.o), F = f0 + (1 - f0) (1 - i.h)^5.
 /// Schlick, "An inexpensive BRDF model for physically-based rendering", 1994, for the Fresnel factor F.
 struct GgxConductor {
@@ -46,7 +52,7 @@ struct GgxConductor {
   template <Number T>
   Rgb<T> operator()(const Vec3<T>& n, const Vec3<T>& i, const Vec3<T>& o) const {
     const Vec3<T> h = normalize(i + o);
-    const T away = positive(T(1) - dot(i, h));
+    const T away = positive(T(1) - cosine_to_half(i, o));
     const T away_5 = square(square(away)) * away;
     const Rgb<T> fresnel = as<T>(f0) + as<T>(Double3(1) - f0) * away_5;
     return fresnel * (ggx_density(n, h, alpha) * ggx_visibility(dot(n, i), dot(n, o), alpha));
@@ -72,7 +78,8 @@ struct GgxDielectric {
   Rgb<T> operator()(const Vec3<T>& n, const Vec3<T>& i, const Vec3<T>& o) const {
     const Vec3<T> h = normalize(i + o);
     const T n_i = dot(n, i), n_o = dot(n, o);
-    const T gloss = dielectric_fresnel(dot(i, h), ior) * ggx_density(n, h, alpha) * ggx_visibility(n_i, n_o, alpha);
+    const T gloss =
+        dielectric_fresnel(cosine_to_half(i, o), ior) * ggx_density(n, h, alpha) * ggx_visibility(n_i, n_o, alpha);
     const T entering = T(1) - dielectric_fresnel(n_i, ior), leaving = T(1) - dielectric_fresnel(n_o, ior);
     return as<T>(albedo / std::numbers::pi) * (entering * leaving) + Rgb<T>(gloss);
   }

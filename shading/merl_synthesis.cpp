@@ -51,6 +51,13 @@ DirectionPair directions_at_centre(int h, int d, int p) {
           {theta_h.sine * z - theta_h.cosine * x, -y, theta_h.cosine * z + theta_h.sine * x}};
 }
 
+Double3 raised_above_horizon(const Double3& direction) {
+  constexpr double least_height = 0x1p-10; // a ninth of the height of the last theta_d: measured at the horizon
+  if (direction.z >= least_height) return direction;
+  const Double3 level = normalize(Double3(direction.x, direction.y, 0));
+  return normalize(Double3(level.x, level.y, least_height));
+}
+
 std::span<const BrdfPreset> brdf_presets() {
   return presets;
 }
