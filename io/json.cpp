@@ -15,11 +15,18 @@ constexpr unsigned parse_flags = rapidjson::kParseIterativeFlag | rapidjson::kPa
                                  rapidjson::kParseTrailingCommasFlag | rapidjson::kParseFullPrecisionFlag |
                                  rapidjson::kParseValidateEncodingFlag;
 
+/// Of a rapidjson::StringStream itself the reader works on copies, and the original stands still meanwhile. Copies are
+/// only made of streams that ask for it (StreamTraits); this one does not, so that its position is the reader's.
+struct TrackedStream : rapidjson::StringStream {
+  using rapidjson::StringStream::GenericStringStream;
+};
+static_assert(!rapidjson::StreamTraits<TrackedStream>::copyOptimization);
+
 /// Builds the list of values from what the reader meets. The reader tells no positions, but its stream stands just
 /// behind a scalar or key when the handler is called, and on the bracket of an array or object.
 class TreeBuilder {
 public:
-  TreeBuilder(const std::string& text, const rapidjson::StringStream& stream, std::string& decoded,
+  TreeBuilder(const std::string& text, const TrackedStream& stream, std::string& decoded,
               std::vector<JsonNode>& nodes)
       : text_(text), stream_(stream), decoded_(decoded), nodes_(nodes) {}
 
@@ -117,7 +124,7 @@ private:
   }
 
   const std::string& text_;
-  const rapidjson::StringStream& stream_;
+  const TrackedStream& stream_;
   std::string& decoded_;
   std::vector<JsonNode>& nodes_;
   std::vector<Open> open_;
@@ -156,7 +163,7 @@ JsonDocument::JsonDocument(std::string file, std::string text) : file_(std::move
   if (text_.size() > max_bytes)
     throw InputError(fault_at(0, "", std::to_string(text_.size()) + " bytes", "at most " + std::to_string(max_bytes)));
   decoded_.reserve(text_.size());
-  rapidjson::StringStream stream(text_.c_str());
+  TrackedStream stream(text_.c_str());
   rapidjson::Reader reader;
   TreeBuilder builder(text_, stream, decoded_, nodes_);
   reader.Parse<parse_flags>(stream, builder);
