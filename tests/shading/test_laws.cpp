@@ -29,16 +29,16 @@ bool same_bits(F a, F b) {
 
 TEST_CASE("the laws are tried on every fragment function") {
   std::set<std::size_t> kinds;
-  for (const auto& [name, model] : all_models()) kinds.insert(model.index());
+  for (const NamedModel& tried : all_models()) kinds.insert(tried.model.index());
   CHECK(kinds.size() == std::variant_size_v<Model>);
 }
 
 TEST_CASE_TEMPLATE("light toward the eye is finite and not negative, whatever the geometry", F, double, float) {
-  for (const auto& [name, model] : all_models()) {
-    CAPTURE(name);
+  for (const NamedModel& tried : all_models()) {
+    CAPTURE(tried.name);
     std::mt19937_64 random(1);
     for (int k = 0; k < trials; ++k) {
-      const Rgb<F> colour = shaded<F>(model, random_situation(random, k));
+      const Rgb<F> colour = shaded<F>(tried.model, random_situation(random, k));
       for (int channel = 0; channel < 3; ++channel) REQUIRE((colour[channel] >= 0 && std::isfinite(colour[channel])));
     }
   }
@@ -48,8 +48,8 @@ TEST_CASE_TEMPLATE("every lane shades as it would alone, to the last bit", T, Wi
                    Wide<double, 2>, Wide<double, 8>) {
   using F = RealOf<T>;
   constexpr int lanes = NumberTraits<T>::lanes;
-  for (const auto& [name, model] : all_models()) {
-    CAPTURE(name);
+  for (const NamedModel& tried : all_models()) {
+    CAPTURE(tried.name);
     std::mt19937_64 random(2);
     for (int k = 0; k < trials; k += lanes) {
       std::array<Situation, lanes> situations;
@@ -66,9 +66,9 @@ TEST_CASE_TEMPLATE("every lane shades as it would alone, to the last bit", T, Wi
         put(at.normal, s.n), put(at.to_eye, s.v), put(at.texture, s.texture);
         put(light.direction, s.l), put(light.radiance, s.radiance);
       }
-      const Rgb<T> together = std::visit([&](const auto& m) { return m.ambient(at) + m(at, light); }, model);
+      const Rgb<T> together = std::visit([&](const auto& m) { return m.ambient(at) + m(at, light); }, tried.model);
       for (int lane = 0; lane < lanes; ++lane) {
-        const Rgb<F> alone = shaded<F>(model, situations[static_cast<std::size_t>(lane)]);
+        const Rgb<F> alone = shaded<F>(tried.model, situations[static_cast<std::size_t>(lane)]);
         REQUIRE(same_bits(together.x[lane], alone.x));
         REQUIRE(same_bits(together.y[lane], alone.y));
         REQUIRE(same_bits(together.z[lane], alone.z));
@@ -78,13 +78,13 @@ TEST_CASE_TEMPLATE("every lane shades as it would alone, to the last bit", T, Wi
 }
 
 TEST_CASE("bounds on a point contain what double makes of it") {
-  for (const auto& [name, model] : all_models()) {
-    CAPTURE(name);
+  for (const NamedModel& tried : all_models()) {
+    CAPTURE(tried.name);
     std::mt19937_64 random(3);
     for (int k = 0; k < trials; ++k) {
       const Situation situation = random_situation(random, k);
-      const Rgb<double> point = shaded<double>(model, situation);
-      const Rgb<Interval> bounds = shaded<Interval>(model, situation);
+      const Rgb<double> point = shaded<double>(tried.model, situation);
+      const Rgb<Interval> bounds = shaded<Interval>(tried.model, situation);
       REQUIRE(bounds.x.contains(point.x));
       REQUIRE(bounds.y.contains(point.y));
       REQUIRE(bounds.z.contains(point.z));
@@ -94,8 +94,8 @@ TEST_CASE("bounds on a point contain what double makes of it") {
 
 TEST_CASE("bounds on a box contain what double makes of points in it") {
   const double half_width = 1e-5;
-  for (const auto& [name, model] : all_models()) {
-    CAPTURE(name);
+  for (const NamedModel& tried : all_models()) {
+    CAPTURE(tried.name);
     std::mt19937_64 random(4);
     for (int k = 0; k < trials; k += 3) {
       const Situation situation = random_situation(random, k);
@@ -105,14 +105,14 @@ TEST_CASE("bounds on a box contain what double makes of points in it") {
         at.normal[axis] = {situation.n[axis] - half_width, situation.n[axis] + half_width};
         at.to_eye[axis] = {situation.v[axis] - half_width, situation.v[axis] + half_width};
       }
-      const Rgb<Interval> bounds = std::visit([&](const auto& m) { return m.ambient(at) + m(at, light); }, model);
+      const Rgb<Interval> bounds = std::visit([&](const auto& m) { return m.ambient(at) + m(at, light); }, tried.model);
       for (int inside = 0; inside < 4; ++inside) {
         Situation moved = situation;
         for (int axis = 0; axis < 3; ++axis) {
           moved.n[axis] += uniform(random, -half_width, half_width);
           moved.v[axis] += uniform(random, -half_width, half_width);
         }
-        const Rgb<double> point = shaded<double>(model, moved);
+        const Rgb<double> point = shaded<double>(tried.model, moved);
         REQUIRE(bounds.x.contains(point.x));
         REQUIRE(bounds.y.contains(point.y));
         REQUIRE(bounds.z.contains(point.z));
@@ -122,34 +122,34 @@ TEST_CASE("bounds on a box contain what double makes of points in it") {
 }
 
 TEST_CASE("a dark light adds nothing") {
-  for (const auto& [name, model] : all_models()) {
-    CAPTURE(name);
+  for (const NamedModel& tried : all_models()) {
+    CAPTURE(tried.name);
     std::mt19937_64 random(5);
     for (int k = 0; k < trials; ++k) {
       Situation situation = random_situation(random, k);
       situation.radiance = Double3(0);
       const auto at = situation.fragment<double>();
-      const Rgb<double> ambient = std::visit([&](const auto& m) { return m.ambient(at); }, model);
-      REQUIRE(shaded<double>(model, situation) == ambient);
+      const Rgb<double> ambient = std::visit([&](const auto& m) { return m.ambient(at); }, tried.model);
+      REQUIRE(shaded<double>(tried.model, situation) == ambient);
     }
   }
 }
 
 TEST_CASE("no diffuse or measured light comes from below the horizon") {
-  for (const auto& [name, model] : all_models()) {
-    const auto* const phong = std::get_if<Phong>(&model);
-    const auto* const blinn = std::get_if<BlinnPhong>(&model);
+  for (const NamedModel& tried : all_models()) {
+    const auto* const phong = std::get_if<Phong>(&tried.model);
+    const auto* const blinn = std::get_if<BlinnPhong>(&tried.model);
     const bool highlight = (phong && phong->specular_gate == SpecularGate::open && phong->ks.x > 0) ||
                            (blinn && blinn->specular_gate == SpecularGate::open);
     if (highlight) continue; // the textbook's highlight goes round the horizon
-    CAPTURE(name);
+    CAPTURE(tried.name);
     std::mt19937_64 random(6);
     for (int k = 0; k < trials; ++k) {
       Situation situation = random_situation(random, k);
       if (dot(situation.n, situation.l) > 0) situation.l = -situation.l;
       const auto at = situation.fragment<double>();
       const auto light = situation.incident<double>();
-      REQUIRE(std::visit([&](const auto& m) { return m(at, light); }, model) == Rgb<double>(0));
+      REQUIRE(std::visit([&](const auto& m) { return m(at, light); }, tried.model) == Rgb<double>(0));
     }
   }
 }

@@ -14,7 +14,6 @@ using namespace refraster;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr MerlLookup all_lookups[] = {MerlLookup::nearest, MerlLookup::trilinear, MerlLookup::trilinear_edge,
                                       MerlLookup::trilinear_log, MerlLookup::tricubic_log};
 
