@@ -8,6 +8,11 @@ void FaultList::add(const InputError& error) {
   for (const InputFault& fault : error.faults()) add(fault);
 }
 
+void FaultList::add(const FaultList& others) {
+  for (const InputFault& fault : others.faults_) add(fault);
+  count_ += others.count_ - others.faults_.size();
+}
+
 void FaultList::sort_by_place() {
   std::stable_sort(faults_.begin(), faults_.end(), [](const InputFault& a, const InputFault& b) {
     return std::pair(a.line, a.column) < std::pair(b.line, b.column);

@@ -24,6 +24,8 @@ public:
   /// Takes over what another reader threw.
   void add(const InputError& error);
 
+  void add(const FaultList& others);
+
   /// Into the order of the file.
   void sort_by_place();
 

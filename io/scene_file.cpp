@@ -8,6 +8,7 @@
 #include "raster/primitives.h"
 
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -22,28 +23,6 @@ std::string identity(const std::string& path) {
   return error ? path : canonical.string();
 }
 
-/// Files of one kind: each is loaded once, whatever way its path is written, and its faults are told once.
-template <class T>
-class Files {
-public:
-  /// Null, with a fault, if it cannot be read. `read(path)` returns a shared_ptr.
-  template <class Read>
-  std::shared_ptr<const T> load(const std::string& path, FaultList& faults, Read&& read) {
-    const auto [entry, is_new] = loaded_.try_emplace(identity(path));
-    if (is_new) {
-      try {
-        entry->second = read(path);
-      } catch (const InputError& fault) {
-        faults.add(fault);
-      }
-    }
-    return entry->second;
-  }
-
-private:
-  std::map<std::string, std::shared_ptr<const T>> loaded_;
-};
-
 std::shared_ptr<const Mesh> make_mesh(const Shape& shape) {
   struct Make {
     Mesh operator()(const SphereShape& s) const { return sphere_mesh(s.segments, s.rings); }
@@ -54,10 +33,12 @@ std::shared_ptr<const Mesh> make_mesh(const Shape& shape) {
   return std::make_shared<const Mesh>(std::visit(Make{}, shape));
 }
 
-/// Everything that the objects name, loaded or made.
+/// Everything that the objects name, loaded or made. Each file is loaded once, and its faults are told once.
 class Loader {
 public:
-  Loader(const std::string& scene_path, FaultList& faults) : folder_(fs::path(scene_path).parent_path()), faults_(faults) {}
+  /// `faults`: of the scene file; `in_files`: of those that it names.
+  Loader(const JsonDocument& document, FaultList& faults, FaultList& in_files)
+      : document_(document), folder_(fs::path(document.file()).parent_path()), faults_(faults), in_files_(in_files) {}
 
   /// Which textures need a mip chain is known before the first is loaded: a loaded texture never changes.
   void note(const ObjectText& text) {
@@ -69,17 +50,16 @@ public:
     Object result = text.object;
     result.vertex_shader_path = path_of(text.vertex_shader);
     result.fragment_shader_path = path_of(text.fragment_shader);
-    if (text.shape) result.mesh = shape(*text.shape);
-    if (!text.obj_file.given.empty())
-      result.mesh = meshes_.load(path_of(text.obj_file), faults_,
-                                 [](const std::string& path) { return std::make_shared<const Mesh>(read_obj(path)); });
+    result.mesh = text.shape ? shape(*text.shape) : load(meshes_, text.obj_file, "an OBJ file", [](const std::string& path) {
+      return std::make_shared<const Mesh>(read_obj(path));
+    });
     if (result.name.empty())
       result.name = text.shape ? std::string(std::visit([](auto& s) { return s.name; }, *text.shape))
                                : fs::path(text.obj_file.given).stem().string();
     if (Merl* const merl = std::get_if<Merl>(&result.material.model)) {
-      if (!text.brdf_file.given.empty()) merl->table = tables_.load(path_of(text.brdf_file), faults_, read_merl);
-    } else if (!text.texture_file.given.empty()) {
-      result.material.texture = textures_.load(path_of(text.texture_file), faults_, [&](const std::string& path) {
+      merl->table = load(tables_, text.brdf_file, "a MERL table", read_merl);
+    } else {
+      result.material.texture = load(textures_, text.texture_file, "an image", [&](const std::string& path) {
         auto texture = std::make_shared<Texture>(read_texture(path));
         if (trilinear_.contains(identity(path))) build_mip_levels(*texture);
         return texture;
@@ -89,6 +69,30 @@ public:
   }
 
 private:
+  template <class T>
+  using Files = std::map<std::string, std::shared_ptr<const T>>; // by identity; null: it has a fault
+
+  /// Null if no file is given, or, with a fault, if it cannot be read. A file that is not there at all is a fault of the
+  /// scene, at the key that names it; what is in the file, is one of the file.
+  template <class T, class Read>
+  std::shared_ptr<const T> load(Files<T>& files, const PathText& text, std::string_view expected, Read&& read) {
+    if (text.given.empty()) return nullptr;
+    const std::string path = path_of(text);
+    const auto [entry, is_new] = files.try_emplace(identity(path));
+    if (!is_new) return entry->second;
+    constexpr std::uint64_t any_size = std::numeric_limits<std::uint64_t>::max(); // the reader knows its limit
+    if (const auto fault = file_fault(path, expected, any_size)) {
+      faults_.add(document_.fault_at(text.offset, text.json_path, fault->found + ", " + path, fault->expected));
+      return nullptr;
+    }
+    try {
+      entry->second = read(path);
+    } catch (const InputError& error) {
+      in_files_.add(error);
+    }
+    return entry->second;
+  }
+
   std::string path_of(const PathText& text) const {
     return text.given.empty() ? std::string() : (folder_ / text.given).string();
   }
@@ -98,8 +102,9 @@ private:
     return shapes_.emplace_back(wanted, make_mesh(wanted)).second;
   }
 
+  const JsonDocument& document_;
   fs::path folder_;
-  FaultList& faults_;
+  FaultList &faults_, &in_files_;
   Files<Mesh> meshes_;
   Files<Texture> textures_;
   Files<MerlTable> tables_;
@@ -119,11 +124,13 @@ Scene read_scene(const std::string& path) {
   SceneReader root(document, 0, "", faults);
   root.object("scene", required, "", [&](auto& keys) { scene_keys(scene, objects, keys); });
   root.finish();
-  faults.sort_by_place();
 
-  Loader loader(path, faults);
+  FaultList in_files;
+  Loader loader(document, faults, in_files);
   for (const ObjectText& text : objects) loader.note(text);
   for (const ObjectText& text : objects) scene.objects.push_back(loader.object(text));
+  faults.sort_by_place();
+  faults.add(in_files);
   faults.throw_if_any();
   return scene;
 }

@@ -33,9 +33,11 @@ constexpr Presence otherwise(std::string_view taken) {
   return {Presence::Need::defaulted, taken};
 }
 
-/// A path as it stands in the scene file; it is relative to that file's folder.
+/// A path as it stands in the scene file; it is relative to that file's folder. Empty: not given.
 struct PathText {
   std::string given;
+  std::size_t offset = 0; // where in the scene file, for messages: its byte
+  std::string json_path;  // and its key
 };
 
 /// The name of a fragment function, as an index into Model. Empty when it is not given, or unknown.

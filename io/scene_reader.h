@@ -23,6 +23,8 @@ public:
     const std::string expected = expected_value(value, range);
     const JsonIndex found = claim(key, presence, expected);
     if (found && !read_value(document_, document_[found], range, value)) not_expected(found, key, expected);
+    if constexpr (std::is_same_v<Value, PathText&>)
+      if (found) value.offset = document_[found].begin, value.json_path = path_of(key);
   }
 
   template <class Declare>
