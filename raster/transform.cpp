@@ -39,7 +39,7 @@ Double3x3 normal_matrix(const Double3x3& m) {
 
 } // namespace
 
-Double4x4 clip_from_world(const Camera& camera, double aspect) {
+Double4x4 view_from_world(const Camera& camera) {
   const Double3 back = normalize(camera.position - camera.target);
   const Double3 right = normalize(cross(camera.up, back));
   const Double3 up = cross(back, right);
@@ -51,7 +51,10 @@ Double4x4 clip_from_world(const Camera& camera, double aspect) {
     view[axis][2] = back[axis];
   }
   view[3] = {-dot(right, eye), -dot(up, eye), -dot(back, eye), 1};
+  return view;
+}
 
+Double4x4 clip_from_view(const Camera& camera, double aspect) {
   const double cotangent = 1 / tan_degrees(camera.fov_y_degrees / 2);
   const double depth = camera.near - camera.far;
   Double4x4 projection(0);
@@ -60,7 +63,11 @@ Double4x4 clip_from_world(const Camera& camera, double aspect) {
   projection[2][2] = (camera.far + camera.near) / depth;
   projection[2][3] = -1;
   projection[3][2] = 2 * camera.far * camera.near / depth;
-  return projection * view;
+  return projection;
+}
+
+Double4x4 clip_from_world(const Camera& camera, double aspect) {
+  return clip_from_view(camera, aspect) * view_from_world(camera);
 }
 
 ObjectTransform object_transform(const Object& object, const Double4x4& clip_from_world) {

@@ -17,7 +17,13 @@ struct ObjectTransform {
       world_from_normal; // cofactors of the model's 3x3 part, times the sign of its determinant, times a power of two
 };
 
-/// projection . view: OpenGL's clip space, -w <= x, y, z <= w inside. `aspect` is width / height.
+/// The camera's own space: x to the right, y up, z toward the viewer.
+Double4x4 view_from_world(const Camera& camera);
+
+/// The projection to OpenGL's clip space, -w <= x, y, z <= w inside. `aspect` is width / height.
+Double4x4 clip_from_view(const Camera& camera, double aspect);
+
+/// projection . view.
 Double4x4 clip_from_world(const Camera& camera, double aspect);
 
 /// Defined for every scale: a mirrored one keeps outward normals outward, a flattened one gives the plane's normal.
