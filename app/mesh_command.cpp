@@ -1,4 +1,4 @@
-// refraster mesh sphere | cube | plane | torus: the shapes of a scene's "mesh", with the same parameters, as a file.
+// refraster mesh sphere | cube | plane | torus | knot: the shapes of a scene's "mesh", with the same parameters, as a file.
 
 #include "app/command.h"
 #include "app/output.h"
@@ -24,6 +24,9 @@ Mesh made(const PlaneShape& shape) {
 }
 Mesh made(const TorusShape& shape) {
   return torus_mesh(shape.segments, shape.rings, shape.tube_radius);
+}
+Mesh made(const KnotShape& shape) {
+  return knot_mesh(shape.segments, shape.rings, shape.tube_radius);
 }
 
 /// "tube_radius" in a scene file is "--tube-radius" here.

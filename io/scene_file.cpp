@@ -29,6 +29,7 @@ std::shared_ptr<const Mesh> make_mesh(const Shape& shape) {
     Mesh operator()(const CubeShape&) const { return cube_mesh(); }
     Mesh operator()(const PlaneShape& s) const { return plane_mesh(s.segments); }
     Mesh operator()(const TorusShape& s) const { return torus_mesh(s.segments, s.rings, s.tube_radius); }
+    Mesh operator()(const KnotShape& s) const { return knot_mesh(s.segments, s.rings, s.tube_radius); }
   };
   return std::make_shared<const Mesh>(std::visit(Make{}, shape));
 }

@@ -82,7 +82,18 @@ struct TorusShape {
   }
   bool operator==(const TorusShape&) const = default;
 };
-using Shape = std::variant<SphereShape, CubeShape, PlaneShape, TorusShape>;
+struct KnotShape {
+  static constexpr std::string_view name = "knot", meaning = "a trefoil of radius 1 around the y axis";
+  int segments = 512, rings = 32;
+  double tube_radius = 0.25;
+  static void fields(auto& self, auto&& keys) {
+    keys("segments", self.segments, mesh_cuts, "quads along the knot", defaulted);
+    keys("rings", self.rings, mesh_cuts, "quads around the tube", defaulted);
+    keys("tube_radius", self.tube_radius, Range{0, 1000, Ends::excluded}, "radius of the tube", defaulted);
+  }
+  bool operator==(const KnotShape&) const = default;
+};
+using Shape = std::variant<SphereShape, CubeShape, PlaneShape, TorusShape, KnotShape>;
 
 /// An object as the file describes it. What lies in other files is still to be loaded.
 struct ObjectText {
