@@ -173,11 +173,15 @@ JsonDocument::JsonDocument(std::string file, std::string text) : file_(std::move
   if (builder.too_deep())
     throw InputError(fault_at(at, "", "nesting deeper than " + std::to_string(max_depth), "a flatter file"));
   std::string found = "the end of the file";
-  if (at < text_.size()) {
+  const char* expected = expected_syntax(reader.GetParseErrorCode());
+  if (at < text_.size() && text_[at] == '\n' && reader.GetParseErrorCode() == rapidjson::kParseErrorStringEscapeInvalid) {
+    found = "a line end"; // which the reader calls a bad escape
+    expected = expected_syntax(rapidjson::kParseErrorStringMissQuotationMark);
+  } else if (at < text_.size()) {
     const std::size_t word_end = text_.find_first_of(" \t\r\n,:[]{}", at + 1);
     found = in_quotes(std::string_view(text_).substr(at, word_end == std::string::npos ? word_end : word_end - at));
   }
-  throw InputError(fault_at(at, "", std::move(found), expected_syntax(reader.GetParseErrorCode())));
+  throw InputError(fault_at(at, "", std::move(found), expected));
 }
 
 std::string_view JsonDocument::source(const JsonNode& node) const {

@@ -33,7 +33,7 @@ struct RunReport {
   FrameCounts counts;
 };
 
-/// The report as JSON, members always in the same order. docs/report.md describes them.
+/// The report as JSON, members always in the same order. docs/reports.md describes them.
 std::string report_json(const RunReport& report);
 
 } // namespace refraster

@@ -39,6 +39,15 @@ struct Source {
   static constexpr stbi_io_callbacks calls{read, skip, at_end};
 };
 
+/// Deflate makes at most 1032 bytes of one, and the smallest pixel is one bit.
+constexpr std::uint64_t png_pixels_per_byte = 8 * 1032;
+
+std::uint32_t big_endian(const char* bytes) {
+  std::uint32_t value = 0;
+  std::memcpy(&value, bytes, sizeof value);
+  return __builtin_bswap32(value);
+}
+
 InputError not_decoded(const std::string& path, bool ran_out) {
   if (ran_out) return InputError(InputFault{path, 0, 0, "", "a truncated image", "a whole one"});
   const char* const reason = stbi_failure_reason();
@@ -79,11 +88,15 @@ struct Sink {
 } // namespace
 
 ImageFile read_stb(const std::string& path, std::string_view bytes) {
+  // stb calls a PNG that is too large an unknown image: its size, at a fixed place, is looked at before.
+  if (bytes.starts_with("\x89PNG\r\n\x1a\n") && bytes.size() >= 24)
+    check_image_size(path, big_endian(&bytes[16]), big_endian(&bytes[20]), bytes.size(), png_pixels_per_byte);
   Source source{bytes};
   int width = 0, height = 0, channels = 0;
   if (!stbi_info_from_callbacks(&Source::calls, &source, &width, &height, &channels)) throw not_decoded(path, source.ran_out);
-  // Deflate makes at most 1032 bytes of one, and PNG's smallest pixel is one bit; no other format here is denser.
-  check_image_size(path, static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height), bytes.size(), 8 * 1032);
+  // No other format here is denser than PNG.
+  check_image_size(path, static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height), bytes.size(),
+                   png_pixels_per_byte);
   ImageFile result;
   if (Source again{bytes}; stbi_is_hdr_from_callbacks(&Source::calls, &again)) {
     decode<float>(path, bytes, result.values, stbi_loadf_from_callbacks);
