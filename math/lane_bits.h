@@ -79,28 +79,6 @@ float in_double(const Function& f, std::same_as<float> auto... x) {
   return static_cast<float>(f(static_cast<double>(x)...));
 }
 
-template <class F, int N>
-Wide<F, N / 2> low_half(const Wide<F, N>& x) {
-  return [&]<int... I>(std::integer_sequence<int, I...>) {
-    return Wide<F, N / 2>(__builtin_shufflevector(x.v, x.v, I...));
-  }
-  (std::make_integer_sequence<int, N / 2>{});
-}
-template <class F, int N>
-Wide<F, N / 2> high_half(const Wide<F, N>& x) {
-  return [&]<int... I>(std::integer_sequence<int, I...>) {
-    return Wide<F, N / 2>(__builtin_shufflevector(x.v, x.v, (I + N / 2)...));
-  }
-  (std::make_integer_sequence<int, N / 2>{});
-}
-template <class F, int N>
-Wide<F, 2 * N> joined(const Wide<F, N>& low, const Wide<F, N>& high) {
-  return [&]<int... I>(std::integer_sequence<int, I...>) {
-    return Wide<F, 2 * N>(__builtin_shufflevector(low.v, high.v, I...));
-  }
-  (std::make_integer_sequence<int, 2 * N>{});
-}
-
 template <class Function, int N, class... More>
 Wide<float, N> in_double(const Function& f, const Wide<float, N>& x, const More&... more) {
   if constexpr (N > 2 && N * static_cast<int>(sizeof(double)) > native_vector_bytes) {

@@ -6,6 +6,8 @@
 #include "math/number.h"
 
 #include <array>
+#include <bit>
+#include <utility>
 
 #if defined(__x86_64__)
 #include <immintrin.h>
@@ -146,12 +148,12 @@ Wide<F, N> root(Wide<F, N> x) {
 template <class F, int N>
 Wide<F, N> reciprocal_binade(Wide<F, N> x) {
   using B = BitsOf<F>;
-  constexpr int shift = fraction_bits<F>;
   constexpr B bias = std::numeric_limits<F>::max_exponent - 1;
-  VectorOf<B, N> exponent = (bits_of(x) >> shift) & (2 * bias + 1);
-  exponent = exponent < 1 ? 1 - VectorOf<B, N>{} : exponent;
-  exponent = exponent > 2 * bias - 1 ? 2 * bias - 1 - VectorOf<B, N>{} : exponent;
-  return from_bits<F, N>((2 * bias - exponent) << shift);
+  constexpr B exponent_mask = (2 * bias + 1) << fraction_bits<F>;
+  constexpr F smallest = std::numeric_limits<F>::min();
+  const Wide<F, N> binade = from_bits<F, N>(bits_of(x) & exponent_mask);
+  const Wide<F, N> inside = minimum(maximum(binade, Wide<F, N>(smallest)), Wide<F, N>(1 / smallest));
+  return from_bits<F, N>((2 * bias << fraction_bits<F>)-bits_of(inside));
 }
 
 /// |x| <= 2^30 rounded toward minus infinity; cell() keeps to that range.
@@ -164,7 +166,8 @@ Cell<Wide<F, N>> cell(Wide<F, N> x) {
   const VectorOf<std::int32_t, N> toward_zero = __builtin_convertvector(inside.v, VectorOf<std::int32_t, N>);
   const T truncated(__builtin_convertvector(toward_zero, VectorOf<F, N>));
   const T below = select(truncated > inside, truncated - T(1), truncated);
-  return {{__builtin_convertvector(below.v, VectorOf<std::int32_t, N>)}, inside - below};
+  const T fraction = minimum(maximum(inside - below, T(F(0))), T(almost_one<F>)); // see the scalar
+  return {{__builtin_convertvector(below.v, VectorOf<std::int32_t, N>)}, fraction};
 }
 
 template <int N>
@@ -193,17 +196,86 @@ WideIndex<N> next_index(WideIndex<N> i) {
   return {i.i + 1};
 }
 
+/// One bit a lane, lane 0 the lowest.
+template <class F, int N>
+std::uint32_t lane_set(WideMask<F, N> m) {
+#if defined(__x86_64__)
+  constexpr int bytes = N * static_cast<int>(sizeof(F));
+  if constexpr (bytes == 16) {
+    if constexpr (sizeof(F) == 4) return static_cast<std::uint32_t>(_mm_movemask_ps(__m128(m.m)));
+    else return static_cast<std::uint32_t>(_mm_movemask_pd(__m128d(m.m)));
+  }
+#if defined(__AVX2__)
+  if constexpr (bytes == 32) {
+    if constexpr (sizeof(F) == 4) return static_cast<std::uint32_t>(_mm256_movemask_ps(__m256(m.m)));
+    else return static_cast<std::uint32_t>(_mm256_movemask_pd(__m256d(m.m)));
+  }
+#endif
+#if defined(__AVX512DQ__)
+  if constexpr (bytes == 64) {
+    if constexpr (sizeof(F) == 4) return _mm512_movepi32_mask(__m512i(m.m));
+    else return _mm512_movepi64_mask(__m512i(m.m));
+  }
+#endif
+#endif
+  std::uint32_t set = 0;
+  for (int lane = 0; lane < N; ++lane) set |= static_cast<std::uint32_t>(m.m[lane] & 1) << lane;
+  return set;
+}
+
+/// The first and the last N / 2 lanes; and two such halves put together.
+template <class F, int N>
+Wide<F, N / 2> low_half(const Wide<F, N>& x) {
+  return [&]<int... I>(std::integer_sequence<int, I...>) {
+    return Wide<F, N / 2>(__builtin_shufflevector(x.v, x.v, I...));
+  }
+  (std::make_integer_sequence<int, N / 2>{});
+}
+template <class F, int N>
+Wide<F, N / 2> high_half(const Wide<F, N>& x) {
+  return [&]<int... I>(std::integer_sequence<int, I...>) {
+    return Wide<F, N / 2>(__builtin_shufflevector(x.v, x.v, (I + N / 2)...));
+  }
+  (std::make_integer_sequence<int, N / 2>{});
+}
+template <class F, int N>
+Wide<F, 2 * N> joined(const Wide<F, N>& low, const Wide<F, N>& high) {
+  return [&]<int... I>(std::integer_sequence<int, I...>) {
+    return Wide<F, 2 * N>(__builtin_shufflevector(low.v, high.v, I...));
+  }
+  (std::make_integer_sequence<int, 2 * N>{});
+}
+
+/// base[index] of each lane. All lanes must be valid.
+template <class F, int N>
+Wide<F, N> gather(const F* base, VectorOf<std::int32_t, N> index) {
+#if defined(__AVX512F__)
+  // The masked forms, with all lanes asked for: GCC 12 warns of its own undefined operand in the plain ones.
+  if constexpr (N == 16 && sizeof(F) == 4)
+    return VectorOf<F, N>(_mm512_mask_i32gather_ps(_mm512_setzero_ps(), 0xFFFF, __m512i(index), base, 4));
+  if constexpr (N == 8 && sizeof(F) == 8)
+    return VectorOf<F, N>(_mm512_mask_i32gather_pd(_mm512_setzero_pd(), 0xFF, __m256i(index), base, 8));
+#endif
+  if constexpr (N * sizeof(F) == 128) { // twice the widest register: by halves
+    const auto half = [&](int first) {
+      VectorOf<std::int32_t, N / 2> part;
+      for (int lane = 0; lane < N / 2; ++lane) part[lane] = index[first + lane];
+      return gather<F, N / 2>(base, part);
+    };
+    return joined(half(0), half(N / 2));
+  }
+  Wide<F, N> result;
+  for (int lane = 0; lane < N; ++lane) result.v[lane] = base[index[lane]];
+  return result;
+}
+
 template <class F, int N>
 int count_lanes(WideMask<F, N> m) {
-  int count = 0;
-  for (int lane = 0; lane < N; ++lane) count -= static_cast<int>(m.m[lane]);
-  return count;
+  return std::popcount(lane_set(m));
 }
 template <class F, int N>
 bool any(WideMask<F, N> m) {
-  BitsOf<F> all = 0;
-  for (int lane = 0; lane < N; ++lane) all |= m.m[lane];
-  return all != 0;
+  return lane_set(m) != 0;
 }
 
 /// The lanes [0, count) are set.

@@ -24,8 +24,8 @@ Rgb<T> albedo(const Model& model, const PacketSurface<T>& surface) {
 
 } // namespace
 
-void write_aov(const FrameContext& context, const VisibleTile& visible, std::span<const TileFragment> fragments,
-               Aov aov, Image<float>& image) {
+void write_aov(const FrameContext& context, const VisibleTile& visible, std::span<const FragmentRun> runs, Aov aov,
+               Image<float>& image) {
   const Crop& tile = visible.tile;
   const auto pixel = [&](int x, int y) {
     return image.at(tile.x - context.region.x + x, tile.y - context.region.y + y);
@@ -35,69 +35,73 @@ void write_aov(const FrameContext& context, const VisibleTile& visible, std::spa
       for (int x = 0; x < tile.width; ++x) pixel(x, y)[0] = 1;
 
   // A pixel shows the triangle of its first fragment, evaluated at the pixel's centre.
-  std::vector<TileFragment> shown;
-  for (const TileFragment& fragment : fragments)
-    if (shown.empty() || shown.back().x != fragment.x || shown.back().y != fragment.y) shown.push_back(fragment);
+  std::vector<FragmentRun> shown;
+  for (const FragmentRun& run : runs)
+    if (shown.empty() || shown.back().x != run.x || shown.back().y != run.y) shown.push_back(run);
 
   TileSurfaces<double> surfaces;
-  surfaces.collect(context, visible, shown);
+  std::vector<std::array<int, 2>> place(
+      surfaces.collect(context.scene, context.geometry, context.bins, visible.triangles, shown));
+  for (const FragmentRun& run : shown)
+    for (int i = 0; i < run.length; ++i) place[run.first_fragment + static_cast<std::size_t>(i)] = {run.x + i, run.y};
+
   UndefinedCounts uncounted; // shading has counted these
   for (const auto& group : surfaces.groups()) {
     const Material& material = context.scene.objects[group.object].material;
-    for_each_packet<T>(
-        surfaces, tile, shown, group.fragments, [&](const auto& packet, std::span<const std::uint32_t> indices) {
-          const UndefinedTally<T> tally(uncounted, first_lanes<double, NumberTraits<T>::lanes>(packet.count));
-          const auto put = [&](int channel, auto&& value) {
-            for (std::size_t lane = 0; lane < indices.size(); ++lane) {
-              const TileFragment& fragment = shown[indices[lane]];
-              pixel(fragment.x, fragment.y)[channel] = static_cast<float>(value(lane));
-            }
-          };
-          const auto put3 = [&](const Vec3<T>& v) {
-            for (int c = 0; c < 3; ++c) put(c, [&](std::size_t lane) { return v[c][static_cast<int>(lane)]; });
-          };
-          switch (aov) {
-          case Aov::depth:
-            for (std::size_t lane = 0; lane < indices.size(); ++lane) {
-              const TileFragment& f = shown[indices[lane]];
-              pixel(f.x, f.y)[0] = static_cast<float>(visible.visibility.depth(0, f.x, f.y) * 0.5 + 0.5);
-            }
-            break;
-          case Aov::triangle:
-            put(0, [&](std::size_t lane) {
-              const Triangle& t = *packet.triangle[lane];
-              return t.number - context.geometry.first_triangle[t.object] + 1;
-            });
-            break;
-          case Aov::object:
-            put(0, [&](std::size_t lane) { return packet.triangle[lane]->object + 1; });
-            break;
-          case Aov::uv: {
-            const PacketBarycentrics<T> at = barycentrics(packet, Derivatives::no);
-            for (std::size_t c = 0; c < 2; ++c) {
-              const T fraction = interpolate(
-                  packet, at.at, [](const Triangle& t) -> const auto& { return t.uv; }, c);
-              put(static_cast<int>(c), [&](std::size_t lane) {
-                return fraction[static_cast<int>(lane)] + packet.triangle[lane]->uv_whole[c];
-              });
-            }
-            break;
-          }
-          case Aov::normal:
-            put3(packet_surface(context.scene, context.geometry, material, packet, tally).normal);
-            break;
-          case Aov::position:
-            put3(packet_surface(context.scene, context.geometry, material, packet, tally).position);
-            break;
-          case Aov::albedo: {
-            const PacketSurface<T> surface = packet_surface(context.scene, context.geometry, material, packet, tally);
-            put3(std::visit([&](const auto& model) { return albedo(model, surface); }, material.model));
-            break;
-          }
-          case Aov::count_:
-            break;
-          }
+    for_each_packet<T>(surfaces, group, tile, [&](const Packet<T>& packet, std::uint32_t first) {
+      const UndefinedTally<T> tally(uncounted, first_lanes<double, NumberTraits<T>::lanes>(packet.count));
+      const PacketData<T, Triangles::many> data(packet);
+      const auto surface = [&] { return packet_surface(context.scene, context.geometry, material, data, tally); };
+      const auto put = [&](int channel, auto&& value) {
+        for (int lane = 0; lane < packet.count; ++lane) {
+          const auto [x, y] = place[first + static_cast<std::size_t>(lane)];
+          pixel(x, y)[channel] = static_cast<float>(value(lane));
+        }
+      };
+      const auto triangle = [&](int lane) -> const Triangle& {
+        return *packet.triangle[static_cast<std::size_t>(lane)];
+      };
+      const auto put3 = [&](const Vec3<T>& v) {
+        for (int c = 0; c < 3; ++c) put(c, [&](int lane) { return v[c][lane]; });
+      };
+      switch (aov) {
+      case Aov::depth:
+        put(0, [&](int lane) {
+          const auto [x, y] = place[first + static_cast<std::size_t>(lane)];
+          int s = 0; // the first fragment of a pixel is that of its first covered sample
+          while (visible.visibility.nearest(s, x, y) == nothing) ++s;
+          return visible.visibility.depth(s, x, y) * 0.5 + 0.5;
         });
+        break;
+      case Aov::triangle:
+        put(0, [&](int lane) {
+          return triangle(lane).number - context.geometry.first_triangle[triangle(lane).object] + 1;
+        });
+        break;
+      case Aov::object:
+        put(0, [&](int lane) { return triangle(lane).object + 1; });
+        break;
+      case Aov::uv: {
+        const Barycentric<T> at = barycentrics(data, Derivatives::no).at;
+        for (int c = 0; c < 2; ++c) {
+          const T fraction = data.interpolated(Attribute::uv, c, at.b1, at.b2);
+          put(c, [&](int lane) { return fraction[lane] + triangle(lane).uv_whole[static_cast<std::size_t>(c)]; });
+        }
+        break;
+      }
+      case Aov::normal:
+        put3(surface().normal);
+        break;
+      case Aov::position:
+        put3(surface().position);
+        break;
+      case Aov::albedo:
+        put3(std::visit([&](const auto& model) { return albedo(model, surface()); }, material.model));
+        break;
+      case Aov::count_:
+        break;
+      }
+    });
   }
 }
 

@@ -1,5 +1,6 @@
 #include "raster/render.h"
 
+#include "math/rungs.h"
 #include "raster/shade.h"
 
 #include <algorithm>
@@ -59,6 +60,12 @@ void shade_tiles(const FrameContext& context, const TileGrid& grid, std::span<co
 }
 
 } // namespace
+
+std::unique_ptr<TileShader> make_tile_shader(std::string_view rung) {
+  if (rung == DoubleRung::name) return make_double_shader();
+  if (rung == FloatRung::name) return make_float_shader();
+  return nullptr;
+}
 
 Frame render(const Scene& scene, const RenderOptions& options) {
   assert(options.width >= 1 && options.width <= max_image_side && options.height >= 1 &&

@@ -1,8 +1,8 @@
 #pragma once
 // From what a tile sees to its pixels, in the number of a rung.
 
+#include "raster/fragments.h"
 #include "raster/render.h"
-#include "raster/visibility.h"
 
 #include <cstdint>
 #include <memory>
@@ -11,17 +11,6 @@
 #include <vector>
 
 namespace refraster {
-
-/// A visible piece of a pixel, shaded once: all samples of the pixel that see one triangle.
-struct TileFragment {
-  std::int32_t place = 0;    // in the tile's list of triangles
-  std::uint8_t x = 0, y = 0; // pixel, counted from the tile's corner
-  std::uint8_t samples = 1;  // how many see it
-};
-
-/// The tile's fragments in row order, and within a pixel in the order of its samples.
-void list_fragments(const TileVisibility& visibility, const Crop& tile, int samples,
-                    std::vector<TileFragment>& fragments);
 
 /// Everything that stays the same through a frame.
 struct FrameContext {
@@ -55,9 +44,9 @@ std::unique_ptr<TileShader> make_tile_shader(std::string_view rung);
 std::unique_ptr<TileShader> make_double_shader();
 std::unique_ptr<TileShader> make_float_shader();
 
-/// Writes the tile's part of an image of `aov`. Computed in double whatever the rung: from `fragments`, of which a
-/// pixel shows its first.
-void write_aov(const FrameContext& context, const VisibleTile& visible, std::span<const TileFragment> fragments,
-               Aov aov, Image<float>& image);
+/// Writes the tile's part of an image of `aov`. Computed in double whatever the rung: of the first of each pixel's
+/// `runs`.
+void write_aov(const FrameContext& context, const VisibleTile& visible, std::span<const FragmentRun> runs, Aov aov,
+               Image<float>& image);
 
 } // namespace refraster

@@ -1,7 +1,7 @@
 #pragma once
 // One packet of fragments of one material: interpolate, light, sum.
 
-#include "raster/surface.h"
+#include "raster/interpolate.h"
 #include "shading/light.h"
 #include "shading/models.h"
 #include "shading/texture.h"
@@ -18,8 +18,8 @@ struct PacketSurface {
 };
 
 /// The interpolated normal at unit length; where that is 0, the triangle's own; where that is 0 too, 0.
-template <class T, class Triangle>
-Vec3<T> shading_normal(const Scene& scene, const Geometry& geometry, const Packet<T, Triangle>& packet,
+template <class T>
+Vec3<T> shading_normal(const Scene& scene, const Geometry& geometry, const Packet<T>& packet,
                        const Vec3<T>& interpolated, const UndefinedTally<T>& tally) {
   const auto is_zero = [](const Vec3<T>& n) {
     return maximum(magnitude(n.x), maximum(magnitude(n.y), magnitude(n.z))) <= T(0);
@@ -39,38 +39,35 @@ Vec3<T> shading_normal(const Scene& scene, const Geometry& geometry, const Packe
   return normalize(select<T>(zero, own, interpolated));
 }
 
-template <class T, class Triangle>
-Rgb<T> texture_colour(const Material& material, const Packet<T, Triangle>& packet, const PacketBarycentrics<T>& at,
+template <class T, Triangles triangles>
+Rgb<T> texture_colour(const Material& material, const PacketData<T, triangles>& data, const PacketBarycentrics<T>& at,
                       const UndefinedTally<T>& tally) {
-  const auto uv = [](const Triangle& t) -> const auto& {
-    return t.uv;
-  };
-  const Vec2<T> point(interpolate(packet, at.at, uv, 0), interpolate(packet, at.at, uv, 1));
+  const auto uv = [&](int c) { return data.interpolated(Attribute::uv, c, at.at.b1, at.at.b2); };
+  const Vec2<T> point(uv(0), uv(1));
   const auto finite = [](const T& x) { return magnitude(x) <= T(std::numeric_limits<RealOf<T>>::max()); };
   tally.note(Undefined::bad_uv, !(finite(point.x) & finite(point.y)));
   Vec2<T> right(T(0)), down(T(0));
   if (material.texture_filter == TextureFilter::trilinear) {
-    right = {change(packet, at.right, uv, 0), change(packet, at.right, uv, 1)};
-    down = {change(packet, at.down, uv, 0), change(packet, at.down, uv, 1)};
+    const auto change = [&](const Barycentric<T>& by) {
+      return Vec2<T>(data.changed(Attribute::uv, 0, by.b1, by.b2), data.changed(Attribute::uv, 1, by.b1, by.b2));
+    };
+    right = change(at.right);
+    down = change(at.down);
   }
   return sample(*material.texture, material.texture_filter, point, right, down);
 }
 
-template <class T, class Triangle>
+template <class T, Triangles triangles>
 PacketSurface<T> packet_surface(const Scene& scene, const Geometry& geometry, const Material& material,
-                                const Packet<T, Triangle>& packet, const UndefinedTally<T>& tally) {
+                                const PacketData<T, triangles>& data, const UndefinedTally<T>& tally) {
   const bool derivatives = material.texture && material.texture_filter == TextureFilter::trilinear;
-  const PacketBarycentrics<T> at = barycentrics(packet, derivatives ? Derivatives::yes : Derivatives::no);
+  const PacketBarycentrics<T> at = barycentrics(data, derivatives ? Derivatives::yes : Derivatives::no);
   PacketSurface<T> surface;
-  surface.position = interpolate3(
-      packet, at.at, [](const Triangle& t) -> const auto& { return t.position; });
-  const Vec3<T> normal = interpolate3(
-      packet, at.at, [](const Triangle& t) -> const auto& { return t.normal; });
-  surface.normal = shading_normal(scene, geometry, packet, normal, tally);
-  const Vec3<T> way_to_eye = as<T>(scene.camera.position) - surface.position;
-  surface.to_eye = normalize(way_to_eye);
+  surface.position = interpolated3(data, Attribute::position, at.at);
+  surface.normal = shading_normal(scene, geometry, data.packet(), interpolated3(data, Attribute::normal, at.at), tally);
+  surface.to_eye = normalize(as<T>(scene.camera.position) - surface.position);
   tally.note(Undefined::eye_at_surface, dot(surface.to_eye, surface.to_eye) <= T(0));
-  surface.texture = material.texture ? texture_colour(material, packet, at, tally) : Rgb<T>(T(1));
+  surface.texture = material.texture ? texture_colour(material, data, at, tally) : Rgb<T>(T(1));
   return surface;
 }
 

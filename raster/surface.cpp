@@ -24,36 +24,41 @@ SurfaceTriangle<Real> surface_triangle(const Scene& scene, const Geometry& geome
   std::array<std::uint8_t, 3> corner{};
   if ((v[0].outcode | v[1].outcode | v[2].outcode) & outcode::unsnapped) {
     t.projective = &bins.projective_triangle(number);
-    t.weight = {Real(1), Real(1), Real(1)}; // line_values applies the projective weights before it rounds
+    std::fill_n(t.value.begin(), 3, Real(1)); // line_values applies the projective weights before it rounds
     corner = t.projective->corner;
   } else {
     const SnappedTriangle set_up = *set_up_snapped(v);
     for (std::size_t k = 0; k < 3; ++k) {
       const SnappedLine& line = set_up.line[k];
-      t.line[k] = {static_cast<double>(line.a), static_cast<double>(line.b), static_cast<double>(line.c)};
-      t.weight[k] = static_cast<Real>(set_up.weight[k] < least_weight<Real> ? 0 : set_up.weight[k]);
+      t.line[3 * k] = static_cast<double>(line.a);
+      t.line[3 * k + 1] = static_cast<double>(line.b);
+      t.line[3 * k + 2] = static_cast<double>(line.c);
+      t.value[k] = static_cast<Real>(set_up.weight[k] < least_weight<Real> ? 0 : set_up.weight[k]);
     }
     corner = set_up.corner;
   }
 
-  // value(k, c): component c at the triangle's corner k, in double; differences are taken before they are rounded.
-  const auto anchored = [&](auto& attribute, int components, auto&& value) {
-    for (int c = 0; c < components; ++c) {
-      const auto at = static_cast<std::size_t>(c);
-      attribute[0][at] = static_cast<Real>(value(0, c));
-      attribute[1][at] = static_cast<Real>(value(1, c) - value(0, c));
-      attribute[2][at] = static_cast<Real>(value(2, c) - value(0, c));
+  // corner_value(k, c): component c at the triangle's corner k, in double; differences are taken before they are
+  // rounded.
+  const auto anchored = [&](Attribute attribute, auto&& corner_value) {
+    const int n = components(attribute);
+    Real* const at = &t.value[static_cast<std::size_t>(attribute)];
+    for (int c = 0; c < n; ++c) {
+      const double anchor = corner_value(0, c);
+      at[c] = static_cast<Real>(anchor);
+      at[n + c] = static_cast<Real>(corner_value(1, c) - anchor);
+      at[2 * n + c] = static_cast<Real>(corner_value(2, c) - anchor);
     }
   };
   const auto world = [&](int k) -> const WorldVertex& {
     return geometry.world[ref.vertex[corner[static_cast<std::size_t>(k)]]];
   };
-  anchored(t.position, 3, [&](int k, int c) { return world(k).position[c]; });
-  anchored(t.normal, 3, [&](int k, int c) { return world(k).normal[c]; });
+  anchored(Attribute::position, [&](int k, int c) { return world(k).position[c]; });
+  anchored(Attribute::normal, [&](int k, int c) { return world(k).normal[c]; });
 
   const Mesh& mesh = *scene.objects[ref.object].mesh;
   if (mesh.uvs.empty()) {
-    t.uv = {};
+    std::fill(t.value.begin() + static_cast<int>(Attribute::uv), t.value.end(), Real(0));
     t.uv_whole = {};
     return t;
   }
@@ -71,7 +76,7 @@ SurfaceTriangle<Real> surface_triangle(const Scene& scene, const Geometry& geome
     if (least > -1 && least < 1) t.uv_whole[c] = 0;
     for (std::size_t k = 0; k < 3; ++k) uv[k][c] -= t.uv_whole[c];
   }
-  anchored(t.uv, 2, [&](int k, int c) { return uv[static_cast<std::size_t>(k)][static_cast<std::size_t>(c)]; });
+  anchored(Attribute::uv, [&](int k, int c) { return uv[static_cast<std::size_t>(k)][static_cast<std::size_t>(c)]; });
   return t;
 }
 

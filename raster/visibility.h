@@ -27,6 +27,8 @@ public:
   /// The triangle seen by sample `s` of the pixel (x, y), counted from the tile's corner: a place in `triangles`, or
   /// `nothing`.
   std::int32_t nearest(int s, int x, int y) const { return nearest_[index(s, x, y)]; }
+  /// The same for a whole row of the tile.
+  const std::int32_t* row(int s, int y) const { return &nearest_[index(s, 0, y)]; }
   /// Its z / w.
   double depth(int s, int x, int y) const { return depth_[index(s, x, y)]; }
 
