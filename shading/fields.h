@@ -20,9 +20,7 @@ struct Range {
   Ends ends = Ends::included;
 
   /// False for NaN.
-  constexpr bool contains(double x) const {
-    return ends == Ends::included ? min <= x && x <= max : min < x && x < max;
-  }
+  constexpr bool contains(double x) const { return ends == Ends::included ? min <= x && x <= max : min < x && x < max; }
 };
 
 /// Every finite number.
@@ -35,7 +33,9 @@ template <class Enum>
 struct EnumNames;
 
 template <class Enum>
-concept NamedEnum = std::is_enum_v<Enum> && requires { EnumNames<Enum>::names; };
+concept NamedEnum = std::is_enum_v<Enum> && requires {
+  EnumNames<Enum>::names;
+};
 
 template <NamedEnum Enum>
 constexpr std::string_view name_of(Enum value) {
@@ -46,7 +46,7 @@ constexpr std::string_view name_of(Enum value) {
 
 // A model declares each parameter in its function `fields`, by one call:
 //     field("kd", self.kd, Range{}, "diffuse reflection, r g b");
-// for a Double3 (a colour), a double, or a named enum. A scene must give every colour and number; an enum, which chooses
-// between conventions, may be left out and then keeps the value that the member has from the start.
+// for a Double3 (a colour), a double, or a named enum. A scene must give every colour and number; an enum, which
+// chooses between conventions, may be left out and then keeps the value that the member has from the start.
 
 } // namespace refraster

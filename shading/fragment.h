@@ -10,9 +10,9 @@ namespace refraster {
 template <class T>
 struct Fragment {
   Vec3<T> position;
-  Vec3<T> normal;      // unit; as the mesh gives it: not turned toward the eye on back faces. 0 if there is none
-  Vec3<T> to_eye;      // unit; 0 with the eye at the surface
-  Rgb<T> texture;      // texture colour, white without a texture
+  Vec3<T> normal; // unit; as the mesh gives it: not turned toward the eye on back faces. 0 if there is none
+  Vec3<T> to_eye; // unit; 0 with the eye at the surface
+  Rgb<T> texture; // texture colour, white without a texture
   const UndefinedTally<T>* tally = nullptr;
 
   /// Counts a case that the mathematics leaves undefined, where `where` says so. See shading/undefined.h.

@@ -108,11 +108,9 @@ struct MerlReader {
   const RealOf<T>* values;
 
   Vec4<T> operator()(const IndexOf<T>& h, const IndexOf<T>& d, const IndexOf<T>& p) const {
-    const auto fetch = [this](std::int32_t h_bin, std::int32_t d_bin, std::int32_t p_bin) {
-      const RealOf<T>* at = values + MerlTable::offset(h_bin, d_bin, p_bin);
-      return Rgb<RealOf<T>>(at[0], at[1], at[2]);
-    };
-    const Rgb<T> rgb = lookup<T>(fetch, h, d, p);
+    const RgbGrid<RealOf<T>, RealOf<T>> grid{values, MerlTable::offset(1, 0, 0), MerlTable::offset(0, 1, 0),
+                                             MerlTable::offset(0, 0, 1)};
+    const Rgb<T> rgb = lookup<T>(grid, h, d, p);
     const MaskOf<T> measured = minimum(rgb.x, minimum(rgb.y, rgb.z)) >= T(0);
     const Rgb<T> kept = select<T>(measured, rgb, Rgb<T>(T(0)));
     return {kept.x, kept.y, kept.z, select(measured, T(1), T(0))};
@@ -170,8 +168,8 @@ struct MerlReader {
 template <Number T>
 MerlValue<T> merl_mean(const Vec4<T>& sum) {
   const MaskOf<T> unmeasured = sum.w <= T(0);
-  const T weight = select(unmeasured, T(1), sum.w);
-  return {Rgb<T>(sum.x / weight, sum.y / weight, sum.z / weight), unmeasured};
+  const T scale = T(1) / select(unmeasured, T(1), sum.w);
+  return {Rgb<T>(sum.x * scale, sum.y * scale, sum.z * scale), unmeasured};
 }
 
 /// f = epsilon (2^g - 1). A spline may dip below 0; f does not.

@@ -45,7 +45,7 @@ template <class Brdf>
           const auto [i, o] = directions_at_centre(h, d, p);
           if (i.z < -rim_sine || o.z < -rim_sine) continue;
           const Rgb<double> f = brdf(Double3(0, 0, 1), raised_above_horizon(i), raised_above_horizon(o));
-          double* const at = &rgb[MerlTable::offset(h, d, p)];
+          double* const at = rgb.data() + MerlTable::offset(h, d, p);
           at[0] = f.x, at[1] = f.y, at[2] = f.z;
         }
     return MerlTable(std::move(rgb));

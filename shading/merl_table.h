@@ -24,10 +24,7 @@ public:
   explicit MerlTable(std::vector<double> rgb);
 
   /// Index of the first channel of a sample. 0 <= h, d < 90, 0 <= p < 180.
-  static constexpr std::size_t offset(int h, int d, int p) {
-    const auto row = static_cast<std::size_t>(h) * theta_d_bins + static_cast<std::size_t>(d);
-    return 3 * (row * phi_d_bins + static_cast<std::size_t>(p));
-  }
+  static constexpr int offset(int h, int d, int p) { return 3 * ((h * theta_d_bins + d) * phi_d_bins + p); }
 
   /// The values in the precision that a rung reads: double, or float (each value rounded once).
   template <class F>
@@ -42,7 +39,7 @@ public:
   static constexpr double log_epsilon = 1e-4;
 
   Rgb<double> sample(int h, int d, int p) const {
-    const double* at = &doubles_[offset(h, d, p)];
+    const double* at = doubles_.data() + offset(h, d, p);
     return {at[0], at[1], at[2]};
   }
 

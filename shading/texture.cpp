@@ -27,6 +27,7 @@ Cover cover(int length, int cells, int k) {
 
 TextureLevel halved(const TextureLevel& below) {
   TextureLevel level{std::max(1, below.width / 2), std::max(1, below.height / 2), {}};
+  const auto texels = below.texels<double>();
   level.rgb.reserve(3 * static_cast<std::size_t>(level.width) * static_cast<std::size_t>(level.height));
   for (int y = 0; y < level.height; ++y) {
     const Cover rows = cover(below.height, level.height, y);
@@ -35,7 +36,7 @@ TextureLevel halved(const TextureLevel& below) {
       Rgb<double> mean(0);
       for (int j = 0; j < rows.count; ++j)
         for (int i = 0; i < columns.count; ++i)
-          mean += below.texel<double>(columns.first + i, rows.first + j) * (rows.share[j] * columns.share[i]);
+          mean += texels(columns.first + i, rows.first + j, 0) * (rows.share[j] * columns.share[i]);
       for (const double channel : {mean.x, mean.y, mean.z}) level.rgb.push_back(static_cast<float>(channel));
     }
   }

@@ -23,19 +23,16 @@ struct EnumNames<TextureFilter> {
                                                                          {TextureFilter::trilinear, "trilinear"}};
 };
 
-/// One image of a mip chain. Row 0 is at v = 0: the bottom row of the image file. At most 65536 texels a side.
+/// One image of a mip chain. Row 0 is at v = 0: the bottom row of the image file. At most 65536 texels a side
+/// and 2^28 in all.
 struct TextureLevel {
   int width = 1, height = 1;
   std::vector<float> rgb; // 3 width height values, interleaved, in [0, full_scale]
 
-  std::size_t offset(std::int32_t x, std::int32_t y) const {
-    return 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));
-  }
-
+  /// To be read at (x, y, 0).
   template <class F>
-  Rgb<F> texel(std::int32_t x, std::int32_t y) const {
-    const float* at = &rgb[offset(x, y)];
-    return {static_cast<F>(at[0]), static_cast<F>(at[1]), static_cast<F>(at[2])};
+  RgbGrid<F, float> texels() const {
+    return {rgb.data(), 3, 3 * width, 0};
   }
 };
 
@@ -61,23 +58,23 @@ T fewer_turns(const T& u) {
 /// The texel that holds the point, as stored.
 template <Number T>
 Rgb<T> sample_nearest(const TextureLevel& level, const Vec2<T>& uv) {
-  const auto fetch = [&](std::int32_t x, std::int32_t y, std::int32_t) { return level.texel<RealOf<T>>(x, y); };
+  const auto texels = level.texels<RealOf<T>>();
   const IndexOf<T> x = wrap_index(cell(uv.x * as<T>(level.width)).index, level.width);
   const IndexOf<T> y = wrap_index(cell(uv.y * as<T>(level.height)).index, level.height);
-  return lookup<T>(fetch, x, y, IndexOf<T>{});
+  return lookup<T>(texels, x, y, IndexOf<T>{});
 }
 
 /// Between the four texels around the point, as stored: texel k has its centre at (k + 0.5) / n.
 template <Number T>
 Rgb<T> sample_bilinear(const TextureLevel& level, const Vec2<T>& uv) {
-  const auto fetch = [&](std::int32_t x, std::int32_t y, std::int32_t) { return level.texel<RealOf<T>>(x, y); };
+  const auto texels = level.texels<RealOf<T>>();
   const Cell<T> x = cell(uv.x * as<T>(level.width) - as<T>(0.5));
   const Cell<T> y = cell(uv.y * as<T>(level.height) - as<T>(0.5));
   // Wrapping follows the floor, in integers: a point just left of u = 0 lies between the last texel and the first.
   const IndexOf<T> left = wrap_index(x.index, level.width), right = wrap_index(next_index(x.index), level.width);
   const IndexOf<T> low = wrap_index(y.index, level.height), high = wrap_index(next_index(y.index), level.height);
   const auto row = [&](const IndexOf<T>& j) {
-    const Rgb<T> a = lookup<T>(fetch, left, j, IndexOf<T>{}), b = lookup<T>(fetch, right, j, IndexOf<T>{});
+    const Rgb<T> a = lookup<T>(texels, left, j, IndexOf<T>{}), b = lookup<T>(texels, right, j, IndexOf<T>{});
     return a + (b - a) * x.fraction;
   };
   const Rgb<T> below = row(low), above = row(high);
