@@ -140,7 +140,7 @@ Mesh torus_mesh(int segments, int rings, double tube_radius) {
 
 Mesh knot_mesh(int segments, int rings, double tube_radius) {
   assert(segments >= 3 && rings >= 3 && tube_radius > 0);
-  constexpr double strand = 0.5; // from the unit circle to the knot
+  constexpr double strand = 0.4; // from the unit circle to the knot
   const Double3 axis(0, 1, 0);
   Mesh mesh;
   add_grid(mesh, segments, rings, [&](int segment, int ring) {

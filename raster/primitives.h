@@ -33,9 +33,9 @@ Mesh plane_mesh(int segments);
 Mesh torus_mesh(int segments, int rings, double tube_radius);
 
 /// A trefoil: a tube around the knot that winds twice round the Y axis and three times round the circle of radius 1,
-/// at a distance of 1/2 from that circle.
+/// at a distance of 2/5 from that circle.
 ///
-///     c(t) = (1 + cos(3 t) / 2) e(2 t) - sin(3 t) / 2 Y,   e(a) the unit vector of longitude a, as on the sphere
+///     c(t) = (1 + 2/5 cos 3t) e(2t) - 2/5 sin 3t Y,   e(a) the unit vector of longitude a, as on the sphere
 ///
 /// u runs along the knot and v round the tube, which is round at every u. Curved in every way, it shows what a
 /// reflection model does at all angles. 0 < tube_radius; above 1/3 or so it intersects itself.

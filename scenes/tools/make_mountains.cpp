@@ -14,25 +14,26 @@ namespace {
 constexpr int quads = 400;      // a side
 constexpr double summit = 0.55; // world units
 
-/// Noise folded at its middle: a crest where it was 1/2. Finer octaves count more where the coarse ones are high, so
+/// Noise folded at its middle: a crest where it was 1/2. Finer octaves count more where the coarser ones are high, so
 /// that ridges are rough and valleys smooth. After Musgrave, "Texturing and Modeling", 3rd edition, chapter 16.
 double ridges(double u, double v) {
-  double sum = 0, strength = 0.5, weight = 1;
-  std::uint32_t cells = 4;
-  for (std::uint32_t octave = 0; octave < 8; ++octave, cells *= 2, strength *= 0.48) {
-    const double crest = 1 - std::abs(2 * smooth_noise(u * cells, v * cells, cells, cells, 70 + octave) - 1);
+  double sum = 0, strength = 0.55, weight = 1;
+  std::uint32_t cells = 5;
+  for (std::uint32_t octave = 0; octave < 7; ++octave, cells = 2 * cells + 1, strength *= 0.46) {
+    const double crest = 1 - std::abs(2 * smooth_noise(u * cells, v * cells, cells, cells, 73 + octave) - 1);
     sum += strength * weight * crest * crest;
-    weight = std::clamp(2 * crest * crest * weight, 0.0, 1.0);
+    weight = std::clamp(1.6 * crest, 0.25, 1.0);
   }
   return sum;
 }
 
 /// Height over the square, u to the right, v away from the viewer.
 double height(double u, double v) {
-  // The land rises to the back and to both sides of a valley.
-  const double side = 2 * std::abs(u - 0.5 - 0.12 * (fractal_noise(v, 0.5, 3, 1, 2, 90) - 0.5) * 2);
-  const double rise = std::clamp(0.16 + 0.9 * side * side + 0.35 * v, 0.0, 1.0);
-  return summit * ridges(u, v) * rise;
+  // A winding valley; the land rises to both sides and to the back.
+  const double bend = 0.5 + 0.22 * (smooth_noise(v * 3, 0, 3, 1, 92) - 0.5);
+  const double aside = std::abs(u - bend);
+  const double rise = std::clamp(0.10 + 2.6 * aside * aside + 0.95 * aside * v + 0.30 * v * v, 0.0, 1.0);
+  return summit * rise * ridges(u, v);
 }
 
 Mesh mountains() {

@@ -41,7 +41,7 @@ void write_texture(const std::string& path, int width, int height, ColourAt&& co
       for (int c = 0; c < 3; ++c)
         image.at(x, y)[c] = static_cast<std::uint8_t>(std::floor(std::clamp(colour[c], 0.0, 255.0) + 0.5));
     }
-  write_image(path, image);
+  write_png(path, image);
   std::cout << path << "\n";
 }
 
@@ -77,26 +77,40 @@ Colour checker(double u, double v) {
   return odd ? Colour{226, 214, 190} : Colour{74, 38, 44};
 }
 
-/// Plain weave of 16 x 16 threads.
+/// Plain weave of 24 x 24 threads.
 Colour weave(double u, double v) {
-  const double x = u * 16, y = v * 16;
+  const double x = u * 24, y = v * 24;
   const bool warp_on_top = (static_cast<int>(x) + static_cast<int>(y)) % 2 == 0;
   // A thread is highest in the middle, and dips under its neighbours at both ends.
   const double along = warp_on_top ? y : x, across = warp_on_top ? x : y;
   const double round = 1 - 4 * std::pow(across - std::floor(across) - 0.5, 2);
   const double dip = 1 - 3 * std::pow(along - std::floor(along) - 0.5, 2);
-  const double fibre = fractal_noise(u, v, warp_on_top ? 128 : 16, warp_on_top ? 16 : 128, 1, 40);
+  const double fibre = fractal_noise(u, v, warp_on_top ? 128 : 24, warp_on_top ? 24 : 128, 1, 40);
   const Colour thread = warp_on_top ? Colour{196, 84, 62} : Colour{226, 190, 142};
   return thread * (0.35 + 0.65 * round * dip) * (0.85 + 0.3 * fibre);
 }
 
 /// What grows at which height: v is the height, u only varies it. For make_mountains.
 Colour strata(double u, double v) {
-  const double h = v + 0.10 * (fractal_noise(u, v, 8, 8, 4, 50) - 0.5);
+  const double h = v + 0.24 * (fractal_noise(u, v, 8, 8, 4, 50) - 0.5);
   Colour colour = mix({96, 88, 70}, {58, 74, 44}, step(0.06, 0.14, h)); // shore, then meadow
   colour = mix(colour, {92, 84, 76}, step(0.30, 0.42, h));              // rock
   colour = mix(colour, {66, 62, 64}, step(0.42, 0.60, h));              // darker rock
   return mix(colour, {238, 240, 246}, step(0.62, 0.70, h));             // snow
+}
+
+/// A studio's backdrop: light in the middle, falling off to the corners. White; the material's ka colours it.
+Colour backdrop(double u, double v) {
+  const double x = 2 * u - 1, y = 2 * v - 1;
+  const double distance = std::sqrt(0.9 * x * x + 1.1 * y * y);
+  const double grain = lattice_noise(static_cast<std::uint32_t>(u * 256), static_cast<std::uint32_t>(v * 144), 3);
+  return Colour(245 - 215 * step(0.0, 1.25, distance) + 4 * (grain - 0.5));
+}
+
+/// Evening: warm at the horizon (v = 0), dark blue above.
+Colour sky(double, double v) {
+  const Colour low = mix({222, 142, 92}, {150, 104, 110}, step(0.0, 0.28, v));
+  return mix(low, {30, 38, 66}, step(0.10, 0.85, v));
 }
 
 } // namespace
@@ -115,6 +129,8 @@ int main(int argc, char** argv) {
     write_texture(folder + "checker.png", 64, 64, checker);
     write_texture(folder + "weave.png", 256, 256, weave);
     write_texture(folder + "strata.png", 64, 256, strata);
+    write_texture(folder + "sky.png", 4, 256, sky);
+    write_texture(folder + "backdrop.png", 256, 144, backdrop);
   } catch (const std::exception& error) {
     std::cerr << "make_textures: " << error.what() << "\n";
     return 4;
