@@ -39,8 +39,6 @@ struct Bins {
   const ProjectiveTriangle& projective_triangle(std::uint32_t number) const;
 };
 
-std::array<WindowVertex, 3> window_corners(const Geometry& geometry, const TriangleRef& ref);
-
 /// Drops what cannot be seen (counted by reason in `counts`) and lists the rest by tile. A tile's list may hold
 /// triangles that cover none of its samples; it misses none that does. Memory: 8 bytes a triangle, 4 a list entry.
 Bins bin_triangles(const Scene& scene, const Geometry& geometry, const TileGrid& grid, int image_width,
