@@ -2,18 +2,18 @@
 
 #include "math/polynomial.h"
 #include "math/twofold.h"
+#include "math/ulp_bound.h"
 
 namespace refraster {
 
-/// Proven by tests/math/test_elementary.cpp; in units in the last place of the result.
 template <class F>
-inline constexpr double atan2_max_ulp = sizeof(F) == 4 ? 2.0 : 1.0;
+inline constexpr UlpBound atan2_error = {0.85, 0.56}; // results below 4 times the smallest normal number: 2
 
 inline constexpr Twofold<double> quarter_pi = {0x1.921fb54442d18p-1, 0x1.1a62633145c07p-55};
 
 /// The angle of (x, y) against the x axis in radians, in (-pi, pi], or -pi for y = -0 and x < 0. atan2(+-0, 0) = +-0,
 /// whatever the sign of x = 0 is. An infinite x or y is infinitely longer than a finite one, and as long as the other.
-/// NaN counts as 0. Error: atan2_max_ulp.
+/// NaN counts as 0. Error: atan2_error.
 template <Lanes T>
 T atan2(const T& y, const T& x) {
   using F = RealOf<T>;
@@ -38,8 +38,9 @@ T atan2(const T& y, const T& x) {
   const T a2 = a * a;
   T tail; // (atan(a) / a - 1) / a^2
   if constexpr (sizeof(F) == 4) {
-    // Within 2.0e-8 / a^2 for |a| <= tan(pi/8).
-    constexpr std::array p = {-0x1.5554577c3a7d2p-2, 0x1.9925d4c7ce288p-3, -0x1.1c41f5d5b8123p-3, 0x1.4a23920cd05e2p-4};
+    // Within 6.6e-10 / a^2 for |a| <= tan(pi/8).
+    constexpr std::array p = {-0x1.5555495d081f7p-2, 0x1.9991ad7229618p-3, -0x1.23b6bc095629ep-3, 0x1.b2024322b62b6p-4,
+                              -0x1.f256997f256b5p-5};
     tail = polynomial(a2, p);
   } else {
     // Within 2.3e-18 / a^2.

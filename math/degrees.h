@@ -3,14 +3,15 @@
 
 #include "math/polynomial.h"
 #include "math/twofold.h"
+#include "math/ulp_bound.h"
 
 #include <array>
 #include <cmath>
 
 namespace refraster {
 
-/// Proven by tests/math/test_degrees.cpp; in units in the last place of the result.
-inline constexpr double sin_degrees_max_ulp = 0.75, cos_degrees_max_ulp = 0.75, tan_degrees_max_ulp = 2.0;
+inline constexpr UlpBound sin_degrees_error = {0.75, 0.6}, cos_degrees_error = {0.75, 0.6},
+                          tan_degrees_error = {2.0, 1.5};
 
 inline constexpr double radians_per_degree = 0x1.1df46a2529d39p-6;
 

@@ -6,14 +6,14 @@
 
 #include "math/polynomial.h"
 #include "math/twofold.h"
+#include "math/ulp_bound.h"
 
 namespace refraster {
 
-/// Proven by tests/math/test_elementary.cpp against 50 digits; in units in the last place of the result.
 template <class F>
-inline constexpr double log2_max_ulp = sizeof(F) == 4 ? 0.52 : 1.0;
+inline constexpr UlpBound log2_error = sizeof(F) == 4 ? UlpBound{0.502, 0.5} : UlpBound{0.51, 0.5};
 template <class F>
-inline constexpr double exp2_max_ulp = sizeof(F) == 4 ? 0.6 : 1.0;
+inline constexpr UlpBound exp2_error = sizeof(F) == 4 ? UlpBound{0.6, 0.52} : UlpBound{0.66, 0.55};
 
 /// Results of exp2 and power below 2^lowest_power are cut to 0, far above the subnormal numbers: one subnormal in a
 /// register costs every lane an excursion into microcode, and no image shows the difference.
@@ -24,7 +24,7 @@ inline constexpr double highest_power = std::numeric_limits<F>::max_exponent; //
 
 inline constexpr Twofold<double> two_over_ln2 = {0x1.71547652b82fep+1, 0x1.777d0ffda0d24p-55};
 inline constexpr Twofold<double> two_thirds_over_ln2 = {0x1.ec709dc3a03fdp-1, 0x1.d27f05548af0cp-55};
-inline constexpr Twofold<double> ln2 = {0x1.62e42fefa39efp-1, 0x1.abc9e3b39803fp-56};
+inline constexpr Twofold<double> ln_of_2 = {0x1.62e42fefa39efp-1, 0x1.abc9e3b39803fp-56};
 inline constexpr Twofold<double> log2_of_1_5 = {0x1.2b803473f7ad1p-1, -0x1.817fd3b7d7e5dp-58};
 
 /// x = m 2^exponent with m in [least, 2 least), for normal x > 0.
@@ -137,10 +137,10 @@ T wide_exp2(const Twofold<T>& y) {
   const auto [fraction, n] = rounded(y.hi);
   const Twofold<T> f = quick_sum(fraction, y.lo);
   // 2^f = 1 + ln2 f + f^2 p(f): the first two terms to twice the precision, the third is below 0.07.
-  const Twofold<T> linear = wide_product(f.hi, T(ln2.hi));
+  const Twofold<T> linear = wide_product(f.hi, T(ln_of_2.hi));
   const Twofold<T> sum = quick_sum(T(1), linear.hi);
-  const T rest = f.hi * f.hi * polynomial(f.hi, p) + (linear.lo + f.hi * T(ln2.lo));
-  const T m = sum.hi + (sum.lo + (rest + f.lo * (T(ln2.hi) * sum.hi)));
+  const T rest = f.hi * f.hi * polynomial(f.hi, p) + (linear.lo + f.hi * T(ln_of_2.lo));
+  const T m = sum.hi + (sum.lo + (rest + f.lo * (T(ln_of_2.hi) * sum.hi)));
   return times_power_of_2(m, n);
 }
 
@@ -179,7 +179,7 @@ OnePlus<T> one_plus(const T& x) {
 }
 
 /// log2(x), always finite: x below the smallest positive number (0, negative, NaN) counts as that number, x above the
-/// largest as that. Error: log2_max_ulp.
+/// largest as that. Error: log2_error.
 template <Lanes T>
 T log2(const T& x) {
   using F = RealOf<T>;
@@ -198,7 +198,7 @@ T log2(const T& x) {
 }
 
 /// 2^x, always finite: 0 below x = lowest_power and for NaN, the largest number where the result would overflow.
-/// Error: exp2_max_ulp.
+/// Error: exp2_error.
 template <Lanes T>
 T exp2(const T& x) {
   using F = RealOf<T>;

@@ -6,7 +6,21 @@
 
 namespace refraster {
 
-/// The table value at (i, j, k). fetch(i, j, k) takes plain integers and returns Rgb<RealOf<T>>.
+/// Colours in memory, channels interleaved: red of (i, j, k) is values[i i_stride + j j_stride + k k_stride]. All
+/// offsets fit 31 bits. Reads as Rgb<F>.
+template <class F, class Value>
+struct RgbGrid {
+  using Stored = Value;
+  const Stored* values;
+  std::int32_t i_stride, j_stride, k_stride;
+
+  Rgb<F> operator()(std::int32_t i, std::int32_t j, std::int32_t k) const {
+    const Stored* const at = values + (i * i_stride + j * j_stride + k * k_stride);
+    return {static_cast<F>(at[0]), static_cast<F>(at[1]), static_cast<F>(at[2])};
+  }
+};
+
+/// The table value at (i, j, k). fetch(i, j, k) takes plain integers and returns Rgb<RealOf<T>>; or it is an RgbGrid.
 /// A bounds type overloads this: there an index is a range, and the result is the hull over it.
 template <std::floating_point T, class Fetch>
 Rgb<T> lookup(const Fetch& fetch, std::int32_t i, std::int32_t j, std::int32_t k) {
@@ -16,14 +30,24 @@ Rgb<T> lookup(const Fetch& fetch, std::int32_t i, std::int32_t j, std::int32_t k
 template <class T, class Fetch>
   requires(NumberTraits<T>::lanes > 1)
 Rgb<T> lookup(const Fetch& fetch, IndexOf<T> i, IndexOf<T> j, IndexOf<T> k) {
-  Rgb<T> result;
-  for (int lane = 0; lane < NumberTraits<T>::lanes; ++lane) {
-    const Rgb<RealOf<T>> value = fetch(i.i[lane], j.i[lane], k.i[lane]);
-    result.x.set(lane, value.x);
-    result.y.set(lane, value.y);
-    result.z.set(lane, value.z);
+  constexpr int lanes = NumberTraits<T>::lanes;
+  if constexpr (requires { typename Fetch::Stored; }) { // a grid: the offsets of all lanes at once, twice as fast
+    const auto offset = i.i * fetch.i_stride + j.i * fetch.j_stride + k.i * fetch.k_stride;
+    const auto channel = [&](int c) -> T {
+      const auto stored = gather<typename Fetch::Stored, lanes>(fetch.values + c, offset);
+      return __builtin_convertvector(stored.v, typename T::Lanes);
+    };
+    return {channel(0), channel(1), channel(2)};
+  } else {
+    Rgb<T> result;
+    for (int lane = 0; lane < lanes; ++lane) {
+      const Rgb<RealOf<T>> value = fetch(i.i[lane], j.i[lane], k.i[lane]);
+      result.x.set(lane, value.x);
+      result.y.set(lane, value.y);
+      result.z.set(lane, value.z);
+    }
+    return result;
   }
-  return result;
 }
 
 } // namespace refraster

@@ -28,8 +28,8 @@ T part_of_polynomial(const std::array<T, Squares>& power, const std::array<doubl
   }
 }
 
-/// c[0] + c[1] x + c[2] x^2 + ..., by halves: the lower coefficients plus x^(2^k) times the upper ones (Estrin). That is
-/// two or three multiplications more than Horner's rule, which on the other hand waits for each one before the next.
+/// c[0] + c[1] x + c[2] x^2 + ..., by halves: the lower coefficients plus x^(2^k) times the upper ones (Estrin). That
+/// is two or three multiplications more than Horner's rule, which on the other hand waits for each one before the next.
 template <class T, std::size_t N>
 T polynomial(const T& x, const std::array<double, N>& c) {
   return part_of_polynomial<0, N>(repeated_squares<T, std::bit_width(N - 1)>(x), c);

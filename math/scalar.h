@@ -25,7 +25,8 @@ using MaskOf = typename NumberTraits<T>::Mask;
 template <class T>
 using IndexOf = typename NumberTraits<T>::Index;
 
-/// A grid cell: the greatest integer not above x, and how far x is into the cell, in [0, 1).
+/// A grid cell: the greatest integer not above x, and how far x is into the cell, in [0, 1): the largest number below 1
+/// where that difference rounds to 1.
 template <class T>
 struct Cell {
   IndexOf<T> index;
@@ -83,13 +84,16 @@ inline constexpr int fraction_bits = std::numeric_limits<F>::digits - 1;
 template <std::floating_point F>
 constexpr F reciprocal_binade(F x) {
   using B = BitsOf<F>;
-  constexpr int shift = fraction_bits<F>;
   constexpr B bias = std::numeric_limits<F>::max_exponent - 1;
-  B exponent = (std::bit_cast<B>(x) >> shift) & (2 * bias + 1);
-  exponent = exponent < 1 ? 1 : exponent;
-  exponent = exponent > 2 * bias - 1 ? 2 * bias - 1 : exponent;
-  return std::bit_cast<F>((2 * bias - exponent) << shift);
+  constexpr B exponent_mask = (2 * bias + 1) << fraction_bits<F>;
+  constexpr F smallest = std::numeric_limits<F>::min();
+  const F binade = std::bit_cast<F>(std::bit_cast<B>(x) & exponent_mask); // |x| with fraction 0; infinity for NaN
+  const F inside = minimum(maximum(binade, smallest), 1 / smallest);
+  return std::bit_cast<F>((2 * bias << fraction_bits<F>)-std::bit_cast<B>(inside)); // its exponent, negated
 }
+
+template <class F>
+inline constexpr F almost_one = 1 - std::numeric_limits<F>::epsilon() / 2;
 
 /// Table coordinates beyond this many cells are clamped to it, so that the index fits 32 bits; NaN counts as the lower
 /// end.
@@ -99,8 +103,11 @@ template <std::floating_point F>
 Cell<F> cell(F x) {
   const F limit = static_cast<F>(cell_limit);
   const F inside = minimum(maximum(x, -limit), limit);
-  const F below = std::floor(inside);
-  return {static_cast<std::int32_t>(below), inside - below};
+  // Truncate, then step down where that went up: lanes can do that too. For -0 compilers disagree whether the way over
+  // the integer drops the sign, so the fraction's zero is made +0.
+  const F truncated = static_cast<F>(static_cast<std::int32_t>(inside));
+  const F below = truncated > inside ? truncated - 1 : truncated;
+  return {static_cast<std::int32_t>(below), minimum(maximum(inside - below, F(0)), almost_one<F>)};
 }
 
 constexpr std::int32_t clamp_index(std::int32_t i, std::int32_t lo, std::int32_t hi) {

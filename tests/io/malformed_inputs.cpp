@@ -113,7 +113,7 @@ void add_scenes(List& list) {
   add("neither a mesh nor a file", "\"mesh\": {\"sphere\": {\"segments\": 8, \"rings\": 4}},", "",
       "s.json:5:15: /scene/objects/0/obj_file_path: found nothing, expected the path of a file, or the key mesh");
   add("an unknown shape", "\"sphere\"", "\"ball\"",
-      "s.json:6:14: /scene/objects/0/mesh: found \"ball\", expected an object with one key: sphere or cube or plane or torus");
+      "s.json:6:14: /scene/objects/0/mesh: found \"ball\", expected an object with one key: sphere or cube or plane or torus or knot");
   add("a sphere too fine", "\"segments\": 8", "\"segments\": 1e9",
       "s.json:6:37: /scene/objects/0/mesh/sphere/segments: found 1e9, expected a whole number from 3 to 4096");
   add("half a ring", "\"rings\": 4", "\"rings\": 4.5",

@@ -48,7 +48,7 @@ public:
     case 0:
       return cases[below(10)];
     case 1:
-      return std::nextafter(cases[below(10)], cases[below(10)]);
+      return std::nextafter(cases[below(10)], F(0.75)) * F(sign());
     case 2:
       return std::ldexp(F(sign()), below(2 * Limits::max_exponent) - Limits::max_exponent);
     default:

@@ -227,18 +227,18 @@ inline Interval with_cut_off(Interval x) {
 
 inline Interval log2(Interval x) {
   const auto f = [](double y) { return log2(y); };
-  return of_rising(f, x, log2_max_ulp<double>);
+  return of_rising(f, x, log2_error<double>.max);
 }
 inline Interval exp2(Interval x) {
   const auto f = [](double y) { return exp2(y); };
-  return with_cut_off(of_rising(f, x, exp2_max_ulp<double>));
+  return with_cut_off(of_rising(f, x, exp2_error<double>.max));
 }
 /// Rising in x. Never above 1 for x <= 1, and exact for s = 0 and x = 0 or 1.
 inline Interval power(Interval x, double s) {
   if (s == 0) return {1.0};
   if (x.hi <= 0) return {0.0};
   const auto f = [s](double y) { return power(y, s); };
-  Interval result = with_cut_off(of_rising(f, x, power_max_ulp<double>));
+  Interval result = with_cut_off(of_rising(f, x, power_error<double>.max));
   if (x.lo >= 1) result.lo = 1;
   if (x.hi <= 1) result.hi = std::min(result.hi, 1.0);
   return result;
@@ -250,7 +250,7 @@ inline Interval cosine_power(const Vec3<Interval>& a, const Vec3<Interval>& b, d
   const Interval cosine = dot(a, b);
   const Interval q = minimum(Interval(0.5) * squared_length(a - b), Interval(0.5));
   const auto falling = [s](double minus_q) { return power_of(log2_argument_of_1_minus(-minus_q), s); };
-  Interval near = with_cut_off(of_rising(falling, -q, power_max_ulp<double>));
+  Interval near = with_cut_off(of_rising(falling, -q, power_error<double>.max));
   near.hi = std::min(near.hi, 1.0);
   const Interval far = power(minimum(cosine, Interval(0.75)), s);
   return select(cosine > Interval(0.75), near, far);
@@ -262,7 +262,7 @@ inline Interval atan2(Interval y, Interval x) {
   if (y.contains(0) && x.lo <= 0) return {step_down(-turn), step_up(turn)};
   const auto corner = [](double at_y, double at_x) {
     const auto f = [at_x](double v) { return atan2(v, at_x); };
-    return of_rising(f, Interval(at_y), atan2_max_ulp<double>);
+    return of_rising(f, Interval(at_y), atan2_error<double>.max);
   };
   return Interval::hull({corner(y.lo, x.lo), corner(y.lo, x.hi), corner(y.hi, x.lo), corner(y.hi, x.hi)});
 }
