@@ -66,8 +66,8 @@ public:
       return Fate::projective;
     }
 
-    const std::int64_t area = static_cast<std::int64_t>(v1.x - v0.x) * (v2.y - v0.y) -
-                              static_cast<std::int64_t>(v2.x - v0.x) * (v1.y - v0.y);
+    const std::int64_t area =
+        static_cast<std::int64_t>(v1.x - v0.x) * (v2.y - v0.y) - static_cast<std::int64_t>(v2.x - v0.x) * (v1.y - v0.y);
     if (area == 0) return Fate::degenerate;
     if (cull_back && area > 0) return Fate::culled;
     // The pixels p whose samples may lie in the bounding box: 256 p + last >= min and 256 p + first <= max.
@@ -123,7 +123,7 @@ private:
   const Geometry& geometry_;
   const TileGrid& grid_;
   int image_width_, image_height_;
-  int tile_shift_ = 0; // tile_size is a power of two
+  int tile_shift_ = 0;                                               // tile_size is a power of two
   std::int32_t first_x_ = 0, last_x_ = 0, first_y_ = 0, last_y_ = 0; // the sample pattern's extent in a pixel
 };
 

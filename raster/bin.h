@@ -30,7 +30,7 @@ struct NumberedProjective {
 
 struct Bins {
   std::vector<std::uint64_t> first;           // tiles + 1 entries
-  std::vector<std::uint32_t> triangles;       // numbers in the frame; those of tile t are [first[t], first[t + 1])
+  Buffer<std::uint32_t> triangles;            // numbers in the frame; those of tile t are [first[t], first[t + 1])
   std::vector<NumberedProjective> projective; // in order of number: there are few
 
   std::span<const std::uint32_t> of(std::size_t tile) const {

@@ -32,9 +32,10 @@ struct SnappedTriangle {
   }
 };
 
-/// The weights of perspective interpolation, in the order of `corner`: attribute f at a sample = sum of mu_k f_k / sum of
-/// mu_k with mu_k = line[k].at(sample) weight[k]. 0 < weight <= 1.
-std::array<double, 3> perspective_weights(const std::array<WindowVertex, 3>& v, const std::array<std::uint8_t, 3>& corner);
+/// The weights of perspective interpolation, in the order of `corner`: attribute f at a sample = sum of mu_k f_k / sum
+/// of mu_k with mu_k = line[k].at(sample) weight[k]. 0 < weight <= 1.
+std::array<double, 3> perspective_weights(const std::array<WindowVertex, 3>& v,
+                                          const std::array<std::uint8_t, 3>& corner);
 
 /// A triangle with a vertex at or behind the eye plane, or beyond the guard band. A vertex is a homogeneous window
 /// point (X : Y : W), and an edge the line through two of them, computed without rounding whatever the coordinates and

@@ -79,7 +79,8 @@ void TileVisibility::draw(const SnappedTriangle& triangle, std::int32_t place) {
     // A tile that lies inside all three lines needs no coverage test. Its samples are the corners of this rectangle and
     // those between; a line is least where its negative is most.
     const auto place_of = [](int pixel, std::int32_t offset) { return pixel * subpixels + offset; };
-    const std::int32_t x0 = place_of(tile_.x + x_first, sample.x), x1 = place_of(tile_.x + x_last | (lanes - 1), sample.x);
+    const std::int32_t x0 = place_of(tile_.x + x_first, sample.x),
+                       x1 = place_of(tile_.x + (x_last | (lanes - 1)), sample.x);
     const std::int32_t y0 = place_of(tile_.y + y_first, sample.y), y1 = place_of(tile_.y + y_last, sample.y);
     const bool inside = std::all_of(triangle.line.begin(), triangle.line.end(),
                                     [&](const SnappedLine& line) { return (-line).most(x0, y0, x1, y1) < 0; });
