@@ -1,6 +1,7 @@
 #include "raster/bin.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <limits>
 
@@ -20,10 +21,6 @@ const ProjectiveTriangle& Bins::projective_triangle(std::uint32_t number) const 
   return at->set_up;
 }
 
-std::array<WindowVertex, 3> window_corners(const Geometry& geometry, const TriangleRef& ref) {
-  return {geometry.window[ref.vertex[0]], geometry.window[ref.vertex[1]], geometry.window[ref.vertex[2]]};
-}
-
 namespace {
 
 // What becomes of a triangle, and the tiles it may touch: [left, right] x [top, bottom].
@@ -31,10 +28,6 @@ enum class Fate : std::uint8_t { not_finite, outside, degenerate, culled, betwee
 struct Placement {
   std::int16_t left = 0, right = -1, top = 0, bottom = -1;
 };
-
-constexpr int floor_div(int a, int b) {
-  return a / b - (a % b != 0 && (a < 0) != (b < 0) ? 1 : 0);
-}
 
 class Binner {
 public:
@@ -45,16 +38,18 @@ public:
         std::minmax_element(samples.begin(), samples.end(), [](auto& p, auto& q) { return p.x < q.x; });
     const auto [y_low, y_high] =
         std::minmax_element(samples.begin(), samples.end(), [](auto& p, auto& q) { return p.y < q.y; });
+    tile_shift_ = std::countr_zero(static_cast<unsigned>(grid.tile_size));
     first_x_ = x_low->x, last_x_ = x_high->x, first_y_ = y_low->y, last_y_ = y_high->y;
   }
 
   // Classifies a triangle, and places it if it is drawn. `projective` is set when the fate is that.
-  Fate place(std::uint32_t number, Placement& placement, ProjectiveTriangle& projective, bool& clipped) const {
-    const TriangleRef ref = triangle_ref(scene_, geometry_, number);
-    const std::array<WindowVertex, 3> v = window_corners(geometry_, ref);
-    const int any = v[0].outcode | v[1].outcode | v[2].outcode;
+  Fate place(const TriangleRef& ref, Placement& placement, ProjectiveTriangle& projective, bool& clipped) const {
+    const WindowVertex& v0 = geometry_.window[ref.vertex[0]];
+    const WindowVertex& v1 = geometry_.window[ref.vertex[1]];
+    const WindowVertex& v2 = geometry_.window[ref.vertex[2]];
+    const int any = v0.outcode | v1.outcode | v2.outcode;
     if (any & outcode::not_finite) return Fate::not_finite;
-    if (v[0].outcode & v[1].outcode & v[2].outcode & outcode::sides) return Fate::outside;
+    if (v0.outcode & v1.outcode & v2.outcode & outcode::sides) return Fate::outside;
     clipped = any & (outcode::unsnapped | outcode::near | outcode::far);
     const bool cull_back = scene_.objects[ref.object].cull == Cull::back;
     if (any & outcode::unsnapped) {
@@ -63,7 +58,7 @@ public:
       for (std::size_t k = 0; k < 3; ++k)
         clip[k] =
             clip_position(geometry_.transforms[ref.object], scene_.objects[ref.object].mesh->positions[corners[k]]);
-      const auto set_up = set_up_projective(v, clip, image_width_, image_height_);
+      const auto set_up = set_up_projective({v0, v1, v2}, clip, image_width_, image_height_);
       if (!set_up) return Fate::degenerate;
       if (cull_back && set_up->facing == Facing::back) return Fate::culled;
       projective = *set_up;
@@ -71,20 +66,19 @@ public:
       return Fate::projective;
     }
 
-    const std::int64_t area = static_cast<std::int64_t>(v[1].x - v[0].x) * (v[2].y - v[0].y) -
-                              static_cast<std::int64_t>(v[2].x - v[0].x) * (v[1].y - v[0].y);
+    const std::int64_t area =
+        static_cast<std::int64_t>(v1.x - v0.x) * (v2.y - v0.y) - static_cast<std::int64_t>(v2.x - v0.x) * (v1.y - v0.y);
     if (area == 0) return Fate::degenerate;
     if (cull_back && area > 0) return Fate::culled;
-    // The pixels whose samples may lie in the bounding box: 256 p + first <= max and 256 p + last >= min.
-    int left = -floor_div(last_x_ - std::min({v[0].x, v[1].x, v[2].x}), subpixels);
-    int right = floor_div(std::max({v[0].x, v[1].x, v[2].x}) - first_x_, subpixels);
-    int top = -floor_div(last_y_ - std::min({v[0].y, v[1].y, v[2].y}), subpixels);
-    int bottom = floor_div(std::max({v[0].y, v[1].y, v[2].y}) - first_y_, subpixels);
+    // The pixels p whose samples may lie in the bounding box: 256 p + last >= min and 256 p + first <= max.
+    const auto ceiling = [](std::int32_t a) { return (a + subpixels - 1) >> 8; };
+    int left = ceiling(std::min({v0.x, v1.x, v2.x}) - last_x_), right = (std::max({v0.x, v1.x, v2.x}) - first_x_) >> 8;
+    int top = ceiling(std::min({v0.y, v1.y, v2.y}) - last_y_), bottom = (std::max({v0.y, v1.y, v2.y}) - first_y_) >> 8;
     if (left > right || top > bottom) return Fate::between_samples;
     left = std::max(left - grid_.x, 0), right = std::min(right - grid_.x, grid_.width - 1);
     top = std::max(top - grid_.y, 0), bottom = std::min(bottom - grid_.y, grid_.height - 1);
     if (left > right || top > bottom) return Fate::outside;
-    const auto tile = [&](int pixel) { return static_cast<std::int16_t>(pixel / grid_.tile_size); };
+    const auto tile = [&](int pixel) { return static_cast<std::int16_t>(static_cast<unsigned>(pixel) >> tile_shift_); };
     placement = {tile(left), tile(right), tile(top), tile(bottom)};
     return Fate::snapped;
   }
@@ -94,6 +88,11 @@ public:
   template <class Visit>
   void for_each_tile(std::uint32_t number, const Placement& p, const ProjectiveTriangle* projective,
                      Visit&& visit) const {
+    if (p.left == p.right && p.top == p.bottom && !projective) {
+      visit(static_cast<std::size_t>(p.top) * static_cast<std::size_t>(grid_.columns()) +
+            static_cast<std::size_t>(p.left));
+      return;
+    }
     const auto each = [&](auto&& touches) {
       for (int row = p.top; row <= p.bottom; ++row)
         for (int column = p.left; column <= p.right; ++column) {
@@ -124,6 +123,7 @@ private:
   const Geometry& geometry_;
   const TileGrid& grid_;
   int image_width_, image_height_;
+  int tile_shift_ = 0;                                               // tile_size is a power of two
   std::int32_t first_x_ = 0, last_x_ = 0, first_y_ = 0, last_y_ = 0; // the sample pattern's extent in a pixel
 };
 
@@ -177,7 +177,8 @@ Bins bin_triangles(const Scene& scene, const Geometry& geometry, const TileGrid&
   const auto run_begin = [&](std::size_t run) {
     return static_cast<std::uint32_t>(static_cast<std::uint64_t>(triangles) * run / runs);
   };
-  std::vector<Placement> placements(triangles);
+  Buffer<Placement> placements;
+  placements.resize_uninitialized(triangles);
   std::vector<std::uint64_t> fill(runs * tiles, 0); // first a count, then the place of the next entry
   std::vector<std::vector<NumberedProjective>> projective(runs);
   std::vector<FrameCounts> run_counts(runs);
@@ -185,12 +186,16 @@ Bins bin_triangles(const Scene& scene, const Geometry& geometry, const TileGrid&
 #pragma omp parallel for num_threads(threads) schedule(static, 1)
   for (std::size_t run = 0; run < runs; ++run) {
     std::uint64_t* const count_of = &fill[run * tiles];
+    TriangleCursor cursor(scene, geometry);
+    FrameCounts& here = run_counts[run];
     for (std::uint32_t number = run_begin(run); number < run_begin(run + 1); ++number) {
       ProjectiveTriangle set_up;
       bool clipped = false;
-      Placement& placement = placements[number];
-      const Fate fate = binner.place(number, placement, set_up, clipped);
-      count(run_counts[run], fate, clipped);
+      Placement placement;
+      const Fate fate = binner.place(cursor.at(number), placement, set_up, clipped);
+      placements[number] = placement;
+      count(here, fate, clipped);
+      if (fate != Fate::snapped && fate != Fate::projective) continue;
       if (fate == Fate::projective) projective[run].push_back({number, set_up});
       binner.for_each_tile(number, placement, fate == Fate::projective ? &set_up : nullptr,
                            [&](std::size_t tile) { ++count_of[tile]; });
@@ -209,7 +214,7 @@ Bins bin_triangles(const Scene& scene, const Geometry& geometry, const TileGrid&
     }
   }
   bins.first[tiles] = total;
-  bins.triangles.resize(total);
+  bins.triangles.resize_uninitialized(total);
 
 #pragma omp parallel for num_threads(threads) schedule(static, 1)
   for (std::size_t run = 0; run < runs; ++run) {
@@ -219,6 +224,7 @@ Bins bin_triangles(const Scene& scene, const Geometry& geometry, const TileGrid&
       const ProjectiveTriangle* set_up = nullptr;
       if (next_projective != projective[run].cend() && next_projective->triangle == number)
         set_up = &(next_projective++)->set_up;
+      if (placements[number].left > placements[number].right) continue;
       binner.for_each_tile(number, placements[number], set_up,
                            [&](std::size_t tile) { bins.triangles[next[tile]++] = number; });
     }

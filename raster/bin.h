@@ -30,7 +30,7 @@ struct NumberedProjective {
 
 struct Bins {
   std::vector<std::uint64_t> first;           // tiles + 1 entries
-  std::vector<std::uint32_t> triangles;       // numbers in the frame; those of tile t are [first[t], first[t + 1])
+  Buffer<std::uint32_t> triangles;            // numbers in the frame; those of tile t are [first[t], first[t + 1])
   std::vector<NumberedProjective> projective; // in order of number: there are few
 
   std::span<const std::uint32_t> of(std::size_t tile) const {
@@ -38,8 +38,6 @@ struct Bins {
   }
   const ProjectiveTriangle& projective_triangle(std::uint32_t number) const;
 };
-
-std::array<WindowVertex, 3> window_corners(const Geometry& geometry, const TriangleRef& ref);
 
 /// Drops what cannot be seen (counted by reason in `counts`) and lists the rest by tile. A tile's list may hold
 /// triangles that cover none of its samples; it misses none that does. Memory: 8 bytes a triangle, 4 a list entry.

@@ -23,8 +23,6 @@ struct SnappedTriangle {
   Facing facing = Facing::front;
   // z / w at a sample = z0 + line[1].at(sample) slope1 + line[2].at(sample) slope2, kept within [z_min, z_max].
   double z0 = 0, slope1 = 0, slope2 = 0, z_min = 0, z_max = 0;
-  // Attribute f at a sample = sum of mu_k f_k / sum of mu_k with mu_k = line[k].at(sample) weight[k]; 0 < weight <= 1.
-  std::array<double, 3> weight{};
   std::int32_t x_min = 0, x_max = 0, y_min = 0, y_max = 0; // bounding box, subpixels
 
   double depth(std::int32_t x, std::int32_t y) const {
@@ -33,6 +31,11 @@ struct SnappedTriangle {
     return z < z_min ? z_min : z > z_max ? z_max : z;
   }
 };
+
+/// The weights of perspective interpolation, in the order of `corner`: attribute f at a sample = sum of mu_k f_k / sum
+/// of mu_k with mu_k = line[k].at(sample) weight[k]. 0 < weight <= 1.
+std::array<double, 3> perspective_weights(const std::array<WindowVertex, 3>& v,
+                                          const std::array<std::uint8_t, 3>& corner);
 
 /// A triangle with a vertex at or behind the eye plane, or beyond the guard band. A vertex is a homogeneous window
 /// point (X : Y : W), and an edge the line through two of them, computed without rounding whatever the coordinates and
@@ -44,7 +47,7 @@ struct ProjectiveTriangle {
   std::array<ProjectiveLine, 3> line; // as above
   std::array<std::uint8_t, 3> corner{};
   Facing facing = Facing::front;
-  std::array<double, 3> weight{};
+  std::array<double, 3> weight{}; // see perspective_weights
   std::array<double, 3> z{}, w{}; // clip coordinates
 
   /// z / w of the triangle's plane at a sample that it covers. Not in [-1, 1] where a depth plane cuts it off.

@@ -39,13 +39,17 @@ std::optional<SnappedTriangle> set_up_snapped(const std::array<WindowVertex, 3>&
   triangle.z_min = std::min({p0.z, p1.z, p2.z});
   triangle.z_max = std::max({p0.z, p1.z, p2.z});
 
-  const double nearest = std::max({p0.inverse_w, p1.inverse_w, p2.inverse_w});
-  triangle.weight = {p0.inverse_w / nearest, p1.inverse_w / nearest, p2.inverse_w / nearest};
-
   triangle.x_min = p0.x, triangle.x_max = p2.x; // in order of x
   triangle.y_min = std::min({p0.y, p1.y, p2.y});
   triangle.y_max = std::max({p0.y, p1.y, p2.y});
   return triangle;
+}
+
+std::array<double, 3> perspective_weights(const std::array<WindowVertex, 3>& v,
+                                          const std::array<std::uint8_t, 3>& corner) {
+  const std::array<double, 3> w{v[corner[0]].inverse_w, v[corner[1]].inverse_w, v[corner[2]].inverse_w};
+  const double nearest = std::max({w[0], w[1], w[2]});
+  return {w[0] / nearest, w[1] / nearest, w[2] / nearest};
 }
 
 } // namespace refraster

@@ -28,12 +28,13 @@ SurfaceTriangle<Real> surface_triangle(const Scene& scene, const Geometry& geome
     corner = t.projective->corner;
   } else {
     const SnappedTriangle set_up = *set_up_snapped(v);
+    const std::array<double, 3> weight = perspective_weights(v, set_up.corner);
     for (std::size_t k = 0; k < 3; ++k) {
       const SnappedLine& line = set_up.line[k];
       t.line[3 * k] = static_cast<double>(line.a);
       t.line[3 * k + 1] = static_cast<double>(line.b);
       t.line[3 * k + 2] = static_cast<double>(line.c);
-      t.value[k] = static_cast<Real>(set_up.weight[k] < least_weight<Real> ? 0 : set_up.weight[k]);
+      t.value[k] = static_cast<Real>(weight[k] < least_weight<Real> ? 0 : weight[k]);
     }
     corner = set_up.corner;
   }

@@ -127,8 +127,8 @@ Geometry transform(const Scene& scene, int width, int height, int threads) {
     geometry.first_triangle.push_back(geometry.first_triangle.back() +
                                       static_cast<std::uint32_t>(object.mesh->triangles.size()));
   }
-  geometry.window.resize(geometry.first_vertex.back());
-  geometry.world.resize(geometry.first_vertex.back());
+  geometry.window.resize_uninitialized(geometry.first_vertex.back());
+  geometry.world.resize_uninitialized(geometry.first_vertex.back());
   for (std::size_t o = 0; o < scene.objects.size(); ++o) {
     const Mesh& mesh = *scene.objects[o].mesh;
     const ObjectTransform& matrices = geometry.transforms[o];

@@ -1,9 +1,11 @@
 #pragma once
 // The vertex stage, in double: object space to world space, clip space and window.
 
+#include "raster/buffer.h"
 #include "raster/scene.h"
 #include "raster/subpixel.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -61,8 +63,8 @@ struct Geometry {
   std::vector<ObjectTransform> transforms;
   std::vector<std::uint32_t> first_vertex;   // objects + 1 entries
   std::vector<std::uint32_t> first_triangle; // objects + 1 entries
-  std::vector<WindowVertex> window;
-  std::vector<WorldVertex> world;
+  Buffer<WindowVertex> window;
+  Buffer<WorldVertex> world;
 
   std::uint32_t triangles() const { return first_triangle.back(); }
 };
@@ -76,5 +78,29 @@ struct TriangleRef {
   std::uint32_t vertex[3] = {};           // in Geometry::window and ::world
 };
 TriangleRef triangle_ref(const Scene& scene, const Geometry& geometry, std::uint32_t triangle);
+
+/// The same for triangles asked for in rising order of their numbers: it walks along the objects instead of searching.
+class TriangleCursor {
+public:
+  TriangleCursor(const Scene& scene, const Geometry& geometry) : scene_(scene), geometry_(geometry) {}
+
+  TriangleRef at(std::uint32_t triangle) {
+    while (triangle >= geometry_.first_triangle[object_ + 1]) ++object_;
+    const std::uint32_t first_vertex = geometry_.first_vertex[object_];
+    const std::uint32_t in_mesh = triangle - geometry_.first_triangle[object_];
+    const std::array<std::uint32_t, 3>& corners = scene_.objects[object_].mesh->triangles[in_mesh];
+    return {object_, in_mesh, {first_vertex + corners[0], first_vertex + corners[1], first_vertex + corners[2]}};
+  }
+
+private:
+  const Scene& scene_;
+  const Geometry& geometry_;
+  std::uint32_t object_ = 0;
+};
+
+/// Its corners on the lattice.
+inline std::array<WindowVertex, 3> window_corners(const Geometry& geometry, const TriangleRef& ref) {
+  return {geometry.window[ref.vertex[0]], geometry.window[ref.vertex[1]], geometry.window[ref.vertex[2]]};
+}
 
 } // namespace refraster

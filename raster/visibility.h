@@ -36,7 +36,16 @@ private:
   std::size_t index(int s, int x, int y) const {
     return (static_cast<std::size_t>(s) * rows_ + static_cast<std::size_t>(y)) * stride_ + static_cast<std::size_t>(x);
   }
+  // The part of a triangle's bounding box in the tile, in whole registers, and its first sample.
+  struct Span {
+    int sample, x_first, x_last, y_first, y_last;
+    std::int32_t x_sample, y_sample;
+  };
+  enum class Coverage { tested, whole };
+
   void draw(const SnappedTriangle& triangle, std::int32_t place);
+  template <Coverage coverage>
+  void draw_rows(const SnappedTriangle& triangle, std::int32_t place, const Span& span);
   void draw(const ProjectiveTriangle& triangle, std::int32_t place);
 
   std::size_t rows_, stride_;

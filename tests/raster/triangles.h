@@ -14,7 +14,7 @@ namespace refraster::test {
 
 /// A vertex already on the lattice, at depth z, w = 1.
 inline WindowVertex lattice_vertex(std::int32_t x, std::int32_t y, double z = 0, double w = 1) {
-  WindowVertex v;
+  WindowVertex v{};
   v.x = x, v.y = y, v.z = z, v.inverse_w = 1 / w;
   return v;
 }

@@ -1,0 +1,44 @@
+#pragma once
+// Memory for millions of small things that are all written before they are read.
+
+#include <cstddef>
+#include <memory>
+#include <type_traits>
+
+namespace refraster {
+
+/// An array that is not cleared when it is made: a stage fills it in parallel, and so each page is first touched by
+/// the thread that works on it. Grows only by being replaced.
+template <class T>
+class Buffer {
+  static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
+
+public:
+  void resize_uninitialized(std::size_t size) {
+    memory_.reset(size ? static_cast<T*>(::operator new(size * sizeof(T))) : nullptr);
+    size_ = size;
+  }
+  std::size_t size() const { return size_; }
+  T* data() { return memory_.get(); }
+  const T* data() const { return memory_.get(); }
+  T& operator[](std::size_t i) { return memory_.get()[i]; }
+  const T& operator[](std::size_t i) const { return memory_.get()[i]; }
+
+  /// Appends one, copying all: for tests and other small arrays.
+  void push_back(const T& value) {
+    Buffer grown;
+    grown.resize_uninitialized(size_ + 1);
+    for (std::size_t i = 0; i < size_; ++i) grown[i] = (*this)[i];
+    grown[size_] = value;
+    *this = std::move(grown);
+  }
+
+private:
+  struct Free {
+    void operator()(T* memory) const { ::operator delete(memory); }
+  };
+  std::unique_ptr<T, Free> memory_;
+  std::size_t size_ = 0;
+};
+
+} // namespace refraster
