@@ -38,7 +38,9 @@ AtomicFile::AtomicFile(const std::string& path) : shown_(path), target_(path) {
   }
 }
 
-AtomicFile::~AtomicFile() { close_and_remove(); }
+AtomicFile::~AtomicFile() {
+  close_and_remove();
+}
 
 void AtomicFile::close_and_remove() {
   if (descriptor_ >= 0) close(descriptor_);

@@ -32,7 +32,8 @@ Imf::Slice slice(const Image<float>& image, int c, int x_origin, int y_origin) {
   // OpenEXR takes one type of pointer for reading and writing; a writer only reads.
   char* const base = reinterpret_cast<char*>(const_cast<float*>(image.values.data() + c));
   return {Imf::FLOAT,
-          base - static_cast<std::ptrdiff_t>(pixel) * x_origin - static_cast<std::ptrdiff_t>(row) * y_origin, pixel, row};
+          base - static_cast<std::ptrdiff_t>(pixel) * x_origin - static_cast<std::ptrdiff_t>(row) * y_origin, pixel,
+          row};
 }
 
 } // namespace
@@ -58,12 +59,14 @@ ImageFile read_exr(const std::string& path, std::uint64_t file_bytes) {
     std::size_t front = 0;
     for (const char* const name : {"R", "G", "B", "A"})
       for (std::size_t i = front; i < result.channels.size(); ++i)
-        if (result.channels[i] == name) std::rotate(result.channels.begin() + static_cast<std::ptrdiff_t>(front++),
-                                                    result.channels.begin() + static_cast<std::ptrdiff_t>(i),
-                                                    result.channels.begin() + static_cast<std::ptrdiff_t>(i + 1));
+        if (result.channels[i] == name)
+          std::rotate(result.channels.begin() + static_cast<std::ptrdiff_t>(front++),
+                      result.channels.begin() + static_cast<std::ptrdiff_t>(i),
+                      result.channels.begin() + static_cast<std::ptrdiff_t>(i + 1));
     if (result.channels.size() > 64)
       throw InputError(InputFault{path, 0, 0, "channels", std::to_string(result.channels.size()), "at most 64"});
-    result.values = Image<float>(static_cast<int>(width), static_cast<int>(height), static_cast<int>(result.channels.size()));
+    result.values =
+        Image<float>(static_cast<int>(width), static_cast<int>(height), static_cast<int>(result.channels.size()));
     Imf::FrameBuffer buffer;
     for (std::size_t c = 0; c < result.channels.size(); ++c)
       buffer.insert(result.channels[c], slice(result.values, static_cast<int>(c), window.min.x, window.min.y));

@@ -21,15 +21,20 @@ void check_image_size(const std::string& path, std::uint64_t width, std::uint64_
   if (width == 0 || height == 0) fail("at least 1 x 1");
   if (width > max_image_side || height > max_image_side) fail("at most " + std::to_string(max_image_side) + " a side");
   if (width * height > max_image_pixels) fail("at most " + std::to_string(max_image_pixels) + " pixels");
-  if (width * height > file_bytes * max_pixels_per_byte) fail("as many as a file of " + std::to_string(file_bytes) + " bytes can hold");
+  if (width * height > file_bytes * max_pixels_per_byte)
+    fail("as many as a file of " + std::to_string(file_bytes) + " bytes can hold");
 }
 
 std::vector<std::string> default_channels(int count) {
   switch (count) {
-  case 1: return {"Y"};
-  case 2: return {"Y", "A"};
-  case 3: return {"R", "G", "B"};
-  default: return {"R", "G", "B", "A"};
+  case 1:
+    return {"Y"};
+  case 2:
+    return {"Y", "A"};
+  case 3:
+    return {"R", "G", "B"};
+  default:
+    return {"R", "G", "B", "A"};
   }
 }
 

@@ -12,9 +12,9 @@ namespace refraster {
 
 /// An image as it is stored.
 struct ImageFile {
-  Image<float> values;    // 1 to 4 channels or, of an EXR file, as many as it has; row 0 at the top
-  int bits = 8;           // of a channel: 8, 16 or 32 (float)
-  double full_scale = 255; // the value that means 1: 255, 65535, or 1 for float
+  Image<float> values;               // 1 to 4 channels or, of an EXR file, as many as it has; row 0 at the top
+  int bits = 8;                      // of a channel: 8, 16 or 32 (float)
+  double full_scale = 255;           // the value that means 1: 255, 65535, or 1 for float
   std::vector<std::string> channels; // names, as R G B A, or Y for one channel
 };
 

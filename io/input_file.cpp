@@ -63,8 +63,9 @@ std::uint64_t file_size_bytes(const std::string& path) {
 std::string extension(const std::string& path) {
   std::string result = fs::path(path).extension().string();
   if (!result.empty()) result.erase(0, 1);
-  std::transform(result.begin(), result.end(), result.begin(),
-                 [](unsigned char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : static_cast<char>(c); });
+  std::transform(result.begin(), result.end(), result.begin(), [](unsigned char c) {
+    return 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : static_cast<char>(c);
+  });
   return result;
 }
 

@@ -11,7 +11,8 @@
 namespace refraster {
 
 /// What is wrong with the file as such, if anything: missing, a folder, unreadable, empty, not a regular file (its size
-/// could not be checked before it is read), or larger than limit_bytes. `expected` names what it should be, "an OBJ file".
+/// could not be checked before it is read), or larger than limit_bytes. `expected` names what it should be, "an OBJ
+/// file".
 std::optional<InputFault> file_fault(const std::string& path, std::string_view expected, std::uint64_t limit_bytes);
 
 /// The whole file. Throws InputError with file_fault, or if it shrinks while it is read.

@@ -26,8 +26,7 @@ static_assert(!rapidjson::StreamTraits<TrackedStream>::copyOptimization);
 /// behind a scalar or key when the handler is called, and on the bracket of an array or object.
 class TreeBuilder {
 public:
-  TreeBuilder(const std::string& text, const TrackedStream& stream, std::string& decoded,
-              std::vector<JsonNode>& nodes)
+  TreeBuilder(const std::string& text, const TrackedStream& stream, std::string& decoded, std::vector<JsonNode>& nodes)
       : text_(text), stream_(stream), decoded_(decoded), nodes_(nodes) {}
 
   bool too_deep() const { return open_.size() > static_cast<std::size_t>(JsonDocument::max_depth); }
@@ -134,23 +133,40 @@ private:
 
 const char* expected_syntax(rapidjson::ParseErrorCode code) {
   switch (code) {
-  case rapidjson::kParseErrorDocumentEmpty: return "a JSON value";
-  case rapidjson::kParseErrorDocumentRootNotSingular: return "the end of the file";
-  case rapidjson::kParseErrorValueInvalid: return "a JSON value";
-  case rapidjson::kParseErrorObjectMissName: return "a key in quotes, or '}'";
-  case rapidjson::kParseErrorObjectMissColon: return "':'";
-  case rapidjson::kParseErrorObjectMissCommaOrCurlyBracket: return "',' or '}'";
-  case rapidjson::kParseErrorArrayMissCommaOrSquareBracket: return "',' or ']'";
-  case rapidjson::kParseErrorStringUnicodeEscapeInvalidHex: return "four hexadecimal digits after \\u";
-  case rapidjson::kParseErrorStringUnicodeSurrogateInvalid: return "a pair of UTF-16 surrogates";
-  case rapidjson::kParseErrorStringEscapeInvalid: return "one of \\\" \\\\ \\/ \\b \\f \\n \\r \\t \\u";
-  case rapidjson::kParseErrorStringMissQuotationMark: return "a string that ends in '\"'";
-  case rapidjson::kParseErrorStringInvalidEncoding: return "UTF-8";
-  case rapidjson::kParseErrorNumberTooBig: return "a number below 1.8e308";
-  case rapidjson::kParseErrorNumberMissFraction: return "a digit after '.'";
-  case rapidjson::kParseErrorNumberMissExponent: return "a digit in the exponent";
-  case rapidjson::kParseErrorUnspecificSyntaxError: return "a comment: //, or /* closed by */";
-  default: return "JSON";
+  case rapidjson::kParseErrorDocumentEmpty:
+    return "a JSON value";
+  case rapidjson::kParseErrorDocumentRootNotSingular:
+    return "the end of the file";
+  case rapidjson::kParseErrorValueInvalid:
+    return "a JSON value";
+  case rapidjson::kParseErrorObjectMissName:
+    return "a key in quotes, or '}'";
+  case rapidjson::kParseErrorObjectMissColon:
+    return "':'";
+  case rapidjson::kParseErrorObjectMissCommaOrCurlyBracket:
+    return "',' or '}'";
+  case rapidjson::kParseErrorArrayMissCommaOrSquareBracket:
+    return "',' or ']'";
+  case rapidjson::kParseErrorStringUnicodeEscapeInvalidHex:
+    return "four hexadecimal digits after \\u";
+  case rapidjson::kParseErrorStringUnicodeSurrogateInvalid:
+    return "a pair of UTF-16 surrogates";
+  case rapidjson::kParseErrorStringEscapeInvalid:
+    return "one of \\\" \\\\ \\/ \\b \\f \\n \\r \\t \\u";
+  case rapidjson::kParseErrorStringMissQuotationMark:
+    return "a string that ends in '\"'";
+  case rapidjson::kParseErrorStringInvalidEncoding:
+    return "UTF-8";
+  case rapidjson::kParseErrorNumberTooBig:
+    return "a number below 1.8e308";
+  case rapidjson::kParseErrorNumberMissFraction:
+    return "a digit after '.'";
+  case rapidjson::kParseErrorNumberMissExponent:
+    return "a digit in the exponent";
+  case rapidjson::kParseErrorUnspecificSyntaxError:
+    return "a comment: //, or /* closed by */";
+  default:
+    return "JSON";
   }
 }
 
@@ -174,7 +190,8 @@ JsonDocument::JsonDocument(std::string file, std::string text) : file_(std::move
     throw InputError(fault_at(at, "", "nesting deeper than " + std::to_string(max_depth), "a flatter file"));
   std::string found = "the end of the file";
   const char* expected = expected_syntax(reader.GetParseErrorCode());
-  if (at < text_.size() && text_[at] == '\n' && reader.GetParseErrorCode() == rapidjson::kParseErrorStringEscapeInvalid) {
+  if (at < text_.size() && text_[at] == '\n' &&
+      reader.GetParseErrorCode() == rapidjson::kParseErrorStringEscapeInvalid) {
     found = "a line end"; // which the reader calls a bad escape
     expected = expected_syntax(rapidjson::kParseErrorStringMissQuotationMark);
   } else if (at < text_.size()) {
@@ -190,10 +207,14 @@ std::string_view JsonDocument::source(const JsonNode& node) const {
 
 std::string JsonDocument::describe(const JsonNode& node) const {
   switch (node.kind) {
-  case JsonKind::string: return in_quotes(node.string);
-  case JsonKind::array: return "an array of " + counted(node.children, "value");
-  case JsonKind::object: return "an object";
-  default: return std::string(source(node).substr(0, 60));
+  case JsonKind::string:
+    return in_quotes(node.string);
+  case JsonKind::array:
+    return "an array of " + counted(node.children, "value");
+  case JsonKind::object:
+    return "an object";
+  default:
+    return std::string(source(node).substr(0, 60));
   }
 }
 

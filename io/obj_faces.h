@@ -26,9 +26,9 @@ struct ObjFaces {
 /// Gives a normal to every corner without one: appended to obj.vn, zero where no face around has an area. See read_obj.
 void add_missing_normals(ObjText& obj, ObjFaces& faces);
 
-/// Cuts a polygon of n >= 3 corners into n - 2 triangles of its winding, indices into `polygon`: ears are clipped, in the
-/// plane of two axes that it covers most. A convex polygon becomes the fan of its first corner. Every corner is a corner
-/// of some triangle, also one on a straight edge. Total: what intersects itself or has no area is cut somehow.
+/// Cuts a polygon of n >= 3 corners into n - 2 triangles of its winding, indices into `polygon`: ears are clipped, in
+/// the plane of two axes that it covers most. A convex polygon becomes the fan of its first corner. Every corner is a
+/// corner of some triangle, also one on a straight edge. Total: what intersects itself or has no area is cut somehow.
 /// O(n log n) where ears are small, O(n^2) at worst.
 std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const Float3> polygon);
 

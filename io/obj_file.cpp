@@ -44,7 +44,9 @@ ObjFaces parse_faces(ObjText& obj) {
   calls.vertex_cb = [](void* user, tinyobj::real_t, tinyobj::real_t, tinyobj::real_t, tinyobj::real_t) {
     ++FaceCollector::of(user).v;
   };
-  calls.texcoord_cb = [](void* user, tinyobj::real_t, tinyobj::real_t, tinyobj::real_t) { ++FaceCollector::of(user).vt; };
+  calls.texcoord_cb = [](void* user, tinyobj::real_t, tinyobj::real_t, tinyobj::real_t) {
+    ++FaceCollector::of(user).vt;
+  };
   calls.normal_cb = [](void* user, tinyobj::real_t, tinyobj::real_t, tinyobj::real_t) { ++FaceCollector::of(user).vn; };
   calls.index_cb = FaceCollector::face;
   FaceCollector collector;

@@ -48,8 +48,8 @@ void add_missing_normals(ObjText& obj, ObjFaces& faces) {
     for (std::size_t i = 0; i < size; ++i) {
       if (!lacks(corners[i])) continue;
       const bool flat = obj.smoothing[f] == smoothing_off;
-      const std::int32_t normal = flat ? normals({-1, static_cast<std::int32_t>(f), 0})
-                                       : normals({corners[i].v, obj.smoothing[f], 1});
+      const std::int32_t normal =
+          flat ? normals({-1, static_cast<std::int32_t>(f), 0}) : normals({corners[i].v, obj.smoothing[f], 1});
       sums.resize(normals.size(), Double3(0.0));
       corners[i].vn = first + normal;
       sums[static_cast<std::size_t>(normal)] +=

@@ -64,7 +64,8 @@ private:
   };
 
   void blank(std::size_t begin, std::size_t end) {
-    std::fill(text_.begin() + static_cast<std::ptrdiff_t>(begin), text_.begin() + static_cast<std::ptrdiff_t>(end), ' ');
+    std::fill(text_.begin() + static_cast<std::ptrdiff_t>(begin), text_.begin() + static_cast<std::ptrdiff_t>(end),
+              ' ');
   }
 
   /// '\r' alone ends a line, as tinyobjloader has it. A backslash at the end of a line that is no comment continues the
@@ -104,7 +105,8 @@ private:
     std::size_t count = 0;
     for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest), ++count) {
       float number = 0;
-      if (read_number(word, number) != NumberText::good) fault(word, in_quotes(word), "a finite number in single precision");
+      if (read_number(word, number) != NumberText::good)
+        fault(word, in_quotes(word), "a finite number in single precision");
       if (count < N) point[static_cast<glm::length_t>(count)] = number;
     }
     if (count < least || count > most)
@@ -120,7 +122,9 @@ private:
     if (word == "off") smoothing_ = smoothing_off;
     else if (word == "on") smoothing_ = 1; // not in the specification, but written by some programs
     else if (error == std::errc() && stop == end && group >= 0) smoothing_ = group;
-    else fault(word.empty() ? all : word, word.empty() ? "nothing" : in_quotes(word), "off, or the number of a smoothing group");
+    else
+      fault(word.empty() ? all : word, word.empty() ? "nothing" : in_quotes(word),
+            "off, or the number of a smoothing group");
   }
 
   void face(std::string_view rest, std::string_view all) {

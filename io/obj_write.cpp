@@ -19,8 +19,7 @@ public:
   }
   /// The shortest digits that read back as the same number.
   template <class Value>
-    requires std::is_arithmetic_v<Value>
-  ObjWriter& operator<<(Value value) {
+  requires std::is_arithmetic_v<Value> ObjWriter& operator<<(Value value) {
     std::array<char, 32> text;
     const char* const end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
     return *this << std::string_view(text.data(), static_cast<std::size_t>(end - text.data()));

@@ -8,8 +8,8 @@
 #include <charconv>
 #include <cstring>
 
-// Portable float map: "PF" (3 channels) or "Pf" (1), width, height, and a scale whose sign is the byte order, each after
-// white space and the last before exactly one; then the rows from the bottom up.
+// Portable float map: "PF" (3 channels) or "Pf" (1), width, height, and a scale whose sign is the byte order, each
+// after white space and the last before exactly one; then the rows from the bottom up.
 
 namespace refraster {
 namespace {
@@ -33,7 +33,8 @@ std::uint64_t take_size(const std::string& path, std::string_view& text, const c
   const std::string_view word = take_word(text);
   std::uint64_t value = 0;
   const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc() || stop != word.data() + word.size()) fail(path, place, in_quotes(word), "a number of pixels");
+  if (error != std::errc() || stop != word.data() + word.size())
+    fail(path, place, in_quotes(word), "a number of pixels");
   return value;
 }
 
@@ -45,7 +46,8 @@ ImageFile read_pfm(const std::string& path, std::string_view bytes) {
   const std::uint64_t width = take_size(path, rest, "width"), height = take_size(path, rest, "height");
   const std::string_view word = take_word(rest);
   double scale = 0;
-  if (read_number(word, scale) != NumberText::good || scale == 0) fail(path, "scale", in_quotes(word), "a number that is not 0");
+  if (read_number(word, scale) != NumberText::good || scale == 0)
+    fail(path, "scale", in_quotes(word), "a number that is not 0");
   check_image_size(path, width, height, bytes.size(), 1);
   if (!rest.empty()) rest.remove_prefix(1);
   const std::size_t row_bytes = width * static_cast<std::size_t>(channels) * sizeof(float);
@@ -60,15 +62,17 @@ ImageFile read_pfm(const std::string& path, std::string_view bytes) {
   for (std::size_t row = 0; row < height; ++row)
     std::memcpy(result.values.at(0, static_cast<int>(height - 1 - row)), rest.data() + row * row_bytes, row_bytes);
   if (scale > 0) // big-endian
-    for (float& value : result.values.values) value = std::bit_cast<float>(__builtin_bswap32(std::bit_cast<std::uint32_t>(value)));
+    for (float& value : result.values.values)
+      value = std::bit_cast<float>(__builtin_bswap32(std::bit_cast<std::uint32_t>(value)));
   return result;
 }
 
 void write_pfm(const std::string& path, const Image<float>& image) {
   AtomicFile file(path);
-  file.write((image.channels == 3 ? "PF\n" : "Pf\n") + std::to_string(image.width) + " " + std::to_string(image.height) +
-             "\n-1.0\n");
-  const std::size_t row_bytes = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.channels) * sizeof(float);
+  file.write((image.channels == 3 ? "PF\n" : "Pf\n") + std::to_string(image.width) + " " +
+             std::to_string(image.height) + "\n-1.0\n");
+  const std::size_t row_bytes =
+      static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.channels) * sizeof(float);
   for (int y = image.height - 1; y >= 0; --y) file.write(image.at(0, y), row_bytes);
   file.commit();
 }

@@ -51,9 +51,10 @@ public:
     Object result = text.object;
     result.vertex_shader_path = path_of(text.vertex_shader);
     result.fragment_shader_path = path_of(text.fragment_shader);
-    result.mesh = text.shape ? shape(*text.shape) : load(meshes_, text.obj_file, "an OBJ file", [](const std::string& path) {
-      return std::make_shared<const Mesh>(read_obj(path));
-    });
+    result.mesh =
+        text.shape ? shape(*text.shape) : load(meshes_, text.obj_file, "an OBJ file", [](const std::string& path) {
+          return std::make_shared<const Mesh>(read_obj(path));
+        });
     if (result.name.empty())
       result.name = text.shape ? std::string(std::visit([](auto& s) { return s.name; }, *text.shape))
                                : fs::path(text.obj_file.given).stem().string();
@@ -73,8 +74,8 @@ private:
   template <class T>
   using Files = std::map<std::string, std::shared_ptr<const T>>; // by identity; null: it has a fault
 
-  /// Null if no file is given, or, with a fault, if it cannot be read. A file that is not there at all is a fault of the
-  /// scene, at the key that names it; what is in the file, is one of the file.
+  /// Null if no file is given, or, with a fault, if it cannot be read. A file that is not there at all is a fault of
+  /// the scene, at the key that names it; what is in the file, is one of the file.
   template <class T, class Read>
   std::shared_ptr<const T> load(Files<T>& files, const PathText& text, std::string_view expected, Read&& read) {
     if (text.given.empty()) return nullptr;
@@ -121,7 +122,8 @@ Scene read_scene(const std::string& path) {
   Scene scene;
   std::vector<ObjectText> objects;
   if (document[0].kind != JsonKind::object)
-    throw InputError(document.fault_at(document[0].begin, "", document.describe(document[0]), "an object with the key scene"));
+    throw InputError(
+        document.fault_at(document[0].begin, "", document.describe(document[0]), "an object with the key scene"));
   SceneReader root(document, 0, "", faults);
   root.object("scene", required, "", [&](auto& keys) { scene_keys(scene, objects, keys); });
   root.finish();

@@ -126,20 +126,24 @@ struct Ignored {
 
 void camera_keys(auto& camera, auto&& keys) {
   keys("position", camera.position, any_number, "where the eye is, world space", required);
-  keys("target", camera.target, any_number, "the point looked at: not the position", otherwise("position + (0, 0, -1)"));
+  keys("target", camera.target, any_number, "the point looked at: not the position",
+       otherwise("position + (0, 0, -1)"));
   keys("up", camera.up, any_number, "up in the image: not parallel to the line of sight", defaulted);
   keys("fov_y", camera.fov_y_degrees, Range{0, 180, Ends::excluded}, "vertical field of view, degrees", defaulted);
   keys("near", camera.near, Range{.ends = Ends::excluded}, "distance of the near plane", defaulted);
   keys("far", camera.far, Range{.ends = Ends::excluded}, "distance of the far plane: beyond the near one", defaulted);
-  keys("movement_speed", Ignored{}, any_number, "for the lecture's interactive framework; not used", otherwise("nothing"));
-  keys("mouse_sensitivity", Ignored{}, any_number, "for the lecture's interactive framework; not used", otherwise("nothing"));
+  keys("movement_speed", Ignored{}, any_number, "for the lecture's interactive framework; not used",
+       otherwise("nothing"));
+  keys("mouse_sensitivity", Ignored{}, any_number, "for the lecture's interactive framework; not used",
+       otherwise("nothing"));
   keys.check(camera);
 }
 
 void point_light_keys(auto& light, auto&& keys) {
   keys("position", light.position, any_number, "world space", required);
   keys("radiance", light.radiance, Range{}, "red, green, blue", required);
-  keys("constant", light.constant, Range{}, "Kc of the attenuation 1 / (Kc + Kl d + Kq d²); all three 0: none", required);
+  keys("constant", light.constant, Range{}, "Kc of the attenuation 1 / (Kc + Kl d + Kq d²); all three 0: none",
+       required);
   keys("linear", light.linear, Range{}, "Kl", required);
   keys("quadratic", light.quadratic, Range{}, "Kq", required);
 }
@@ -162,11 +166,13 @@ void material_keys(auto& text, auto&& keys) {
   for_each_model([&](auto model, std::size_t index) {
     if (own != index) keys.parameters(model, Use::other);
   });
-  keys("brdf_file_path", text.brdf_file, Range{}, "a MERL `.binary` file: must be there for `merl`, not loaded for others",
+  keys("brdf_file_path", text.brdf_file, Range{},
+       "a MERL `.binary` file: must be there for `merl`, not loaded for others",
        needs_table ? required : otherwise("nothing"));
-  keys("texture_file_path", text.texture_file, Range{}, "a `.png`, `.jpg`, `.tga` or `.bmp` image; not loaded for `merl`",
-       otherwise("white"));
-  keys("texture_filter", text.object.material.texture_filter, Range{}, "how the texture is read between its texels", defaulted);
+  keys("texture_file_path", text.texture_file, Range{},
+       "a `.png`, `.jpg`, `.tga` or `.bmp` image; not loaded for `merl`", otherwise("white"));
+  keys("texture_filter", text.object.material.texture_filter, Range{}, "how the texture is read between its texels",
+       defaulted);
 }
 
 void object_keys(auto& text, auto&& keys) {
@@ -181,22 +187,26 @@ void object_keys(auto& text, auto&& keys) {
   keys("fragment_shader_file_path", text.fragment_shader, Range{},
        "GLSL, read by `refraster gl` only; may be left out beside `fragment_function`", shader);
   keys("position", text.object.position, any_number, "world space", required);
-  keys("rotate_x", text.object.rotate_degrees.x, any_number, "degrees; world from object is T · Rx · Ry · Rz · S", required);
+  keys("rotate_x", text.object.rotate_degrees.x, any_number, "degrees; world from object is T · Rx · Ry · Rz · S",
+       required);
   keys("rotate_y", text.object.rotate_degrees.y, any_number, "degrees", required);
   keys("rotate_z", text.object.rotate_degrees.z, any_number, "degrees", required);
   keys("scale", text.object.scale, any_number, "negative mirrors, 0 flattens", required);
   keys("cull", text.object.cull, Range{}, "`\"back\"`: triangles seen from behind are not drawn", defaulted);
-  keys.object("material", required, "what the fragment function needs", [&](auto& inner) { material_keys(text, inner); });
+  keys.object("material", required, "what the fragment function needs",
+              [&](auto& inner) { material_keys(text, inner); });
   keys.check(text);
 }
 
 void scene_keys(auto& scene, std::vector<ObjectText>& objects, auto&& keys) {
   keys.object("camera", required, "", [&](auto& inner) { camera_keys(scene.camera, inner); });
   keys("background", scene.background, Range{}, "colour where there is no surface", defaulted);
-  keys.list("point_lights", "may be empty", scene.point_lights, [](auto& light, auto& k) { point_light_keys(light, k); });
+  keys.list("point_lights", "may be empty", scene.point_lights,
+            [](auto& light, auto& k) { point_light_keys(light, k); });
   keys.list("direction_lights", "may be empty", scene.direction_lights,
             [](auto& light, auto& k) { direction_light_keys(light, k); });
-  keys.list("objects", "drawn in this order; may be empty", objects, [](auto& object, auto& k) { object_keys(object, k); });
+  keys.list("objects", "drawn in this order; may be empty", objects,
+            [](auto& object, auto& k) { object_keys(object, k); });
 }
 
 } // namespace refraster

@@ -13,12 +13,24 @@ std::string text_of(double x) {
   std::array<char, 32> text;
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
 }
-std::string text_of(int x) { return std::to_string(x); }
-std::string text_of(const Double3& v) { return '"' + text_of(v.x) + ' ' + text_of(v.y) + ' ' + text_of(v.z) + '"'; }
-std::string text_of(const std::string& text) { return '"' + text + '"'; }
-std::string text_of(const PathText&) { return "nothing"; }
-std::string text_of(const ModelName&) { return "nothing"; }
-std::string text_of(const Ignored&) { return "nothing"; }
+std::string text_of(int x) {
+  return std::to_string(x);
+}
+std::string text_of(const Double3& v) {
+  return '"' + text_of(v.x) + ' ' + text_of(v.y) + ' ' + text_of(v.z) + '"';
+}
+std::string text_of(const std::string& text) {
+  return '"' + text + '"';
+}
+std::string text_of(const PathText&) {
+  return "nothing";
+}
+std::string text_of(const ModelName&) {
+  return "nothing";
+}
+std::string text_of(const Ignored&) {
+  return "nothing";
+}
 template <NamedEnum Enum>
 std::string text_of(Enum value) {
   return json_word(name_of(value));
@@ -30,10 +42,14 @@ public:
   explicit MarkdownKeys(std::string place) : place_(std::move(place)) {}
 
   template <class Value>
-  void operator()(std::string_view key, Value&& value, const Range& range, std::string_view meaning, Presence presence) {
+  void operator()(std::string_view key, Value&& value, const Range& range, std::string_view meaning,
+                  Presence presence) {
     const bool needed = presence.need == Presence::Need::required;
     row(key, expected_value(value, range),
-        needed ? "" : presence.otherwise.empty() ? code(text_of(value)) : std::string(presence.otherwise), meaning);
+        needed                       ? ""
+        : presence.otherwise.empty() ? code(text_of(value))
+                                     : std::string(presence.otherwise),
+        meaning);
   }
 
   template <class Declare>
@@ -51,23 +67,26 @@ public:
 
   void shape(std::string_view key, std::optional<Shape>&, std::string_view meaning) {
     row(key, "an object with one key", "`obj_file_path`", meaning);
-    inside(place_ + '/' + std::string(key), [](MarkdownKeys& keys) { keys.shapes(static_cast<const Shape*>(nullptr)); });
+    inside(place_ + '/' + std::string(key),
+           [](MarkdownKeys& keys) { keys.shapes(static_cast<const Shape*>(nullptr)); });
   }
 
   /// The keys of every fragment function, each in a table of its own.
   template <class M>
   void parameters(M& model, Use) {
     inside(place_ + " with `" + std::string(M::name) + '`', [&](MarkdownKeys& keys) {
-      M::fields(model, [&]<class Value>(std::string_view key, Value& value, const Range& range, std::string_view meaning) {
-        keys(key, value, range, meaning, NamedEnum<Value> ? defaulted : required);
-      });
+      M::fields(model,
+                [&]<class Value>(std::string_view key, Value& value, const Range& range, std::string_view meaning) {
+                  keys(key, value, range, meaning, NamedEnum<Value> ? defaulted : required);
+                });
     });
   }
 
   void check(const auto&) const {}
 
   std::string text() const {
-    return "#### " + place_ + "\n\n| key | value | if left out | meaning |\n|---|---|---|---|\n" + rows_ + "\n" + tables_;
+    return "#### " + place_ + "\n\n| key | value | if left out | meaning |\n|---|---|---|---|\n" + rows_ + "\n" +
+           tables_;
   }
 
 private:

@@ -89,7 +89,8 @@ void SceneReader::not_expected(JsonIndex found, std::string_view key, const std:
 
 void SceneReader::fault(std::string_view key, const std::string& found, const std::string& expected) {
   const JsonIndex at = find(key);
-  faults_.add_from([&] { return document_.fault_at(document_[at ? at : object_].begin, path_of(key), found, expected); });
+  faults_.add_from(
+      [&] { return document_.fault_at(document_[at ? at : object_].begin, path_of(key), found, expected); });
 }
 
 void SceneReader::finish() {
@@ -133,12 +134,13 @@ void SceneReader::check(Camera& camera) {
   const Double3 sight = camera.target - camera.position;
   const double distance = length(sight);
   if (!(distance > 0) || !std::isfinite(distance))
-    return fault(find("target") ? "target" : "position", distance > 0 ? "a line of sight too long for a double" : "the camera's position",
+    return fault(find("target") ? "target" : "position",
+                 distance > 0 ? "a line of sight too long for a double" : "the camera's position",
                  "a target away from the position");
   if (is_zero(camera.up)) return fault("up", "a vector of length 0", "a direction");
-  // Each unit vector's components are within 3 ulp (scale exact, root, reciprocal and product half an ulp each and a sum),
-  // so the cross product of two that are parallel stays below 2 * 2 * 3 half-ulps of 1. Closer than that to the line of
-  // sight, "up" gives no direction but rounding noise.
+  // Each unit vector's components are within 3 ulp (scale exact, root, reciprocal and product half an ulp each and a
+  // sum), so the cross product of two that are parallel stays below 2 * 2 * 3 half-ulps of 1. Closer than that to the
+  // line of sight, "up" gives no direction but rounding noise.
   constexpr double noise = 12 * std::numeric_limits<double>::epsilon();
   if (!(length(cross(normalize(sight), normalize(camera.up))) > noise))
     fault(find("up") ? "up" : "target", "an up vector along the line of sight", "up not parallel to target - position");

@@ -40,19 +40,19 @@ public:
     if (document_[found].kind != JsonKind::array) return not_expected(found, key, "an array");
     int count = 0;
     for (JsonIndex i = document_[found].first_child; i; i = document_[i].next)
-      read_object(i, path_of(key) + '/' + std::to_string(count++), [&](SceneReader& keys) {
-        declare(items.emplace_back(), keys);
-      });
+      read_object(i, path_of(key) + '/' + std::to_string(count++),
+                  [&](SceneReader& keys) { declare(items.emplace_back(), keys); });
   }
 
   void shape(std::string_view key, std::optional<Shape>& shape, std::string_view);
 
   template <class M>
   void parameters(M& model, Use use) {
-    M::fields(model, [&]<class Value>(std::string_view key, Value& value, const Range& range, std::string_view meaning) {
-      if (use == Use::other && is_known(key)) return; // a parameter of the same name has been read
-      (*this)(key, value, range, meaning, use == Use::own && !NamedEnum<Value> ? required : defaulted);
-    });
+    M::fields(model,
+              [&]<class Value>(std::string_view key, Value& value, const Range& range, std::string_view meaning) {
+                if (use == Use::other && is_known(key)) return; // a parameter of the same name has been read
+                (*this)(key, value, range, meaning, use == Use::own && !NamedEnum<Value> ? required : defaulted);
+              });
   }
 
   // Judged only where every key is sound by itself.
@@ -72,7 +72,8 @@ private:
     inner.finish();
   }
 
-  /// The value of a key, which is from now on known; 0 if it is not there, or there twice. Missing and double keys are faults.
+  /// The value of a key, which is from now on known; 0 if it is not there, or there twice. Missing and double keys are
+  /// faults.
   JsonIndex claim(std::string_view key, Presence presence, const std::string& expected);
   /// The same without a fault: 0 if it is not there.
   JsonIndex find(std::string_view key) const;

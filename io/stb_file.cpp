@@ -30,7 +30,8 @@ struct Source {
     Source& self = *static_cast<Source*>(user);
     const std::int64_t wanted = static_cast<std::int64_t>(self.at) + count;
     if (wanted > static_cast<std::int64_t>(self.bytes.size())) self.ran_out = true;
-    self.at = static_cast<std::size_t>(std::clamp<std::int64_t>(wanted, 0, static_cast<std::int64_t>(self.bytes.size())));
+    self.at =
+        static_cast<std::size_t>(std::clamp<std::int64_t>(wanted, 0, static_cast<std::int64_t>(self.bytes.size())));
   }
   static int at_end(void* user) {
     const Source& self = *static_cast<const Source*>(user);
@@ -51,8 +52,8 @@ std::uint32_t big_endian(const char* bytes) {
 InputError not_decoded(const std::string& path, bool ran_out) {
   if (ran_out) return InputError(InputFault{path, 0, 0, "", "a truncated image", "a whole one"});
   const char* const reason = stbi_failure_reason();
-  return InputError(InputFault{path, 0, 0, "", std::string("an image that cannot be decoded: ") + (reason ? reason : "unknown"),
-                               "an image"});
+  return InputError(InputFault{
+      path, 0, 0, "", std::string("an image that cannot be decoded: ") + (reason ? reason : "unknown"), "an image"});
 }
 
 /// Decodes by one of stb's functions and copies to float, row 0 at the top.
@@ -93,7 +94,8 @@ ImageFile read_stb(const std::string& path, std::string_view bytes) {
     check_image_size(path, big_endian(&bytes[16]), big_endian(&bytes[20]), bytes.size(), png_pixels_per_byte);
   Source source{bytes};
   int width = 0, height = 0, channels = 0;
-  if (!stbi_info_from_callbacks(&Source::calls, &source, &width, &height, &channels)) throw not_decoded(path, source.ran_out);
+  if (!stbi_info_from_callbacks(&Source::calls, &source, &width, &height, &channels))
+    throw not_decoded(path, source.ran_out);
   // No other format here is denser than PNG.
   check_image_size(path, static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height), bytes.size(),
                    png_pixels_per_byte);

@@ -27,8 +27,9 @@ std::string counted(std::size_t count, std::string_view noun) {
 TextPlace place_in(std::string_view text, std::size_t offset) {
   const std::string_view before = text.substr(0, offset);
   const std::string_view line = before.substr(before.rfind('\n') + 1); // npos + 1 is 0
-  return {1 + static_cast<int>(std::count(before.begin(), before.end(), '\n')),
-          1 + static_cast<int>(line.size() - static_cast<std::size_t>(std::count_if(line.begin(), line.end(), continues)))};
+  return {
+      1 + static_cast<int>(std::count(before.begin(), before.end(), '\n')),
+      1 + static_cast<int>(line.size() - static_cast<std::size_t>(std::count_if(line.begin(), line.end(), continues)))};
 }
 
 } // namespace refraster

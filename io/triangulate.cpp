@@ -19,8 +19,7 @@ std::vector<Double2> flattened(std::span<const Float3> polygon) {
   const int u = (axis + 1) % 3, v = (axis + 2) % 3; // right-handed: u x v points along the axis
   std::vector<Double2> result;
   result.reserve(polygon.size());
-  for (const Float3& p : polygon)
-    result.push_back(n[axis] < 0 ? Double2(double{p[v]}, double{p[u]}) : Double2(double{p[u]}, double{p[v]}));
+  for (const Float3& p : polygon) result.push_back(n[axis] < 0 ? Double2(p[v], p[u]) : Double2(p[u], p[v]));
   return result;
 }
 
@@ -61,8 +60,8 @@ private:
   std::uint32_t size() const { return static_cast<std::uint32_t>(at_.size()); }
   bool convex(std::uint32_t i) const { return turn(at_[before_[i]], at_[i], at_[next_[i]]) > 0; }
 
-  /// A convex corner whose triangle holds no other corner: only a reflex one can be in it. A corner at the same point as
-  /// one of the triangle's, where a polygon touches itself (a hole with its bridge), does not count.
+  /// A convex corner whose triangle holds no other corner: only a reflex one can be in it. A corner at the same point
+  /// as one of the triangle's, where a polygon touches itself (a hole with its bridge), does not count.
   bool ear(std::uint32_t i) const {
     if (!convex(i)) return false;
     const Double2 a = at_[before_[i]], b = at_[i], c = at_[next_[i]];

@@ -53,12 +53,24 @@ std::string json_word(std::string_view word) {
   return '"' + std::string(word) + '"';
 }
 
-std::string expected_value(const double&, const Range& range) { return "a number" + range_text(range); }
-std::string expected_value(const Ignored&, const Range& range) { return "a number" + range_text(range); }
-std::string expected_value(const int&, const Range& range) { return "a whole number" + range_text(range); }
-std::string expected_value(const Double3&, const Range& range) { return "three numbers" + range_text(range); }
-std::string expected_value(const std::string&, const Range&) { return "a string"; }
-std::string expected_value(const PathText&, const Range&) { return "the path of a file"; }
+std::string expected_value(const double&, const Range& range) {
+  return "a number" + range_text(range);
+}
+std::string expected_value(const Ignored&, const Range& range) {
+  return "a number" + range_text(range);
+}
+std::string expected_value(const int&, const Range& range) {
+  return "a whole number" + range_text(range);
+}
+std::string expected_value(const Double3&, const Range& range) {
+  return "three numbers" + range_text(range);
+}
+std::string expected_value(const std::string&, const Range&) {
+  return "a string";
+}
+std::string expected_value(const PathText&, const Range&) {
+  return "the path of a file";
+}
 std::string expected_value(const ModelName&, const Range&) {
   std::string result;
   for_each_model([&](auto model, std::size_t) { result += (result.empty() ? "" : " or ") + json_word(model.name); });
@@ -76,7 +88,8 @@ bool read_value(const JsonDocument& document, const JsonNode& node, const Range&
 }
 
 bool read_value(const JsonDocument&, const JsonNode& node, const Range& range, int& value) {
-  if (node.kind != JsonKind::number || !range.contains(node.number) || node.number != std::floor(node.number)) return false;
+  if (node.kind != JsonKind::number || !range.contains(node.number) || node.number != std::floor(node.number))
+    return false;
   value = static_cast<int>(node.number); // every Range of an int is within int
   return true;
 }
@@ -100,7 +113,8 @@ bool read_value(const JsonDocument&, const JsonNode& node, const Range&, std::st
 
 bool read_value(const JsonDocument&, const JsonNode& node, const Range&, PathText& value) {
   // A path with a zero byte would name another file than it shows.
-  if (node.kind != JsonKind::string || node.string.empty() || node.string.find('\0') != std::string_view::npos) return false;
+  if (node.kind != JsonKind::string || node.string.empty() || node.string.find('\0') != std::string_view::npos)
+    return false;
   value.given = node.string;
   return true;
 }

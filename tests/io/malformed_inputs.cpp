@@ -23,15 +23,33 @@ std::string bytes_of(Value value) {
 // Files as such: the same for every format.
 void add_files(List& list) {
   list.push_back({"no such scene", Reader::scene, "s.json", {}, "s.json: found no such file, expected a scene file"});
-  list.push_back({"a folder for a scene", Reader::scene, "s.json", {{"s.json/", ""}}, "s.json: found a folder, expected a scene file"});
-  list.push_back({"an empty scene", Reader::scene, "s.json", {{"s.json", ""}}, "s.json: found an empty file, expected a scene file"});
-  list.push_back({"a huge scene", Reader::scene, "s.json", {{"s.json", "{", JsonDocument::max_bytes + 1}},
+  list.push_back({"a folder for a scene",
+                  Reader::scene,
+                  "s.json",
+                  {{"s.json/", ""}},
+                  "s.json: found a folder, expected a scene file"});
+  list.push_back({"an empty scene",
+                  Reader::scene,
+                  "s.json",
+                  {{"s.json", ""}},
+                  "s.json: found an empty file, expected a scene file"});
+  list.push_back({"a huge scene",
+                  Reader::scene,
+                  "s.json",
+                  {{"s.json", "{", JsonDocument::max_bytes + 1}},
                   "s.json: found 16777217 bytes, expected at most 16777216 bytes"});
   list.push_back({"no such OBJ", Reader::obj, "m.obj", {}, "m.obj: found no such file, expected an OBJ file"});
-  list.push_back({"a huge OBJ", Reader::obj, "m.obj", {{"m.obj", "v", std::uint64_t{1} << 32}},
+  list.push_back({"a huge OBJ",
+                  Reader::obj,
+                  "m.obj",
+                  {{"m.obj", "v", std::uint64_t{1} << 32}},
                   "m.obj: found 4294967296 bytes, expected at most 2147483647 bytes"});
-  list.push_back({"an empty image", Reader::image, "i.png", {{"i.png", ""}}, "i.png: found an empty file, expected an image"});
-  list.push_back({"a folder for a table", Reader::merl, "t.binary", {{"t.binary/", ""}},
+  list.push_back(
+      {"an empty image", Reader::image, "i.png", {{"i.png", ""}}, "i.png: found an empty file, expected an image"});
+  list.push_back({"a folder for a table",
+                  Reader::merl,
+                  "t.binary",
+                  {{"t.binary/", ""}},
                   "t.binary: found a folder, expected a MERL table"});
 }
 
@@ -39,40 +57,53 @@ void add_json(List& list) {
   const auto add = [&](const std::string& name, const std::string& text, const std::string& expected) {
     list.push_back({name, Reader::scene, "s.json", {{"s.json", text}}, expected});
   };
-  add("a scene cut short", "{\"scene\": {\n  \"camera\": ", "s.json:2:13: found the end of the file, expected a JSON value");
+  add("a scene cut short",
+      "{\"scene\": {\n  \"camera\": ", "s.json:2:13: found the end of the file, expected a JSON value");
   add("a scene that is a list", "[1]", "s.json:1:1: found an array of 1 value, expected an object with the key scene");
   add("two values", "{\"scene\": 1} {}", "s.json:1:14: found \"{\", expected the end of the file");
   add("a missing colon", "{\"scene\" {}}", "s.json:1:10: found \"{\", expected ':'");
   add("a missing comma", "{\"scene\": 1 \"a\": 2}", "s.json:1:13: found \"\"a\"\", expected ',' or '}'");
   add("a missing comma in a list", "[1 2]", "s.json:1:4: found \"2\", expected ',' or ']'");
   add("a key without quotes", "{scene: 1}", "s.json:1:2: found \"scene\", expected a key in quotes, or '}'");
-  add("a string that does not end", "{\"scene", "s.json:1:8: found the end of the file, expected a string that ends in '\"'");
-  add("a string over two lines", "{\"sc\nene\": 1}", "s.json:1:5: found a line end, expected a string that ends in '\"'");
-  add("an unknown escape", "{\"sc\\ene\": 1}", "s.json:1:5: found \"\\ene\"\", expected one of \\\" \\\\ \\/ \\b \\f \\n \\r \\t \\u");
+  add("a string that does not end", "{\"scene",
+      "s.json:1:8: found the end of the file, expected a string that ends in '\"'");
+  add("a string over two lines", "{\"sc\nene\": 1}",
+      "s.json:1:5: found a line end, expected a string that ends in '\"'");
+  add("an unknown escape", "{\"sc\\ene\": 1}",
+      "s.json:1:5: found \"\\ene\"\", expected one of \\\" \\\\ \\/ \\b \\f \\n \\r \\t \\u");
   add("a byte that is not UTF-8", "{\"sc\xff\": 1}", "s.json:1:5: found \"\xff\"\", expected UTF-8");
   add("NaN", "{\"scene\": NaN}", "s.json:1:11: found \"NaN\", expected a JSON value");
   add("a number beyond double", "{\"scene\": 1e999}", "s.json:1:11: found \"1e999\", expected a number below 1.8e308");
-  add("a comment that does not end", "{\"scene\": 1} /* x", "s.json:1:18: found the end of the file, expected a comment: //, or /* closed by */");
+  add("a comment that does not end", "{\"scene\": 1} /* x",
+      "s.json:1:18: found the end of the file, expected a comment: //, or /* closed by */");
   add("a zero byte", "{\"scene\"\0: 1}"s, "s.json:1:9: found a zero byte, expected text");
-  add("nesting too deep", std::string(100000, '['), "s.json:1:65: found nesting deeper than 64, expected a flatter file");
+  add("nesting too deep", std::string(100000, '['),
+      "s.json:1:65: found nesting deeper than 64, expected a flatter file");
 }
 
 void add_scenes(List& list) {
-  const auto add = [&](const std::string& name, const std::string& from, const std::string& to, const std::string& expected) {
+  const auto add = [&](const std::string& name, const std::string& from, const std::string& to,
+                       const std::string& expected) {
     list.push_back({name, Reader::scene, "s.json", {{"s.json", scene_with(from, to)}}, expected});
   };
-  list.push_back({"no scene", Reader::scene, "s.json", {{"s.json", "{}"}}, "s.json:1:1: /scene: found nothing, expected an object"});
+  list.push_back({"no scene",
+                  Reader::scene,
+                  "s.json",
+                  {{"s.json", "{}"}},
+                  "s.json:1:1: /scene: found nothing, expected an object"});
   add("an unknown key", "\"glossiness\"", "\"shininess\": 1, \"glossiness\"",
       "s.json:9:69: /scene/objects/0/material/shininess: found an unknown key, expected one of ka, kd, ks, glossiness, "
       "specular_gate, merl_lookup, merl_angles, brdf_file_path, texture_file_path, texture_filter");
-  add("a missing key", "\"ka\": \"0 0 0\", ", "", "s.json:9:17: /scene/objects/0/material/ka: found nothing, expected three numbers >= 0");
+  add("a missing key", "\"ka\": \"0 0 0\", ", "",
+      "s.json:9:17: /scene/objects/0/material/ka: found nothing, expected three numbers >= 0");
   add("a key twice", "\"rotate_y\": 0", "\"rotate_x\": 1, \"rotate_y\": 0",
       "s.json:8:41: /scene/objects/0/rotate_x: found the key a second time, expected each key once");
   add("a string for a number", "\"glossiness\": 8", "\"glossiness\": \"8\"",
       "s.json:9:83: /scene/objects/0/material/glossiness: found \"8\", expected a number >= 0");
   add("a number below its range", "\"glossiness\": 8", "\"glossiness\": -3",
       "s.json:9:83: /scene/objects/0/material/glossiness: found -3, expected a number >= 0");
-  add("a vector of two numbers", "\"0 0 6\"", "\"0 0\"", "s.json:2:26: /scene/camera/position: found \"0 0\", expected three numbers");
+  add("a vector of two numbers", "\"0 0 6\"", "\"0 0\"",
+      "s.json:2:26: /scene/camera/position: found \"0 0\", expected three numbers");
   add("a vector of four numbers", "\"0 0 6\"", "[0, 0, 6, 1]",
       "s.json:2:26: /scene/camera/position: found an array of 4 values, expected three numbers");
   add("a vector that is not finite", "\"0 0 6\"", "\"0 nan 6\"",
@@ -86,14 +117,17 @@ void add_scenes(List& list) {
   add("a target at the camera", "\"0 0 6\"", "\"0 0 6\", \"target\": \"0 0 6\"",
       "s.json:2:45: /scene/camera/target: found the camera's position, expected a target away from the position");
   add("up along the line of sight", "\"0 0 6\"", "\"0 0 6\", \"up\": \"0 0 2\"",
-      "s.json:2:41: /scene/camera/up: found an up vector along the line of sight, expected up not parallel to target - position");
+      "s.json:2:41: /scene/camera/up: found an up vector along the line of sight, expected up not parallel to target - "
+      "position");
   add("up of no length", "\"0 0 6\"", "\"0 0 6\", \"up\": \"0 0 0\"",
       "s.json:2:41: /scene/camera/up: found a vector of length 0, expected a direction");
   add("looking straight down", "\"0 0 6\"", "\"0 9 6\", \"target\": \"0 0 6\"",
-      "s.json:2:45: /scene/camera/target: found an up vector along the line of sight, expected up not parallel to target - position");
+      "s.json:2:45: /scene/camera/target: found an up vector along the line of sight, expected up not parallel to "
+      "target - position");
   add("near beyond far", "\"0 0 6\"", "\"0 0 6\", \"near\": 10, \"far\": 10",
       "s.json:2:54: /scene/camera/far: found a far plane that is not beyond the near one, expected near < far");
-  add("near at the eye", "\"0 0 6\"", "\"0 0 6\", \"near\": 0", "s.json:2:43: /scene/camera/near: found 0, expected a number > 0");
+  add("near at the eye", "\"0 0 6\"", "\"0 0 6\", \"near\": 0",
+      "s.json:2:43: /scene/camera/near: found 0, expected a number > 0");
   add("a view of 180 degrees", "\"0 0 6\"", "\"0 0 6\", \"fov_y\": 180",
       "s.json:2:44: /scene/camera/fov_y: found 180, expected a number > 0 and < 180");
   add("an object for a list", "[{\"direction\": \"0 0 -1\", \"radiance\": \"1 1 1\"}]", "{}",
@@ -101,10 +135,12 @@ void add_scenes(List& list) {
   add("a number in a list of objects", "[{\"direction\": \"0 0 -1\", \"radiance\": \"1 1 1\"}]", "[7]",
       "s.json:4:24: /scene/direction_lights/0: found 7, expected an object");
   add("an unknown fragment function", "\"phong\"", "\"Phong\"",
-      "s.json:7:26: /scene/objects/0/fragment_function: found \"Phong\", expected \"phong\" or \"blinn_phong\" or \"merl\"");
+      "s.json:7:26: /scene/objects/0/fragment_function: found \"Phong\", expected \"phong\" or \"blinn_phong\" or "
+      "\"merl\"");
   add("an unknown shader", "\"fragment_function\": \"phong\"",
       "\"vertex_shader_file_path\": \"v\", \"fragment_shader_file_path\": \"toon.glsl\"",
-      "s.json:7:66: /scene/objects/0/fragment_shader_file_path: found \"toon.glsl\", expected a file with the stem phong_fs, "
+      "s.json:7:66: /scene/objects/0/fragment_shader_file_path: found \"toon.glsl\", expected a file with the stem "
+      "phong_fs, "
       "phong, blinn_phong_fs, blinn_fs, blinn_phong, blinn, merl_fs, merl; or the key fragment_function");
   add("no vertex shader", "\"fragment_function\": \"phong\"", "\"fragment_shader_file_path\": \"phong_fs.glsl\"",
       "s.json:5:15: /scene/objects/0/vertex_shader_file_path: found nothing, expected the path of a file");
@@ -113,26 +149,33 @@ void add_scenes(List& list) {
   add("neither a mesh nor a file", "\"mesh\": {\"sphere\": {\"segments\": 8, \"rings\": 4}},", "",
       "s.json:5:15: /scene/objects/0/obj_file_path: found nothing, expected the path of a file, or the key mesh");
   add("an unknown shape", "\"sphere\"", "\"ball\"",
-      "s.json:6:14: /scene/objects/0/mesh: found \"ball\", expected an object with one key: sphere or cube or plane or torus or knot");
+      "s.json:6:14: /scene/objects/0/mesh: found \"ball\", expected an object with one key: sphere or cube or plane or "
+      "torus or knot");
   add("a sphere too fine", "\"segments\": 8", "\"segments\": 1e9",
       "s.json:6:37: /scene/objects/0/mesh/sphere/segments: found 1e9, expected a whole number from 3 to 4096");
   add("half a ring", "\"rings\": 4", "\"rings\": 4.5",
       "s.json:6:49: /scene/objects/0/mesh/sphere/rings: found 4.5, expected a whole number from 2 to 4096");
   add("an unknown filter", "\"glossiness\": 8", "\"glossiness\": 8, \"texture_filter\": \"cubic\"",
-      "s.json:9:104: /scene/objects/0/material/texture_filter: found \"cubic\", expected \"nearest\" or \"bilinear\" or \"trilinear\"");
+      "s.json:9:104: /scene/objects/0/material/texture_filter: found \"cubic\", expected \"nearest\" or \"bilinear\" "
+      "or \"trilinear\"");
   add("a string for true", "\"glossiness\": 8", "\"glossiness\": 8, \"specular_gate\": \"true\"",
       "s.json:9:103: /scene/objects/0/material/specular_gate: found \"true\", expected false or true");
   add("merl without a table", "\"phong\"", "\"merl\"",
       "s.json:9:17: /scene/objects/0/material/brdf_file_path: found nothing, expected the path of a file");
   add("a texture that is not there", "\"glossiness\": 8", "\"glossiness\": 8, \"texture_file_path\": \"no.png\"",
       "s.json:9:107: /scene/objects/0/material/texture_file_path: found no such file, no.png, expected an image");
-  list.push_back({"a fault in a mesh of a scene", Reader::scene, "s.json",
-                  {{"s.json", scene_with("\"mesh\": {\"sphere\": {\"segments\": 8, \"rings\": 4}}", "\"obj_file_path\": \"m.obj\"")},
+  list.push_back({"a fault in a mesh of a scene",
+                  Reader::scene,
+                  "s.json",
+                  {{"s.json", scene_with("\"mesh\": {\"sphere\": {\"segments\": 8, \"rings\": 4}}",
+                                         "\"obj_file_path\": \"m.obj\"")},
                    {"m.obj", "v 0 0\n"}},
                   "m.obj:1:1: found 2 numbers, expected 3 to 7 numbers"});
-  add("several faults, in the order of the file", "\"0 0 6\"},\n  \"point_lights\": [{", "7},\n  \"point_lights\": [{\"x\": 1, ",
+  add("several faults, in the order of the file", "\"0 0 6\"},\n  \"point_lights\": [{",
+      "7},\n  \"point_lights\": [{\"x\": 1, ",
       "s.json:2:26: /scene/camera/position: found 7, expected three numbers\n"
-      "s.json:3:21: /scene/point_lights/0/x: found an unknown key, expected one of position, radiance, constant, linear, quadratic");
+      "s.json:3:21: /scene/point_lights/0/x: found an unknown key, expected one of position, radiance, constant, "
+      "linear, quadratic");
 }
 
 void add_obj(List& list) {
@@ -159,11 +202,13 @@ void add_obj(List& list) {
       "m.obj:5:6: found vn index 1, expected no vn index, since none is given\n"
       "m.obj:5:11: found vn index 1, expected no vn index, since none is given\n"
       "m.obj:5:16: found vn index 1, expected no vn index, since none is given");
-  add("a face of two corners", square + "f 1 2\n", "m.obj:5:1: found a face with 2 corners, expected at least 3 corners");
+  add("a face of two corners", square + "f 1 2\n",
+      "m.obj:5:1: found a face with 2 corners, expected at least 3 corners");
   add("a corner that is a word", square + "f 1 2 x\n", "m.obj:5:7: found \"x\", expected v, v/vt, v//vn or v/vt/vn");
   add("a corner of four indices", square + "vt 0 0\nvn 0 0 1\nf 1 2 3/1/1/1\n",
       "m.obj:7:7: found \"3/1/1/1\", expected v, v/vt, v//vn or v/vt/vn");
-  add("a corner that ends in a slash", square + "vt 0 0\nf 1/1 2/1 3/\n", "m.obj:6:11: found \"3/\", expected v, v/vt, v//vn or v/vt/vn");
+  add("a corner that ends in a slash", square + "vt 0 0\nf 1/1 2/1 3/\n",
+      "m.obj:6:11: found \"3/\", expected v, v/vt, v//vn or v/vt/vn");
   add("an unknown smoothing group", square + "s smooth\nf 1 2 3\n",
       "m.obj:5:3: found \"smooth\", expected off, or the number of a smoothing group");
   add("a fault behind a continued line", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 \\\n  2 7\n",
@@ -178,7 +223,8 @@ std::string png_header(std::uint32_t width, std::uint32_t height) {
 }
 
 void add_images(List& list) {
-  const auto add = [&](const std::string& name, const std::string& input, const std::string& bytes, const std::string& expected) {
+  const auto add = [&](const std::string& name, const std::string& input, const std::string& bytes,
+                       const std::string& expected) {
     list.push_back({name, Reader::image, input, {{input, bytes}}, expected});
   };
   add("a text for an image", "i.png", "not an image\n",
@@ -196,7 +242,10 @@ void add_images(List& list) {
   add("a PFM of no pixels", "i.pfm", "PF\n0 5\n-1\n", "i.pfm: found 0 x 5 pixels, expected at least 1 x 1");
   add("an HDR cut short", "i.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 2\n\x80\x80\x80\x80",
       "i.hdr: found a truncated image, expected a whole one");
-  list.push_back({"a float texture", Reader::texture, "i.pfm", {{"i.pfm", "Pf\n1 1\n-1\n0000"}},
+  list.push_back({"a float texture",
+                  Reader::texture,
+                  "i.pfm",
+                  {{"i.pfm", "Pf\n1 1\n-1\n0000"}},
                   "i.pfm: found an image of floating-point numbers, expected 8 or 16 bits a channel"});
 }
 
@@ -213,7 +262,8 @@ void add_merl(List& list) {
   add("huge dimensions", {"t.binary", std::string(12, '\x7f')},
       "t.binary: dimensions: found 2139062143 x 2139062143 x 2139062143, expected 90 x 90 x 180");
   add("a value that is not a number",
-      {"t.binary", sound, 34992012, 12 + 8 * (1458000 + 180 * 90 * 3 + 180 * 2 + 1), bytes_of(std::numeric_limits<double>::quiet_NaN())},
+      {"t.binary", sound, 34992012, 12 + 8 * (1458000 + 180 * 90 * 3 + 180 * 2 + 1),
+       bytes_of(std::numeric_limits<double>::quiet_NaN())},
       "t.binary: g[3][2][1]: found nan, expected a finite number");
   add("an infinite value", {"t.binary", sound, 34992012, 34992004, bytes_of(-std::numeric_limits<double>::infinity())},
       "t.binary: b[89][89][179]: found infinity, expected a finite number");

@@ -8,7 +8,8 @@
 
 namespace refraster::test {
 
-/// A file to write before the test: its content, then zero bytes up to size_bytes, then `patch` over the bytes at patch_at.
+/// A file to write before the test: its content, then zero bytes up to size_bytes, then `patch` over the bytes at
+/// patch_at.
 struct TestFile {
   std::string name, content;
   std::uint64_t size_bytes = 0, patch_at = 0;

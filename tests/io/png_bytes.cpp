@@ -4,7 +4,8 @@ namespace refraster::test {
 namespace {
 
 std::string big_endian(std::uint32_t value) {
-  return {static_cast<char>(value >> 24), static_cast<char>(value >> 16), static_cast<char>(value >> 8), static_cast<char>(value)};
+  return {static_cast<char>(value >> 24), static_cast<char>(value >> 16), static_cast<char>(value >> 8),
+          static_cast<char>(value)};
 }
 
 /// PNG specification, annex D.
@@ -30,7 +31,8 @@ std::string stored(const std::string& data) {
     b = (b + a) % 65521;
   }
   std::string block = "\x78\x01\x01";
-  for (const std::uint16_t field : {size, complement}) block += {static_cast<char>(field & 255), static_cast<char>(field >> 8)};
+  for (const std::uint16_t field : {size, complement})
+    block += {static_cast<char>(field & 255), static_cast<char>(field >> 8)};
   return block + data + big_endian(b << 16 | a);
 }
 

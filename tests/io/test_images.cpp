@@ -23,8 +23,13 @@ std::string file_with(const TemporaryFolder& folder, const std::string& name, co
 Image<float> difficult(int channels) {
   Image<float> image(5, 3, channels);
   std::iota(image.values.begin(), image.values.end(), 0.1f);
-  const float special[] = {-0.0f, -1.5f, 1e30f, std::numeric_limits<float>::denorm_min(), std::numeric_limits<float>::infinity(),
-                           std::numeric_limits<float>::max(), std::bit_cast<float>(0x7fc12345u)};
+  const float special[] = {-0.0f,
+                           -1.5f,
+                           1e30f,
+                           std::numeric_limits<float>::denorm_min(),
+                           std::numeric_limits<float>::infinity(),
+                           std::numeric_limits<float>::max(),
+                           std::bit_cast<float>(0x7fc12345u)};
   for (std::size_t i = 0; i < std::size(special); ++i) image.values[i] = special[i];
   return image;
 }
@@ -42,7 +47,8 @@ TEST_CASE("an image of 1 to 4 channels and 8 or 16 bits is read as stored, row 0
   for (const int bits : {8, 16})
     for (int channels = 1; channels <= 4; ++channels) {
       std::vector<std::uint16_t> samples(static_cast<std::size_t>(3 * 2 * channels));
-      for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = static_cast<std::uint16_t>(bits == 8 ? 10 * i : 2500 * i + 1);
+      for (std::size_t i = 0; i < samples.size(); ++i)
+        samples[i] = static_cast<std::uint16_t>(bits == 8 ? 10 * i : 2500 * i + 1);
       const ImageFile image = read_image(file_with(folder, "i.png", png_bytes(3, 2, channels, bits, samples)));
       CHECK(image.values.width == 3);
       CHECK(image.values.height == 2);
@@ -129,7 +135,8 @@ TEST_CASE("HDR gives each channel back within half a step of the largest one's m
     const float largest = std::max({wrote[0], wrote[1], wrote[2]});
     // The mantissa of the largest is 128 to 256 steps of 2^(exponent - 8); one binade more where it rounds up.
     const double step = std::ldexp(1.0, std::ilogb(largest * (1 + 1.0f / 512)) + 1 - 8);
-    for (std::size_t c = 0; c < 3; ++c) CHECK(std::abs(double{read.values.values[pixel + c]} - double{wrote[c]}) <= step / 2);
+    for (std::size_t c = 0; c < 3; ++c)
+      CHECK(std::abs(static_cast<double>(read.values.values[pixel + c]) - static_cast<double>(wrote[c])) <= step / 2);
   }
 }
 
@@ -138,7 +145,8 @@ TEST_CASE("what HDR cannot hold becomes 0 or its largest value") {
   Image<float> image(1, 1, 3);
   image.values = {-1, std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()};
   write_float_image(folder / "i.hdr", image);
-  CHECK(read_image(folder / "i.hdr").values.values == std::vector<float>{0, 0, static_cast<float>(std::ldexp(255.0, 119))});
+  CHECK(read_image(folder / "i.hdr").values.values ==
+        std::vector<float>{0, 0, static_cast<float>(std::ldexp(255.0, 119))});
 }
 
 TEST_CASE("the content, not the name, says what an image is") {

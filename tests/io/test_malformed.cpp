@@ -15,15 +15,26 @@ std::string complaint(const TemporaryFolder& folder, const MalformedInput& input
   const std::string path = folder / input.input, prefix = folder / "";
   try {
     switch (input.reader) {
-    case Reader::scene: read_scene(path); break;
-    case Reader::obj: read_obj(path); break;
-    case Reader::image: read_image(path); break;
-    case Reader::texture: read_texture(path); break;
-    case Reader::merl: read_merl(path); break;
+    case Reader::scene:
+      read_scene(path);
+      break;
+    case Reader::obj:
+      read_obj(path);
+      break;
+    case Reader::image:
+      read_image(path);
+      break;
+    case Reader::texture:
+      read_texture(path);
+      break;
+    case Reader::merl:
+      read_merl(path);
+      break;
     }
   } catch (const InputError& error) {
     std::string text = error.what();
-    for (std::size_t at = text.find(prefix); at != std::string::npos; at = text.find(prefix)) text.erase(at, prefix.size());
+    for (std::size_t at = text.find(prefix); at != std::string::npos; at = text.find(prefix))
+      text.erase(at, prefix.size());
     return text;
   }
   return "";

@@ -66,21 +66,23 @@ TEST_CASE("a corner without vt has uv (0, 0); a file without vt has no uvs") {
 }
 
 TEST_CASE("vt may have one to three numbers, v a weight or a colour") {
-  const Mesh mesh = obj("v 0 0 0 1\nv 1 0 0 0.5 0.5 0.5\nv 1 1 0 1 0.5 0.5 0.5\nvt 0.5\nvt 0.25 0.75 0\nf 1/1 2/2 3/1\n");
+  const Mesh mesh =
+      obj("v 0 0 0 1\nv 1 0 0 0.5 0.5 0.5\nv 1 1 0 1 0.5 0.5 0.5\nvt 0.5\nvt 0.25 0.75 0\nf 1/1 2/2 3/1\n");
   CHECK(mesh.positions[1] == Float3(1, 0, 0));
   CHECK(mesh.uvs[0] == Float2(0.5f, 0.0f));
   CHECK(mesh.uvs[1] == Float2(0.25f, 0.75f));
 }
 
 TEST_CASE("several shapes, groups and materials are one mesh, in the order of the file") {
-  const Mesh mesh = obj("mtllib none.mtl\no first\n" + square + "g a b\nusemtl red\nf 1 2 3\no second\ng c\ns off\nf 1 3 4\n");
+  const Mesh mesh =
+      obj("mtllib none.mtl\no first\n" + square + "g a b\nusemtl red\nf 1 2 3\no second\ng c\ns off\nf 1 3 4\n");
   CHECK(corners(mesh) == std::vector<Float3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 0}, {1, 1, 0}, {0, 1, 0}});
 }
 
 TEST_CASE("comments, blank lines, tabs, carriage returns and continued lines change nothing") {
   const Mesh plain = obj(square + "f 1 2 3 4\n");
   for (const std::string& text : {"# f 1 2 \\\n\n" + square + "  f\t1 2   3 4 # the square\n", square + "f 1 2 \\\n3 4",
-                                 square + "f 1 2 \\\r\n 3\\\r\n 4\r\n"})
+                                  square + "f 1 2 \\\r\n 3\\\r\n 4\r\n"})
     CHECK(corners(obj(text)) == corners(plain));
   std::string old_mac = square + "f 1 2 3 4\n";
   for (char& c : old_mac)
@@ -123,8 +125,10 @@ TEST_CASE("s off and s 0 make faces flat, different groups separate, equal ones 
 TEST_CASE("a normal is weighted by angle: how a flat face is cut changes nothing") {
   // The wall as one quad, and as two triangles that both meet vertex 1: by area or by count it would weigh twice.
   const Mesh quad = obj(corner + floor_face + wall_face), cut = obj(corner + floor_face + "f 1 2 3\nf 1 3 4\n");
-  CHECK(quad.normals[0].y == doctest::Approx(double{cut.normals[0].y}).epsilon(std::numeric_limits<float>::epsilon()));
-  CHECK(quad.normals[0].z == doctest::Approx(double{cut.normals[0].z}).epsilon(std::numeric_limits<float>::epsilon()));
+  CHECK(quad.normals[0].y == doctest::Approx(static_cast<double>(cut.normals[0].y))
+                                 .epsilon(static_cast<double>(std::numeric_limits<float>::epsilon())));
+  CHECK(quad.normals[0].z == doctest::Approx(static_cast<double>(cut.normals[0].z))
+                                 .epsilon(static_cast<double>(std::numeric_limits<float>::epsilon())));
 }
 
 TEST_CASE("normals that the file gives are kept as they are, also beside missing ones") {

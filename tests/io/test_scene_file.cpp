@@ -15,7 +15,9 @@ Scene scene(const std::string& text) {
   return read_scene(folder / "s.json");
 }
 
-Scene scene(const std::string& from, const std::string& to) { return scene(scene_with(from, to)); }
+Scene scene(const std::string& from, const std::string& to) {
+  return scene(scene_with(from, to));
+}
 
 const std::string triangle = "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n";
 const std::string grey_pixel = png_bytes(2, 2, 1, 8, {1, 2, 3, 4});
@@ -25,7 +27,8 @@ const std::string grey_pixel = png_bytes(2, 2, 1, 8, {1, 2, 3, 4});
 TEST_CASE("the lecture's own file loads unchanged") {
   // scenes/lecture/config.json is that file; here with assets of its own.
   const TemporaryFolder folder;
-  const std::string text = read_file(REFRASTER_SOURCE_DIR "/scenes/lecture/config.json", "the lecture's scene", 1 << 20);
+  const std::string text =
+      read_file(REFRASTER_SOURCE_DIR "/scenes/lecture/config.json", "the lecture's scene", 1 << 20);
   write_files(folder.path, {{"resource/objects/", ""},
                             {"resource/textures/", ""},
                             {"config.json", text},
@@ -63,8 +66,10 @@ TEST_CASE("vectors are strings or arrays") {
 }
 
 TEST_CASE("every optional key of the camera is read") {
-  const Camera camera = scene("\"0 0 6\"", "\"0 0 6\", \"target\": \"1 2 3\", \"up\": [0, 0, 1], \"fov_y\": 60, \"near\": 0.5, "
-                                           "\"far\": 1e4, \"movement_speed\": 5, \"mouse_sensitivity\": 0.1").camera;
+  const Camera camera =
+      scene("\"0 0 6\"", "\"0 0 6\", \"target\": \"1 2 3\", \"up\": [0, 0, 1], \"fov_y\": 60, \"near\": 0.5, "
+                         "\"far\": 1e4, \"movement_speed\": 5, \"mouse_sensitivity\": 0.1")
+          .camera;
   CHECK(camera.target == Double3(1, 2, 3));
   CHECK(camera.up == Double3(0, 0, 1));
   CHECK(camera.fov_y_degrees == 60);
@@ -80,7 +85,8 @@ TEST_CASE("lists may be empty, and a scene without objects is a scene") {
 }
 
 TEST_CASE("comments, trailing commas and a byte order mark are taken") {
-  std::string text = "\xef\xbb\xbf// first\n/* \"scene\": */ " + scene_with("\"glossiness\": 8}", "\"glossiness\": 8,} // last");
+  std::string text =
+      "\xef\xbb\xbf// first\n/* \"scene\": */ " + scene_with("\"glossiness\": 8}", "\"glossiness\": 8,} // last");
   CHECK_NOTHROW(scene(text));
 }
 
@@ -94,16 +100,21 @@ TEST_CASE("a fragment function is chosen by its name, else by the stem of the sh
   const std::string shaders = "\"vertex_shader_file_path\": \"v.glsl\", \"fragment_shader_file_path\": ";
   for (const char* const stem : {"blinn_phong_fs", "blinn_fs", "blinn_phong", "blinn"})
     CHECK(std::holds_alternative<BlinnPhong>(
-        scene("\"fragment_function\": \"phong\"", shaders + "\"any/folder/" + stem + ".glsl\"").objects[0].material.model));
+        scene("\"fragment_function\": \"phong\"", shaders + "\"any/folder/" + stem + ".glsl\"")
+            .objects[0]
+            .material.model));
   // The key wins.
   CHECK(std::holds_alternative<Phong>(
       scene("\"fragment_function\": \"phong\"", "\"fragment_function\": \"phong\", " + shaders + "\"blinn_fs.glsl\"")
-          .objects[0].material.model));
+          .objects[0]
+          .material.model));
 }
 
 TEST_CASE("choices are read by their names") {
-  const Object object = scene("\"glossiness\": 8}", "\"glossiness\": 8, \"specular_gate\": true, \"texture_filter\": \"nearest\"}, "
-                                                    "\"cull\": \"back\", \"name\": \"ball\"").objects[0];
+  const Object object =
+      scene("\"glossiness\": 8}", "\"glossiness\": 8, \"specular_gate\": true, \"texture_filter\": \"nearest\"}, "
+                                  "\"cull\": \"back\", \"name\": \"ball\"")
+          .objects[0];
   CHECK(object.cull == Cull::back);
   CHECK(object.name == "ball");
   CHECK(object.material.texture_filter == TextureFilter::nearest);
@@ -116,7 +127,8 @@ TEST_CASE("shapes are made with their parameters, and equal ones once") {
   CHECK(scene(sphere, "{\"sphere\": {}}").objects[0].mesh->triangles.size() == 2 * 64 * 31);
   CHECK(scene(sphere, "{\"cube\": {}}").objects[0].mesh->triangles.size() == 12);
   CHECK(scene(sphere, "{\"plane\": {\"segments\": 3}}").objects[0].mesh->triangles.size() == 18);
-  CHECK(scene(sphere, "{\"torus\": {\"rings\": 5, \"tube_radius\": 0.1}}").objects[0].mesh->triangles.size() == 2 * 64 * 5);
+  CHECK(scene(sphere, "{\"torus\": {\"rings\": 5, \"tube_radius\": 0.1}}").objects[0].mesh->triangles.size() ==
+        2 * 64 * 5);
   CHECK(scene(sphere, sphere).objects[0].name == "sphere");
 }
 
@@ -135,8 +147,9 @@ TEST_CASE("a merl material needs its table alone; what belongs to other function
   CHECK(merl.table);
   CHECK(merl.lookup == MerlLookup::trilinear);
   CHECK(merl.angles == MerlAngles::closed);
-  const Scene other = with(", \"merl_lookup\": \"trilinear-edge\", \"merl_angles\": \"frame\", \"ka\": \"0 0 0\", \"glossiness\": 8, "
-                           "\"texture_file_path\": \"none.png\"");
+  const Scene other =
+      with(", \"merl_lookup\": \"trilinear-edge\", \"merl_angles\": \"frame\", \"ka\": \"0 0 0\", \"glossiness\": 8, "
+           "\"texture_file_path\": \"none.png\"");
   CHECK(std::get<Merl>(other.objects[0].material.model).lookup == MerlLookup::trilinear_edge);
   CHECK(std::get<Merl>(other.objects[0].material.model).angles == MerlAngles::frame);
   CHECK_THROWS_AS(with(", \"glossiness\": -1"), InputError);
@@ -145,18 +158,22 @@ TEST_CASE("a merl material needs its table alone; what belongs to other function
 TEST_CASE("a file that is used twice is loaded once, however its path is written") {
   const TemporaryFolder folder;
   const auto object = [](const std::string& mesh, const std::string& texture, const std::string& filter) {
-    return R"({"obj_file_path": ")" + mesh + R"(", "fragment_function": "phong", "position": "0 0 0", "rotate_x": 0, "rotate_y": 0,
+    return R"({"obj_file_path": ")" + mesh +
+           R"(", "fragment_function": "phong", "position": "0 0 0", "rotate_x": 0, "rotate_y": 0,
       "rotate_z": 0, "scale": "1 1 1", "material": {"ka": "0 0 0", "kd": "1 1 1", "ks": "0 0 0", "glossiness": 1,
-      "texture_file_path": ")" + texture + R"(", "texture_filter": ")" + filter + R"("}})";
+      "texture_file_path": ")" +
+           texture + R"(", "texture_filter": ")" + filter + R"("}})";
   };
-  write_files(folder.path,
-              {{"m/", ""},
-               {"m/t.obj", triangle},
-               {"a.png", grey_pixel},
-               {"b.png", grey_pixel},
-               {"s.json", R"({"scene": {"camera": {"position": "0 0 6"}, "point_lights": [], "direction_lights": [], "objects": [)" +
-                              object("m/t.obj", "a.png", "bilinear") + "," + object("m/../m/./t.obj", "./a.png", "trilinear") + "," +
-                              object("m/t.obj", folder / "b.png", "bilinear") + "]}}"}});
+  write_files(
+      folder.path,
+      {{"m/", ""},
+       {"m/t.obj", triangle},
+       {"a.png", grey_pixel},
+       {"b.png", grey_pixel},
+       {"s.json",
+        R"({"scene": {"camera": {"position": "0 0 6"}, "point_lights": [], "direction_lights": [], "objects": [)" +
+            object("m/t.obj", "a.png", "bilinear") + "," + object("m/../m/./t.obj", "./a.png", "trilinear") + "," +
+            object("m/t.obj", folder / "b.png", "bilinear") + "]}}"}});
   const std::vector<Object> objects = read_scene(folder / "s.json").objects;
   CHECK(objects[0].mesh == objects[1].mesh);
   CHECK(objects[0].mesh == objects[2].mesh);

@@ -11,15 +11,24 @@ namespace {
 
 using Polygon = std::vector<Float3>;
 
-/// Twice the signed area in the xy plane; exact for small integer coordinates.
+Double2 flat(const Float3& p) {
+  return Double2(p);
+}
+
+/// a x b; exact for small integer coordinates.
+double cross(const Double2& a, const Double2& b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+/// Twice the signed area in the xy plane.
 double turn(const Float3& a, const Float3& b, const Float3& c) {
-  return (double{b.x} - double{a.x}) * (double{c.y} - double{a.y}) - (double{b.y} - double{a.y}) * (double{c.x} - double{a.x});
+  return cross(flat(b) - flat(a), flat(c) - flat(a));
 }
 
 enum class Turn { left, left_or_straight };
 
-/// Triangles whose directed edges sum up to the polygon's, and that all turn as it does, cover each point as often as the
-/// polygon winds round it: once inside and not at all outside. That is all there is to a triangulation.
+/// Triangles whose directed edges sum up to the polygon's, and that all turn as it does, cover each point as often as
+/// the polygon winds round it: once inside and not at all outside. That is all there is to a triangulation.
 void check_triangulation(const Polygon& polygon, Turn allowed = Turn::left) {
   const auto triangles = triangulate(polygon);
   REQUIRE(triangles.size() == polygon.size() - 2);
@@ -44,8 +53,7 @@ void check_triangulation(const Polygon& polygon, Turn allowed = Turn::left) {
 
 TEST_CASE("a convex polygon becomes the fan of its first corner") {
   const Polygon hexagon = {{2, 0, 0}, {1, 2, 0}, {-1, 2, 0}, {-2, 0, 0}, {-1, -2, 0}, {1, -2, 0}};
-  CHECK(triangulate(hexagon) ==
-        std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}});
+  CHECK(triangulate(hexagon) == std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}});
 }
 
 TEST_CASE("a concave quad is cut at its concave corner, wherever it begins") {
@@ -66,45 +74,65 @@ TEST_CASE("a comb, a spiral and a star are cut into triangles that cover them on
   std::rotate(comb.begin(), comb.end() - 1, comb.end());
   comb.insert(comb.begin() + 1, {40, -1, 0});
   check_triangulation(comb);
-  check_triangulation({{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {2, 10, 0}, {2, 4, 0}, {6, 4, 0}, {6, 6, 0}, {4, 6, 0},
-                       {4, 8, 0}, {8, 8, 0}, {8, 2, 0}, {0, 2, 0}});
-  check_triangulation({{0, 10, 0}, {-2, 3, 0}, {-10, 3, 0}, {-4, -2, 0}, {-6, -9, 0}, {0, -5, 0}, {6, -9, 0}, {4, -2, 0},
-                       {10, 3, 0}, {2, 3, 0}});
+  check_triangulation({{0, 0, 0},
+                       {10, 0, 0},
+                       {10, 10, 0},
+                       {2, 10, 0},
+                       {2, 4, 0},
+                       {6, 4, 0},
+                       {6, 6, 0},
+                       {4, 6, 0},
+                       {4, 8, 0},
+                       {8, 8, 0},
+                       {8, 2, 0},
+                       {0, 2, 0}});
+  check_triangulation({{0, 10, 0},
+                       {-2, 3, 0},
+                       {-10, 3, 0},
+                       {-4, -2, 0},
+                       {-6, -9, 0},
+                       {0, -5, 0},
+                       {6, -9, 0},
+                       {4, -2, 0},
+                       {10, 3, 0},
+                       {2, 3, 0}});
 }
 
 TEST_CASE("corners on a straight edge stay corners, so that neighbours meet without a gap") {
-  check_triangulation({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {3, 3, 0}, {0, 3, 0}, {0, 1, 0}}, Turn::left_or_straight);
+  check_triangulation({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {3, 3, 0}, {0, 3, 0}, {0, 1, 0}},
+                      Turn::left_or_straight);
   check_triangulation({{0, 0, 0}, {2, 0, 0}, {4, 0, 0}, {4, 4, 0}});
 }
 
 TEST_CASE("a hole that is joined to the outline by a bridge stays a hole") {
-  const Polygon framed = {{0, 0, 0}, {9, 0, 0}, {9, 9, 0}, {0, 9, 0}, {0, 0, 0}, {3, 3, 0}, {3, 6, 0}, {6, 6, 0}, {6, 3, 0}, {3, 3, 0}};
+  const Polygon framed = {{0, 0, 0}, {9, 0, 0}, {9, 9, 0}, {0, 9, 0}, {0, 0, 0},
+                          {3, 3, 0}, {3, 6, 0}, {6, 6, 0}, {6, 3, 0}, {3, 3, 0}};
   check_triangulation(framed, Turn::left_or_straight);
 }
 
 TEST_CASE("random polygons round a point are covered once") {
   std::mt19937 random(7);
   for (int trial = 0; trial < 500; ++trial) {
-    // Directions in order of angle, each with a distance of its own: a simple polygon. Integer coordinates, so that turn()
-    // is exact here; those of one direction are left out.
+    // Directions in order of angle, each with a distance of its own: a simple polygon. Integer coordinates, so that
+    // turn() is exact here; those of one direction are left out.
     std::uniform_int_distribution<int> coordinate(-200, 200);
     Polygon polygon;
     for (int i = 0; i < 40; ++i) {
       const Float3 p(static_cast<float>(coordinate(random)), static_cast<float>(coordinate(random)), 0);
-      const bool taken = std::any_of(polygon.begin(), polygon.end(),
-                                     [&](const Float3& q) { return double{p.x} * double{q.y} == double{p.y} * double{q.x}; });
+      const bool taken =
+          std::any_of(polygon.begin(), polygon.end(), [&](const Float3& q) { return cross(flat(p), flat(q)) == 0; });
       if (!taken) polygon.push_back(p);
     }
     const auto lower = [](const Float3& p) { return p.y < 0 || (p.y == 0 && p.x < 0); };
     std::sort(polygon.begin(), polygon.end(), [&](const Float3& a, const Float3& b) {
       if (lower(a) != lower(b)) return lower(b);
-      return double{a.x} * double{b.y} > double{a.y} * double{b.x};
+      return cross(flat(a), flat(b)) > 0;
     });
     // The centre is inside only where no step turns by half a circle or more.
     bool around = true;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       const Float3 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-      around = around && double{a.x} * double{b.y} > double{a.y} * double{b.x};
+      around = around && cross(flat(a), flat(b)) > 0;
     }
     if (around) check_triangulation(polygon, Turn::left_or_straight);
   }
