@@ -49,20 +49,20 @@ inline constexpr double largest_float = 0x1.fffffep127;
 template <class T>
 struct Rounded {
   T fraction;
-  LaneBits<T> n; // only the lowest bits: two's complement
+  UnsignedLaneBits<T> n; // only the lowest bits: two's complement
 };
 template <Lanes T>
 Rounded<T> rounded(const T& x) {
   // With 1.5 2^fraction_bits added, the last place is worth 1: the sum is rounded to it, and ends in the bits of n.
   const T shelf = as<T>(1.5 * double{integer_shelf<T>});
   const T on_shelf = x + shelf;
-  return {x - (on_shelf - shelf), bits_of(on_shelf)};
+  return {x - (on_shelf - shelf), std::bit_cast<UnsignedLaneBits<T>>(on_shelf)};
 }
 
 /// m 2^n for m in [1/2, 2), where the result is normal.
 template <Lanes T>
-T times_power_of_2(const T& m, const LaneBits<T>& n) {
-  return from_bits<T>(bits_of(m) + (n << fraction_bits<RealOf<T>>));
+T times_power_of_2(const T& m, const UnsignedLaneBits<T>& n) {
+  return std::bit_cast<T>(std::bit_cast<UnsignedLaneBits<T>>(m) + (n << fraction_bits<RealOf<T>>));
 }
 
 /// What the logarithm of x = c m 2^k is made from: log2(x) = k + log2(c) + log2((sum + difference) / (sum -

@@ -12,10 +12,12 @@ struct LaneBitsOf;
 template <std::floating_point F>
 struct LaneBitsOf<F> {
   using type = BitsOf<F>;
+  using unsigned_type = std::make_unsigned_t<BitsOf<F>>;
 };
 template <class F, int N>
 struct LaneBitsOf<Wide<F, N>> {
   using type = VectorOf<BitsOf<F>, N>;
+  using unsigned_type = VectorOf<std::make_unsigned_t<BitsOf<F>>, N>;
 };
 
 /// A plain number or lanes of one: what the elementary functions are written for. Bounds types bring their own.
@@ -37,16 +39,14 @@ T from_bits(LaneBits<T> bits) {
   return std::bit_cast<T>(bits);
 }
 
+/// The same, unsigned: what a lane holds where its result will not be used may overflow, and must be allowed to.
+template <Lanes T>
+using UnsignedLaneBits = typename LaneBitsOf<T>::unsigned_type;
+
 /// bits >> count, zeros coming in from the left: SSE2 and AVX2 have no arithmetic shift of 64-bit lanes.
 template <Lanes T>
 LaneBits<T> shift_right(LaneBits<T> bits, int count) {
-  using UnsignedLane = std::make_unsigned_t<BitsOf<RealOf<T>>>;
-  if constexpr (NumberTraits<T>::lanes == 1) {
-    return static_cast<LaneBits<T>>(static_cast<UnsignedLane>(bits) >> count);
-  } else {
-    using Unsigned = VectorOf<UnsignedLane, NumberTraits<T>::lanes>;
-    return reinterpret_cast<LaneBits<T>>(reinterpret_cast<Unsigned>(bits) >> count);
-  }
+  return std::bit_cast<LaneBits<T>>(std::bit_cast<UnsignedLaneBits<T>>(bits) >> count);
 }
 
 /// Bits of the constant 1 and of any other constant of the lane type, as a plain integer.

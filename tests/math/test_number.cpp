@@ -18,7 +18,7 @@ TEST_CASE_TEMPLATE("a cell is the integer below and the way from there", F, doub
     CHECK(F(at.index) <= x);
     CHECK(at.fraction >= 0);
     CHECK(at.fraction < 1);
-    const double rounding = std::numeric_limits<F>::epsilon() / 2; // of a fraction, at most
+    const double rounding = epsilon_of<F> / 2; // of a fraction, at most
     CHECK(std::abs(at.index + static_cast<double>(at.fraction) - static_cast<double>(x)) <= rounding);
   });
   CHECK(cell(F(-0.25)).index == -1);

@@ -30,7 +30,7 @@ TEST_CASE_TEMPLATE("a power keeps its error bound for any base and exponent", F,
 
 TEST_CASE_TEMPLATE("a power keeps its error bound for bases next to 1 and huge exponents", F, double, float) {
   check_error("power", power_error<F>, 20000, [](Random& random) {
-    const double distance = random.magnitude(std::numeric_limits<F>::epsilon(), 1e-3);
+    const double distance = random.magnitude(epsilon_of<F>, 1e-3);
     return error_of_power(F(1 - distance), random.magnitude(1, 80) / distance);
   });
 }

@@ -60,6 +60,10 @@ private:
   std::uint64_t state_;
 };
 
+/// The distance from 1 to the next number of F.
+template <class F>
+inline constexpr double epsilon_of = static_cast<double>(std::numeric_limits<F>::epsilon());
+
 /// law(random) for `trials` seeds. A failed CHECK names the seed.
 template <class Law>
 void for_all(int trials, const Law& law) {
