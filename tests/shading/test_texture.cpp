@@ -2,6 +2,7 @@
 
 #include "math/rungs.h"
 #include "shading/texture.h"
+#include "tests/support/interval.h"
 
 #include <doctest/doctest.h>
 
@@ -212,6 +213,33 @@ TEST_CASE_TEMPLATE("every lane samples a texture as it would alone", F, double, 
         REQUIRE(together.x[lane] == alone.x);
         REQUIRE(together.y[lane] == alone.y);
         REQUIRE(together.z[lane] == alone.z);
+      }
+    }
+  }
+}
+
+TEST_CASE("bounds on a box of coordinates contain every sample in it") {
+  std::mt19937_64 random(3);
+  TextureLevel level{13, 6, {}};
+  for (int k = 0; k < 3 * 13 * 6; ++k) level.rgb.push_back(static_cast<float>(random() % 256));
+  Texture texture{255, {level}};
+  build_mip_levels(texture);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (int trial = 0; trial < 2000; ++trial) {
+    // Boxes smaller than a texel, as large as several, and across the seams.
+    const double size = std::exp2(-12 + 10 * std::abs(uniform(random)));
+    const Double2 middle(2 * uniform(random), 2 * uniform(random)), dx(0.2 * uniform(random), 0), dy(0, 0.2);
+    const auto box = [&](double x) { return Interval(x - size, x + size); };
+    const Vec2<Interval> uv(box(middle.x), box(middle.y)), uv_dx(Interval(dx.x), Interval(0.0)),
+        uv_dy(Interval(0.0), Interval(dy.y));
+    for (const TextureFilter filter : {TextureFilter::nearest, TextureFilter::bilinear, TextureFilter::trilinear}) {
+      const Rgb<Interval> bounds = sample(texture, filter, uv, uv_dx, uv_dy);
+      for (int k = 0; k < 4; ++k) {
+        const Double2 inside(middle.x + size * uniform(random), middle.y + size * uniform(random));
+        const Rgb<double> point = sample(texture, filter, inside, dx, dy);
+        REQUIRE(bounds.x.contains(point.x));
+        REQUIRE(bounds.y.contains(point.y));
+        REQUIRE(bounds.z.contains(point.z));
       }
     }
   }
