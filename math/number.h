@@ -36,6 +36,7 @@ concept Number = requires(T x, T y, MaskOf<T> m, IndexOf<T> i) {
   { square(x) } -> std::same_as<T>;            // x x; a bounds type knows that it is not negative
   { root(x) } -> std::same_as<T>;              // correctly rounded square root
   { reciprocal_binade(x) } -> std::same_as<T>; // a power of two s > 0 with s |x| in [1, 2); see scalar.h
+  { exact_reciprocal(x) } -> std::same_as<T>;  // 1 / x for such a power of two
   { cell(x) } -> std::same_as<Cell<T>>;
   { clamp_index(i, 0, 1) } -> std::same_as<IndexOf<T>>; // into [lo, hi]
   { wrap_index(i, 1) } -> std::same_as<IndexOf<T>>;     // modulo n, into [0, n)

@@ -95,6 +95,14 @@ constexpr F reciprocal_binade(F x) {
 template <class F>
 inline constexpr F almost_one = 1 - std::numeric_limits<F>::epsilon() / 2;
 
+/// 1 / s for a power of two s as reciprocal_binade makes them: exact, and no division.
+template <std::floating_point F>
+constexpr F exact_reciprocal(F s) {
+  using B = BitsOf<F>;
+  constexpr B one_squared = B(2 * (std::numeric_limits<F>::max_exponent - 1)) << fraction_bits<F>;
+  return std::bit_cast<F>(one_squared - std::bit_cast<B>(s));
+}
+
 /// Table coordinates beyond this many cells are clamped to it, so that the index fits 32 bits; NaN counts as the lower
 /// end.
 inline constexpr double cell_limit = 1 << 30;

@@ -63,7 +63,7 @@ T reciprocal_binade(const Vec3<T>& a) {
 template <class T>
 T length(const Vec3<T>& a) {
   const T scale = reciprocal_binade(a);
-  return root(squared_length(a * scale)) / scale;
+  return root(squared_length(a * scale)) * exact_reciprocal(scale);
 }
 
 /// a / |a| for every finite a but 0, which gives 0: also for components of 1e30 or 1e-30 in float.

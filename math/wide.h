@@ -146,6 +146,13 @@ Wide<F, N> root(Wide<F, N> x) {
 }
 
 template <class F, int N>
+Wide<F, N> exact_reciprocal(Wide<F, N> s) {
+  using B = BitsOf<F>;
+  constexpr B one_squared = B(2 * (std::numeric_limits<F>::max_exponent - 1)) << fraction_bits<F>;
+  return from_bits<F, N>(one_squared - bits_of(s));
+}
+
+template <class F, int N>
 Wide<F, N> reciprocal_binade(Wide<F, N> x) {
   using B = BitsOf<F>;
   constexpr B bias = std::numeric_limits<F>::max_exponent - 1;

@@ -85,6 +85,9 @@ private:
   VectorOf<std::int32_t, lanes> step_{};
 };
 
+/// Whether changes by one pixel are asked for.
+enum class Derivatives { no, yes };
+
 /// Of the three lines: the value at the sample, exact and then rounded once; and its change by one pixel to the right
 /// and down. For a projective triangle all are times one factor: only ratios are used.
 template <class T>
@@ -92,7 +95,7 @@ struct LineValues {
   std::array<T, 3> value, right, down;
 };
 
-template <class T, Triangles triangles>
+template <Derivatives derivatives, class T, Triangles triangles>
 LineValues<T> line_values(const PacketData<T, triangles>& data) {
   using Data = PacketData<T, triangles>;
   using Parts = std::array<typename Data::Exact, Data::parts>;
@@ -103,20 +106,24 @@ LineValues<T> line_values(const PacketData<T, triangles>& data) {
       const auto p = static_cast<std::size_t>(part);
       const auto a = data.line(3 * k, part), b = data.line(3 * k + 1, part);
       value[p] = a * data.x(part) + (b * data.y(part) + data.line(3 * k + 2, part));
-      right[p] = a * typename Data::Exact(subpixels);
-      down[p] = b * typename Data::Exact(subpixels);
+      if constexpr (derivatives == Derivatives::yes) {
+        right[p] = a * typename Data::Exact(subpixels);
+        down[p] = b * typename Data::Exact(subpixels);
+      }
     }
     const auto i = static_cast<std::size_t>(k);
     lines.value[i] = Data::rounded(value);
-    lines.right[i] = Data::rounded(right);
-    lines.down[i] = Data::rounded(down);
+    if constexpr (derivatives == Derivatives::yes) {
+      lines.right[i] = Data::rounded(right);
+      lines.down[i] = Data::rounded(down);
+    }
   }
   return lines;
 }
 
-/// The same where a triangle of the packet is projective: lane by lane.
+/// The same where a triangle of the packet is projective: lane by lane. Kept out of line: few packets come here.
 template <class T>
-LineValues<T> projective_line_values(const Packet<T>& packet) {
+[[gnu::noinline]] LineValues<T> projective_line_values(const Packet<T>& packet) {
   using Real = RealOf<T>;
   LineValues<T> lines;
   for (int lane = 0; lane < NumberTraits<T>::lanes; ++lane) {
@@ -160,23 +167,22 @@ template <class T>
 struct PacketBarycentrics {
   Barycentric<T> at, right, down;
 };
-enum class Derivatives { no, yes };
 
-template <class T, Triangles triangles>
-PacketBarycentrics<T> barycentrics(const PacketData<T, triangles>& data, Derivatives derivatives) {
+template <Derivatives derivatives, class T, Triangles triangles>
+PacketBarycentrics<T> barycentrics(const PacketData<T, triangles>& data) {
   bool any_projective = false;
   for (const auto* t : data.packet().triangle) {
     any_projective |= t->projective != nullptr;
     if constexpr (triangles == Triangles::one) break;
   }
-  const LineValues<T> lines = any_projective ? projective_line_values(data.packet()) : line_values(data);
+  const LineValues<T> lines = any_projective ? projective_line_values(data.packet()) : line_values<derivatives>(data);
   const std::array<T, 3> weight{data.value(0), data.value(1), data.value(2)};
   const auto weighted = [&](const std::array<T, 3>& values, std::size_t k) { return values[k] * weight[k]; };
   PacketBarycentrics<T> result;
   const T mu1 = weighted(lines.value, 1), mu2 = weighted(lines.value, 2);
   const T reciprocal = T(1) / (weighted(lines.value, 0) + mu1 + mu2);
   result.at = {mu1 * reciprocal, mu2 * reciprocal};
-  if (derivatives == Derivatives::yes) {
+  if constexpr (derivatives == Derivatives::yes) {
     const auto change = [&](const auto& step) -> Barycentric<T> {
       const T step1 = weighted(step, 1), step2 = weighted(step, 2);
       const T step_sum = weighted(step, 0) + step1 + step2;

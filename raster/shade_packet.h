@@ -61,7 +61,8 @@ template <class T, Triangles triangles>
 PacketSurface<T> packet_surface(const Scene& scene, const Geometry& geometry, const Material& material,
                                 const PacketData<T, triangles>& data, const UndefinedTally<T>& tally) {
   const bool derivatives = material.texture && material.texture_filter == TextureFilter::trilinear;
-  const PacketBarycentrics<T> at = barycentrics(data, derivatives ? Derivatives::yes : Derivatives::no);
+  const PacketBarycentrics<T> at =
+      derivatives ? barycentrics<Derivatives::yes>(data) : barycentrics<Derivatives::no>(data);
   PacketSurface<T> surface;
   surface.position = interpolated3(data, Attribute::position, at.at);
   surface.normal = shading_normal(scene, geometry, data.packet(), interpolated3(data, Attribute::normal, at.at), tally);
@@ -80,13 +81,20 @@ T finite(const T& x, const UndefinedTally<T>& tally) {
   return select((x > T(0)) | (x <= T(0)), kept, T(0));
 }
 
+template <class T>
+Rgb<T> finite(const Rgb<T>& rgb, const UndefinedTally<T>& tally) {
+  const T sum = magnitude(rgb.x) + magnitude(rgb.y) + magnitude(rgb.z);
+  if (!any(!(sum <= T(std::numeric_limits<RealOf<T>>::max())))) return rgb; // nearly always
+  return {finite(rgb.x, tally), finite(rgb.y, tally), finite(rgb.z, tally)};
+}
+
 /// Radiance toward the eye: the ambient term, then point lights and direction lights, summed in the order of the scene.
 template <class T, class Model>
 Rgb<T> radiance(const Scene& scene, const Model& model, const Fragment<T>& at, const UndefinedTally<T>& tally) {
   Rgb<T> sum = model.ambient(at);
   for (const PointLight& light : scene.point_lights) sum += model(at, arriving(light, at));
   for (const DirectionLight& light : scene.direction_lights) sum += model(at, arriving(light, at));
-  return {finite(sum.x, tally), finite(sum.y, tally), finite(sum.z, tally)};
+  return finite(sum, tally);
 }
 
 } // namespace refraster

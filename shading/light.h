@@ -22,8 +22,8 @@ struct DirectionLight {
   Double3 radiance{1};
 };
 
-/// C = radiance / (Kc + Kl d + Kq d^2), at most the largest finite number: d may be so small that nothing is left of
-/// the divisor. With d = 0 no direction is defined and nothing arrives.
+/// C = radiance times 1 / (Kc + Kl d + Kq d^2), at most the largest finite number: d may be so small that nothing is
+/// left of the divisor. With d = 0 no direction is defined and nothing arrives.
 template <class T>
 Incident<T> arriving(const PointLight& light, const Fragment<T>& at) {
   using Limits = std::numeric_limits<RealOf<T>>;
@@ -34,7 +34,7 @@ Incident<T> arriving(const PointLight& light, const Fragment<T>& at) {
   Rgb<T> radiance = as<T>(light.radiance);
   if (attenuated) {
     const T divisor = as<T>(light.constant) + as<T>(light.linear) * d + as<T>(light.quadratic) * square(d);
-    radiance /= maximum(divisor, T(Limits::min()));
+    radiance *= T(1) / maximum(divisor, T(Limits::min()));
     const T largest(Limits::max());
     radiance = {minimum(radiance.x, largest), minimum(radiance.y, largest), minimum(radiance.z, largest)};
   }

@@ -169,6 +169,7 @@ inline Interval root(Interval x) {
   };
   return {ends(std::max(x.lo, 0.0)).lo, ends(std::max(x.hi, 0.0)).hi};
 }
+inline Interval exact_reciprocal(Interval s) { return {exact_reciprocal(s.hi), exact_reciprocal(s.lo)}; } // s > 0
 inline Interval reciprocal_binade(Interval x) {
   const Interval size = magnitude(x);
   return {reciprocal_binade(size.hi), reciprocal_binade(size.lo)};
