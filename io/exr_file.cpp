@@ -1,5 +1,6 @@
 #include "io/atomic_file.h"
 #include "io/image_formats.h"
+#include "io/text.h"
 
 #include <algorithm>
 
@@ -76,10 +77,8 @@ ImageFile read_exr(const std::string& path, std::uint64_t file_bytes) {
   } catch (const InputError&) {
     throw;
   } catch (const std::exception& error) { // whatever OpenEXR has to say about it
-    std::string reason = error.what();
-    for (char& c : reason)
-      if (c == '\n') c = ' ';
-    throw InputError(InputFault{path, 0, 0, "", "an image that cannot be decoded: " + reason, "an OpenEXR image"});
+    throw InputError(
+        InputFault{path, 0, 0, "", "an image that cannot be decoded: " + one_line(error.what()), "an OpenEXR image"});
   }
 }
 

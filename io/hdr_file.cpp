@@ -19,7 +19,8 @@ using Rgbe = std::array<std::uint8_t, 4>;
 /// largest.
 Rgbe encode(const float* rgb) {
   std::array<double, 3> value;
-  for (std::size_t c = 0; c < 3; ++c) value[c] = rgb[c] > 0 ? std::min(static_cast<double>(rgb[c]), 255 * std::ldexp(1.0, 119)) : 0;
+  for (std::size_t c = 0; c < 3; ++c)
+    value[c] = rgb[c] > 0 ? std::min(static_cast<double>(rgb[c]), 255 * std::ldexp(1.0, 119)) : 0;
   const double largest = std::max({value[0], value[1], value[2]});
   if (largest < std::ldexp(1.0, -128)) return {0, 0, 0, 0};
   int exponent = 0;

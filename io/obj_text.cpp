@@ -12,12 +12,16 @@
 namespace refraster {
 namespace {
 
-constexpr std::string_view blanks = " \t\r";
+bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\r';
+}
 
 /// The next word of a line, which is taken off its front; empty at the end.
 std::string_view take_word(std::string_view& line) {
-  const std::size_t begin = std::min(line.find_first_not_of(blanks), line.size());
-  const std::size_t end = std::min(line.find_first_of(blanks, begin), line.size());
+  std::size_t begin = 0; // find_first_of is slow: it searches its list for every character
+  while (begin < line.size() && is_blank(line[begin])) ++begin;
+  std::size_t end = begin;
+  while (end < line.size() && !is_blank(line[end])) ++end;
   const std::string_view word = line.substr(begin, end - begin);
   line.remove_prefix(end);
   return word;
@@ -85,13 +89,13 @@ private:
 
   /// False if it says nothing about the shape.
   bool statement(std::string_view line) {
-    const std::string_view all = line, name = take_word(line);
-    if (name == "v") numbers(obj_.v, line, all, 3, 7); // then may follow a weight, or a colour, or both
-    else if (name == "vn") numbers(obj_.vn, line, all, 3, 3);
-    else if (name == "vt") numbers(obj_.vt, line, all, 1, 3);
-    else if (name == "f") face(line, all);
+    const std::string_view all = line, keyword = take_word(line);
+    if (keyword == "v") numbers(obj_.v, line, all, 3, 7); // then may follow a weight, or a colour, or both
+    else if (keyword == "vn") numbers(obj_.vn, line, all, 3, 3);
+    else if (keyword == "vt") numbers(obj_.vt, line, all, 1, 3);
+    else if (keyword == "f") face(line, all);
     else {
-      if (name == "s") smoothing(take_word(line), all);
+      if (keyword == "s") smoothing(take_word(line), all);
       return false;
     }
     return true;
@@ -101,6 +105,7 @@ private:
   template <glm::length_t N>
   void numbers(std::vector<glm::vec<N, float, glm::defaultp>>& list, std::string_view rest, std::string_view all,
                std::size_t least, std::size_t most) {
+    const std::size_t digits = static_cast<std::size_t>(rest.data() - text_.data()), size = rest.size();
     glm::vec<N, float, glm::defaultp> point(0.0f);
     std::size_t count = 0;
     for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest), ++count) {
@@ -113,6 +118,7 @@ private:
       fault(all, counted(count, "number"),
             least == most ? counted(least, "number") : std::to_string(least) + " to " + counted(most, "number"));
     list.push_back(point);
+    blank(digits, digits + size); // tinyobjloader need only count it
   }
 
   void smoothing(std::string_view word, std::string_view all) {

@@ -1,5 +1,6 @@
 #include "io/atomic_file.h"
 #include "io/image_formats.h"
+#include "io/text.h"
 
 #include <stb_image.h>
 #include <stb_image_write.h>
@@ -51,9 +52,9 @@ std::uint32_t big_endian(const char* bytes) {
 
 InputError not_decoded(const std::string& path, bool ran_out) {
   if (ran_out) return InputError(InputFault{path, 0, 0, "", "a truncated image", "a whole one"});
-  const char* const reason = stbi_failure_reason();
+  const char* const reason = stbi_failure_reason(); // may quote the file
   return InputError(InputFault{
-      path, 0, 0, "", std::string("an image that cannot be decoded: ") + (reason ? reason : "unknown"), "an image"});
+      path, 0, 0, "", "an image that cannot be decoded: " + one_line(reason ? reason : "unknown"), "an image"});
 }
 
 /// Decodes by one of stb's functions and copies to float, row 0 at the top.

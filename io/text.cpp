@@ -15,9 +15,16 @@ std::string in_quotes(std::string_view word) {
   std::size_t shown = word.size();
   if (shown > most)
     for (shown = most; shown > 0 && continues(word[shown]);) --shown;
-  std::string result = "\"";
-  for (const char c : word.substr(0, shown)) result += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
-  return result + (shown < word.size() ? "…\"" : "\"");
+  std::string result = one_line(word.substr(0, shown));
+  result.insert(result.begin(), '"');
+  return result.append(shown < word.size() ? "…\"" : "\"");
+}
+
+std::string one_line(std::string_view message) {
+  std::string result(message);
+  for (char& c : result)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+  return result;
 }
 
 std::string counted(std::size_t count, std::string_view noun) {

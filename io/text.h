@@ -10,6 +10,9 @@ namespace refraster {
 /// A word in quotes, cut where it is long; control characters are shown as '?'.
 std::string in_quotes(std::string_view word);
 
+/// What a library says, as one line: control characters become '?'.
+std::string one_line(std::string_view message);
+
 /// "1 number", "2 numbers".
 std::string counted(std::size_t count, std::string_view noun);
 
