@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 namespace refraster {
 namespace {
@@ -16,15 +17,22 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   return parts;
 }
 
+/// The number that the whole text is. from_chars takes no sign for an unsigned one, and no locale.
+template <class Number>
+std::optional<Number> number_from(std::string_view text) {
+  Number number{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
 /// Exactly `count` whole numbers in [0, largest_side], and nothing else.
 std::optional<std::vector<int>> numbers_from(std::string_view text, char separator, std::size_t count) {
   std::vector<int> numbers;
   for (const std::string_view part : split(text, separator)) {
-    int number = -1;
-    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), number);
-    if (error != std::errc{} || end != part.data() + part.size() || number < 0 || number > largest_side)
-      return std::nullopt;
-    numbers.push_back(number);
+    const std::optional<int> number = number_from<int>(part);
+    if (!number || *number < 0 || *number > largest_side) return std::nullopt;
+    numbers.push_back(*number);
   }
   if (numbers.size() != count) return std::nullopt;
   return numbers;
@@ -59,14 +67,22 @@ std::optional<std::vector<Aov>> aovs_from(std::string_view text) {
 std::optional<Double3> reflectance_from(std::string_view text) {
   std::vector<double> numbers;
   for (const std::string_view part : split(text, ',')) {
-    double number = -1;
-    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), number);
-    if (error != std::errc{} || end != part.data() + part.size() || !(0 <= number && number <= 1)) return std::nullopt;
-    numbers.push_back(number);
+    const std::optional<double> number = number_from<double>(part);
+    if (!number || !(0 <= *number && *number <= 1)) return std::nullopt;
+    numbers.push_back(*number);
   }
   if (numbers.size() == 1) return Double3(numbers[0]);
   if (numbers.size() == 3) return Double3(numbers[0], numbers[1], numbers[2]);
   return std::nullopt;
+}
+
+std::optional<double> distance_from(std::string_view text) {
+  const std::optional<double> number = number_from<double>(text);
+  return number && std::isfinite(*number) && *number >= 0 ? number : std::nullopt;
+}
+
+std::optional<std::uint64_t> count_from(std::string_view text) {
+  return number_from<std::uint64_t>(text);
 }
 
 } // namespace refraster

@@ -2,6 +2,7 @@
 // Words of the command line that are more than a number or a name.
 
 #include "raster/render.h"
+#include "shading/fields.h"
 
 #include <CLI/CLI.hpp>
 
@@ -29,8 +30,43 @@ std::optional<std::vector<Aov>> aovs_from(std::string_view text);
 /// "0.8" or "0.6,0.05,0.03": what is reflected of red, green and blue, each in [0, 1]. One number stands for all three.
 std::optional<Double3> reflectance_from(std::string_view text);
 
+/// A finite number, not negative.
+std::optional<double> distance_from(std::string_view text);
+
+/// A whole number, not negative.
+std::optional<std::uint64_t> count_from(std::string_view text);
+
+/// An option for a number in a range; the help shows the range in place of the value. NaN is in none.
+template <class Number>
+CLI::Option* add_number_option(CLI::App& command, const std::string& name, Number& value, const Range& range,
+                               const std::string& description) {
+  const auto text = [](double x) { return CLI::detail::to_string(x); };
+  const std::string form = range.ends == Ends::included ? text(range.min) + ".." + text(range.max)
+                                                        : ">" + text(range.min) + "..<" + text(range.max);
+  const auto fault = [range, form](const std::string& given) {
+    double number = 0;
+    if (CLI::detail::lexical_cast(given, number) && range.contains(number)) return std::string();
+    return "found " + given + ", expected a number in " + form;
+  };
+  return command.add_option(name, value, description)->type_name(form)->check(CLI::Validator(fault, ""));
+}
+
+/// An option for one of a few words or numbers; the help shows them.
+template <class Value>
+CLI::Option* add_choice_option(CLI::App& command, const std::string& name, Value& value,
+                               const std::vector<Value>& choices, const std::string& description) {
+  std::string form;
+  for (const Value& choice : choices) form += (form.empty() ? "" : "|") + CLI::detail::to_string(choice);
+  const auto fault = [choices, form](const std::string& given) {
+    for (const Value& choice : choices)
+      if (CLI::detail::to_string(choice) == given) return std::string();
+    return "found \"" + given + "\", expected " + form;
+  };
+  return command.add_option(name, value, description)->type_name(form)->check(CLI::Validator(fault, ""));
+}
+
 /// An option whose text `parse` turns into a value; nothing from parse is wrong usage, and the message says what was
-/// found and expected. For an option of a list of words, shown as `form` in the help.
+/// found and expected. `form` stands for the value in the help.
 template <class Value, class Parsed>
 CLI::Option* add_parsed_option(CLI::App& command, const std::string& name, Value& value,
                                std::optional<Parsed> (*parse)(std::string_view), const std::string& form,

@@ -7,6 +7,7 @@ namespace refraster {
 CLI::App& add_sub_command(CLI::App& parent, const std::string& name, const std::string& description) {
   CLI::App& command = *parent.add_subcommand(name, description);
   command.set_version_flag("--version", version_text(), "Print the version and exit");
+  command.footer(""); // not the parent's
   command.option_defaults()->always_capture_default();
   return command;
 }

@@ -1,5 +1,6 @@
 // refraster compare A B
 
+#include "app/arguments.h"
 #include "app/command.h"
 #include "app/output.h"
 #include "io/image_file.h"
@@ -41,11 +42,12 @@ void add_compare(CLI::App& program, Action& chosen) {
   command.add_option("--diff", a.diff, "write a heat image: black where equal, the lighter the more different")
       ->type_name("FILE.png");
   command.add_option("--json", a.json, "write the numbers as JSON; - is standard output")->type_name("FILE");
-  command.add_option("--max-abs", a.limits.max_abs, "largest difference of a value that is allowed")
-      ->check(CLI::NonNegativeNumber);
-  command.add_option("--max-rms", a.limits.max_rms, "largest root mean square difference that is allowed")
-      ->check(CLI::NonNegativeNumber);
-  command.add_option("--max-count", a.limits.max_count, "so many pixels may differ by more than --max-abs, or at all");
+  add_parsed_option(command, "--max-abs", a.limits.max_abs, distance_from, "X", "a number >= 0",
+                    "largest difference of a value that is allowed");
+  add_parsed_option(command, "--max-rms", a.limits.max_rms, distance_from, "X", "a number >= 0",
+                    "largest root mean square difference that is allowed");
+  add_parsed_option(command, "--max-count", a.limits.max_count, count_from, "N", "a whole number >= 0",
+                    "so many pixels may differ by more than --max-abs, or at all");
   command.footer("Two 8-bit images are compared in levels, 0 to 255; others in values, where a level is 1/255.\n"
                  "Without a limit, all values must be the same. NaN equals nothing.\n"
                  "Exit code 0: the same within the limits, 1: not, 3: not comparable.");

@@ -18,6 +18,20 @@ std::string padded(std::string_view text, std::size_t width) {
   return result;
 }
 
+/// ": nearest, trilinear (default)" for a parameter that is one of a few words; nothing for a number.
+template <class Value>
+std::string choices(const Value& chosen) {
+  std::string text;
+  if constexpr (NamedEnum<Value>) {
+    for (const auto& [value, name] : EnumNames<Value>::names) {
+      text += text.empty() ? ": " : ", ";
+      text += name;
+      if (value == chosen) text += " (default)";
+    }
+  }
+  return text;
+}
+
 template <class M>
 void print_model() {
   std::cout << M::name << "\n  shader files  ";
@@ -28,8 +42,8 @@ void print_model() {
   }
   std::cout << "\n";
   M model;
-  M::fields(model, [](std::string_view name, const auto&, Range, std::string_view meaning) {
-    std::cout << "  " << padded(name, 14) << meaning << "\n";
+  M::fields(model, [](std::string_view name, const auto& value, const Range&, std::string_view meaning) {
+    std::cout << "  " << padded(name, 14) << meaning << choices(value) << "\n";
   });
 }
 

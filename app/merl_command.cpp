@@ -76,8 +76,8 @@ void add_reflectance(CLI::App& command, const std::string& name, Double3& value,
 
 void add_alpha(CLI::App& command, double& alpha) {
   // Below 0.001 a highlight is narrower than the first bin of theta_h, 1.9e-4 rad: the table would only show noise.
-  command.add_option("--alpha", alpha, "roughness: slope at which the density has fallen to a quarter")
-      ->check(CLI::Range(0.001, 1.0));
+  add_number_option(command, "--alpha", alpha, Range{0.001, 1},
+                    "roughness: slope at which the density has fallen to a quarter");
 }
 
 void add_synth(CLI::App& merl, Action& chosen) {
@@ -97,7 +97,7 @@ void add_synth(CLI::App& merl, Action& chosen) {
   CLI::App& plastic =
       add_formula(synth, chosen, "ggx-dielectric", "rough dielectric over a diffuse ground", dielectric);
   add_alpha(plastic, dielectric->alpha);
-  plastic.add_option("--ior", dielectric->ior, "refractive index")->check(CLI::Range(1.0001, 10.0));
+  add_number_option(plastic, "--ior", dielectric->ior, Range{1.0001, 10}, "refractive index");
   add_reflectance(plastic, "--albedo", dielectric->albedo, "of the ground");
 
   for (const BrdfPreset& preset : brdf_presets()) {

@@ -1,5 +1,7 @@
-// refraster mesh sphere | cube | plane | torus | knot: the shapes of a scene's "mesh", with the same parameters, as a file.
+// refraster mesh sphere | cube | plane | torus | knot: the shapes of a scene's "mesh", with the same parameters, as a
+// file.
 
+#include "app/arguments.h"
 #include "app/command.h"
 #include "app/output.h"
 #include "io/obj_file.h"
@@ -36,20 +38,6 @@ std::string option_name(std::string_view key) {
   return name;
 }
 
-CLI::Validator within(const Range& range) {
-  const auto number = [](double x) { return CLI::detail::to_string(x); };
-  const std::string expected = range.ends == Ends::included
-                                   ? "from " + number(range.min) + " to " + number(range.max)
-                                   : "more than " + number(range.min) + " and less than " + number(range.max);
-  return CLI::Validator(
-      [range, expected](const std::string& text) {
-        double value = 0;
-        if (CLI::detail::lexical_cast(text, value) && range.contains(value)) return std::string();
-        return "found " + text + ", expected a number " + expected;
-      },
-      expected);
-}
-
 template <class S>
 void add_shape(CLI::App& mesh, Action& chosen) {
   const std::string name(S::name);
@@ -57,7 +45,7 @@ void add_shape(CLI::App& mesh, Action& chosen) {
   const auto shape = std::make_shared<S>();
   const auto output = std::make_shared<std::string>(name + ".obj");
   S::fields(*shape, [&](std::string_view key, auto& value, const Range& range, std::string_view meaning, Presence) {
-    command.add_option(option_name(key), value, std::string(meaning))->check(within(range));
+    add_number_option(command, option_name(key), value, range, std::string(meaning));
   });
   command.add_option("-o,--output", *output, "OBJ file to write")->type_name("FILE");
   command.final_callback([&chosen, shape, output] {

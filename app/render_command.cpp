@@ -146,21 +146,23 @@ void add_render(CLI::App& program, Action& chosen) {
   RenderArguments& a = *arguments;
 
   command.add_option("scene", a.scene, "scene file; docs/scene-format.md")->required()->type_name("SCENE");
-  command.add_option("-o,--output", a.output, "image to write: .png (8 bit), .hdr, .pfm or .exr (float, unclamped)")
-      ->type_name("FILE")
-      ->default_str("SCENE.png in the current directory");
+  command
+      .add_option("-o,--output", a.output,
+                  "image to write: .png (8 bit), .hdr, .pfm or .exr (float, unclamped); by default the scene's name "
+                  "with .png, in the current directory")
+      ->type_name("FILE");
   add_parsed_option(command, "--size", a.size, size_from, "WxH",
                     "WIDTHxHEIGHT, each 1 to " + std::to_string(largest_side), "pixels of the image")
       ->default_str("1280x720");
   add_parsed_option(command, "--crop", a.crop, crop_from, "X,Y,W,H", "x,y,width,height in pixels from the top left",
                     "make only this part of the image, with the same pixels");
-  command.add_option("--rung", a.rung, "precision of shading; `refraster list rungs`")
-      ->check(CLI::IsMember(rung_names(static_cast<const Rungs*>(nullptr))));
-  command.add_option("--samples", a.samples, "samples a pixel, at the standard positions; shaded once a triangle")
-      ->check(CLI::IsMember({1, 2, 4, 8, 16}));
-  command.add_option("--threads", a.threads, "threads; 0: as many as this machine has")->check(CLI::Range(0, 1024));
-  command.add_option("--tile-size", a.tile_size, "pixels along a side of the tiles that threads work on")
-      ->check(CLI::IsMember({8, 16, 32, 64, 128}));
+  add_choice_option(command, "--rung", a.rung, rung_names(static_cast<const Rungs*>(nullptr)),
+                    "precision of shading; `refraster list rungs`");
+  add_choice_option(command, "--samples", a.samples, {1, 2, 4, 8, 16},
+                    "samples a pixel, at the standard positions; shaded once a triangle");
+  add_number_option(command, "--threads", a.threads, Range{0, 1024}, "threads; 0: as many as this machine has");
+  add_choice_option(command, "--tile-size", a.tile_size, {8, 16, 32, 64, 128},
+                    "pixels along a side of the tiles that threads work on");
   add_parsed_option(command, "--aov", a.aovs, aovs_from, "LIST",
                     "some of depth,normal,position,uv,albedo,triangle,object, each once",
                     "more images to write, as NAME.depth.pfm next to NAME.png (.exr next to .exr): depth, normal, "

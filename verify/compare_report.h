@@ -18,7 +18,7 @@ struct ComparisonReport {
 std::string comparison_text(const ComparisonReport& report);
 
 /// Every number in full, members always in the same order. psnr_db is null where it is infinite; a value in `worst` is
-/// null where it is NaN or infinite. docs/compare.md describes them.
+/// null where it is NaN or infinite. docs/reports.md describes them.
 std::string comparison_json(const ComparisonReport& report);
 
 } // namespace refraster

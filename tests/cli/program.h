@@ -1,28 +1,18 @@
 #pragma once
 // Runs the program as a user does, in a folder of its own.
 
+#include "tests/io/malformed_inputs.h"
+
 #include <filesystem>
 #include <string>
 #include <vector>
 
 namespace refraster {
 
-/// A folder that is gone, with all in it, when the test is over.
-class TemporaryFolder {
-public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+using test::TemporaryFolder;
 
-  const std::filesystem::path& path() const { return path_; }
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-  /// Names of what is in it, sorted.
-  std::vector<std::string> files() const;
-
-private:
-  std::filesystem::path path_;
-};
+/// Names of what is in a folder, sorted.
+std::vector<std::string> files_in(const TemporaryFolder& folder);
 
 /// What a finished run left.
 struct Finished {

@@ -8,6 +8,7 @@ namespace refraster {
 /// A lit sphere before a slanted plane. Scene files may have comments.
 inline const std::string ball_scene = R"({
   // a ball on a floor
+  "scene": {
   "camera": {"position": "0 1 4", "target": "0 0 0", "fov_y": 40},
   "background": "0.1 0.2 0.3",
   "point_lights": [{"position": [2, 3, 4], "radiance": [8, 8, 8], "constant": 1, "linear": 0, "quadratic": 0.2}],
@@ -19,12 +20,12 @@ inline const std::string ball_scene = R"({
     {"mesh": {"plane": {"segments": 2}}, "fragment_function": "blinn_phong", "position": "0 -1 0",
      "rotate_x": 0, "rotate_y": 30, "rotate_z": 0, "scale": "3 1 3",
      "material": {"ka": "0.02 0.02 0.02", "kd": "0.3 0.5 0.3", "ks": "0.2 0.2 0.2", "glossiness": 50}}
-  ]
+  ]}
 })";
 
 /// Valid, with nothing to see.
-inline const std::string empty_scene = R"({
+inline const std::string empty_scene = R"({"scene": {
   "camera": {"position": "0 0 5"}, "background": "0.2 0.4 0.6", "point_lights": [], "direction_lights": [], "objects": []
-})";
+}})";
 
 } // namespace refraster

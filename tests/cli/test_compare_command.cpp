@@ -25,7 +25,7 @@ struct PairFolder : TemporaryFolder {
   }
   Finished compare(Words words) const {
     words.insert(words.begin(), "compare");
-    return run_program(path(), words);
+    return run_program(path, words);
   }
 };
 

@@ -24,7 +24,7 @@ struct BallFolder : TemporaryFolder {
   std::string rendered(const std::string& output, Words more) const {
     Words words = {"render", "ball.json", "-o", output, "--size", "90x70"};
     words.insert(words.end(), more.begin(), more.end());
-    const Finished run = run_program(path(), words);
+    const Finished run = run_program(path, words);
     REQUIRE_MESSAGE(run.exit_code == 0, run.err);
     return text_of(*this / output);
   }
@@ -34,11 +34,11 @@ struct BallFolder : TemporaryFolder {
 
 TEST_CASE("the image goes to the current directory under the scene's name, and its path to standard output") {
   const BallFolder folder;
-  const Finished run = run_program(folder.path(), {"render", "ball.json", "--size", "16x9"});
+  const Finished run = run_program(folder.path, {"render", "ball.json", "--size", "16x9"});
   CHECK(run.exit_code == 0);
   CHECK(run.out == "ball.png\n");
   CHECK(run.err.empty()); // no progress: not a terminal
-  CHECK(folder.files() == Words{"ball.json", "ball.png"});
+  CHECK(files_in(folder) == Words{"ball.json", "ball.png"});
 }
 
 TEST_CASE("every format is written") {
@@ -52,7 +52,7 @@ TEST_CASE("every format is written") {
 TEST_CASE("an empty scene shows the background, to the nearest level") {
   const TemporaryFolder folder;
   save_text(folder / "empty.json", empty_scene);
-  REQUIRE(run_program(folder.path(), {"render", "empty.json", "--size", "3x2"}).exit_code == 0);
+  REQUIRE(run_program(folder.path, {"render", "empty.json", "--size", "3x2"}).exit_code == 0);
   const auto image = read_image(folder / "empty.png").values;
   REQUIRE(image.width == 3);
   REQUIRE(image.height == 2);
@@ -110,7 +110,7 @@ TEST_CASE("AOVs stand next to the image, as .exr beside .exr and else as .pfm") 
 
 TEST_CASE("all paths written are printed, one a line") {
   const BallFolder folder;
-  const Finished run = run_program(folder.path(), {"render", "ball.json", "--size", "8x8", "--aov", "object,depth"});
+  const Finished run = run_program(folder.path, {"render", "ball.json", "--size", "8x8", "--aov", "object,depth"});
   CHECK(run.out == "ball.png\nball.object.pfm\nball.depth.pfm\n");
 }
 
@@ -123,11 +123,11 @@ TEST_CASE("the report names scene, build and counts; on standard output it stand
   const BallFolder folder;
   folder.rendered("a.png", {"--report", "a.json", "--threads", "1"});
   const std::string report = text_of(folder / "a.json");
-  for (const char* part : {"\"scene\": \"ball.json\"", "\"size\": [90, 70]", "\"rung\": \"double\"", "\"threads\": 1",
-                           "\"compiler\":", "\"in_scene\": 536", "\"in_image\": 6300", "\"zero_normal\": 0",
-                           "\"occupancy\":", "\"outputs\": [\"a.png\"]"})
+  for (const std::string part : {"\"scene\": \"ball.json\"", "\"size\": [90, 70]", "\"rung\": \"double\"",
+                                 "\"threads\": 1", "\"compiler\":", "\"in_scene\": 536", "\"in_image\": 6300",
+                                 "\"zero_normal\": 0", "\"occupancy\":", "\"outputs\": [\"a.png\"]"})
     CHECK_MESSAGE(report.find(part) != std::string::npos, part << "\n" << report);
-  const Finished run = run_program(folder.path(), {"render", "ball.json", "--size", "8x8", "--report", "-"});
+  const Finished run = run_program(folder.path, {"render", "ball.json", "--size", "8x8", "--report", "-"});
   CHECK(run.out.starts_with("{\n"));
   CHECK(run.out.ends_with("}\n"));
 }
@@ -137,13 +137,13 @@ TEST_CASE("bad input is exit code 3: not there, a folder, empty, not a scene") {
   save_text(folder / "empty.json", "");
   save_text(folder / "broken.json", "{\"camera\": ");
   for (const char* scene : {"none.json", ".", "empty.json", "broken.json", ""}) {
-    const Finished run = run_program(folder.path(), {"render", scene, "-o", "x.png"});
+    const Finished run = run_program(folder.path, {"render", scene, "-o", "x.png"});
     INFO(scene << "\n" << run.err);
     CHECK(run.exit_code == 3);
     CHECK(run.out.empty());
     CHECK_FALSE(run.err.empty());
   }
-  CHECK(folder.files() == Words{"ball.json", "broken.json", "empty.json"});
+  CHECK(files_in(folder) == Words{"ball.json", "broken.json", "empty.json"});
 }
 
 TEST_CASE("an output that cannot be written is exit code 4, before any work") {
@@ -159,21 +159,21 @@ TEST_CASE("an output that cannot be written is exit code 4, before any work") {
     // At the largest size this would take seconds and gigabytes, if it were begun.
     Words all = {"render", "ball.json", "--size", "16384x16384"};
     all.insert(all.end(), words.begin(), words.end());
-    const Finished run = run_program(folder.path(), all);
+    const Finished run = run_program(folder.path, all);
     INFO(words.back() << "\n" << run.err);
     CHECK(run.exit_code == 4);
     CHECK(run.out.empty());
   }
-  CHECK(folder.files() == Words{"ball.json", "file", "folder.png"});
+  CHECK(files_in(folder) == Words{"ball.json", "file", "folder.png"});
 }
 
 TEST_CASE("a signal ends the run with 130 and leaves nothing behind") {
   const BallFolder folder;
-  Running run(folder.path(), {"render", "ball.json", "--size", "16384x16384", "--threads", "1"});
+  Running run(folder.path, {"render", "ball.json", "--size", "8192x8192", "--threads", "1"});
   std::this_thread::sleep_for(std::chrono::milliseconds(300)); // far less than such a frame takes
   run.send(SIGINT);
   const Finished end = run.wait();
   CHECK(end.exit_code == 130);
   CHECK(end.out.empty());
-  CHECK(folder.files() == Words{"ball.json"});
+  CHECK(files_in(folder) == Words{"ball.json"});
 }

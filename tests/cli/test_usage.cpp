@@ -49,7 +49,7 @@ Words with(Words words, const std::string& last) {
 TEST_CASE("--help is there at every level, on standard output, and succeeds") {
   const TemporaryFolder folder;
   for (const Words& level : every_level) {
-    const Finished run = run_program(folder.path(), with(level, "--help"));
+    const Finished run = run_program(folder.path, with(level, "--help"));
     INFO(joined(level));
     CHECK(run.exit_code == 0);
     CHECK(run.err.empty());
@@ -61,7 +61,7 @@ TEST_CASE("--help is there at every level, on standard output, and succeeds") {
 TEST_CASE("--version is there at every level, and says the same") {
   const TemporaryFolder folder;
   for (const Words& level : every_level) {
-    const Finished run = run_program(folder.path(), with(level, "--version"));
+    const Finished run = run_program(folder.path, with(level, "--version"));
     INFO(joined(level));
     CHECK(run.exit_code == 0);
     CHECK(run.out.starts_with("refraster "));
@@ -71,8 +71,8 @@ TEST_CASE("--version is there at every level, and says the same") {
 
 TEST_CASE("help prints the defaults") {
   const TemporaryFolder folder;
-  const std::string help = run_program(folder.path(), {"render", "--help"}).out;
-  for (const char* expected : {"[1280x720]", "[double]", "[64]", "[0]", "[1]", "SCENE.png"})
+  const std::string help = run_program(folder.path, {"render", "--help"}).out;
+  for (const std::string expected : {"=1280x720", "=double", "=64", "=0", "=1"})
     CHECK_MESSAGE(help.find(expected) != std::string::npos, expected);
 }
 
@@ -115,7 +115,10 @@ TEST_CASE("every wrong argument is answered with exit code 2, one line and a hin
       {"compare", "a.png", "b.png", "--max-abs", "-1"},
       {"compare", "a.png", "b.png", "--max-abs", "x"},
       {"compare", "a.png", "b.png", "--max-abs", "nan"},
+      {"compare", "a.png", "b.png", "--max-abs", "inf"},
+      {"compare", "a.png", "b.png", "--max-rms", "-0.1"},
       {"compare", "a.png", "b.png", "--max-count", "-1"},
+      {"compare", "a.png", "b.png", "--max-count", "1.5"},
       {"compare", "a.png", "b.png", "--diff", "d.exr"},
       {"mesh"},
       {"mesh", "cone"},
@@ -136,22 +139,22 @@ TEST_CASE("every wrong argument is answered with exit code 2, one line and a hin
       {"list", "colours"},
   };
   for (const Words& words : wrong) {
-    const Finished run = run_program(folder.path(), words);
+    const Finished run = run_program(folder.path, words);
     INFO(joined(words) << "\n" << run.err);
     CHECK(run.exit_code == 2);
     CHECK(run.out.empty());
     CHECK(run.err.find("--help") != std::string::npos);
   }
-  CHECK(folder.files() == Words{"ball.json"});
+  CHECK(files_in(folder) == Words{"ball.json"});
 }
 
 TEST_CASE("what there is to choose from is listed") {
   const TemporaryFolder folder;
-  const std::string functions = run_program(folder.path(), {"list", "fragment-functions"}).out;
-  for (const char* name : {"phong", "blinn_phong", "merl", "glossiness", "merl_lookup"})
+  const std::string functions = run_program(folder.path, {"list", "fragment-functions"}).out;
+  for (const std::string name : {"phong", "blinn_phong", "merl", "glossiness", "merl_lookup"})
     CHECK_MESSAGE(functions.find(name) != std::string::npos, name);
-  const std::string rungs = run_program(folder.path(), {"list", "rungs"}).out;
+  const std::string rungs = run_program(folder.path, {"list", "rungs"}).out;
   CHECK(rungs.starts_with("double"));
   CHECK(rungs.find("\nfloat") != std::string::npos);
-  CHECK(run_program(folder.path(), {"list", "scene-format"}).out.find("fov_y") != std::string::npos);
+  CHECK(run_program(folder.path, {"list", "scene-format"}).out.find("fov_y") != std::string::npos);
 }
