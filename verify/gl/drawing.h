@@ -1,0 +1,55 @@
+#pragma once
+// A scene, uploaded and ready to be drawn as often as one likes.
+
+#include "verify/gl/program.h"
+#include "verify/gl/render_gl.h"
+#include "verify/gl/uniforms.h"
+
+#include <map>
+#include <tuple>
+
+namespace refraster {
+
+/// What a pass writes to the colour target.
+enum class GlPass {
+  colour,
+  ids // object and triangle, counted from 1, in red and green
+};
+
+/// Needs its context to live and be current.
+class GlDrawing {
+public:
+  /// Compiles, links and uploads. Throws InputError.
+  GlDrawing(const GlApi& gl, const Scene& scene, const GlOptions& options);
+
+  /// Clears the current framebuffer and draws all objects, in the order of the scene.
+  void draw(GlPass pass) const;
+
+  const std::vector<std::string>& shaders() const { return shaders_; }
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
+private:
+  struct Item {
+    GLuint vertices = 0, texture = 0, table = 0;
+    GLsizei indices = 0;
+    Cull cull = Cull::none;
+    GLuint program[2] = {};                  // by pass
+    std::vector<UniformSetting> uniforms[2]; // by pass
+  };
+
+  Item item(const Scene& scene, std::size_t object, const GlOptions& options, const Double4x4& clip_from_world);
+  GLuint linked(const ShaderText& vertex, const ShaderText& fragment, const std::string& object);
+
+  const GlApi& gl_;
+  Double3 background_;
+  std::vector<Item> items_;
+  GLuint white_ = 0;
+  std::vector<std::string> shaders_, warnings_;
+  // What several objects share.
+  std::map<const Mesh*, GLuint> meshes_;
+  std::map<std::pair<const Texture*, TextureFilter>, GLuint> textures_;
+  std::map<std::pair<const MerlTable*, MerlLookup>, GLuint> tables_;
+  std::vector<std::tuple<ShaderText, ShaderText, GLuint>> programs_;
+};
+
+} // namespace refraster

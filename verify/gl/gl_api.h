@@ -1,0 +1,86 @@
+#pragma once
+// The functions of OpenGL 3.3 core that are used here, and no others. Loaded at run time: nothing is linked.
+
+#include <GL/glcorearb.h>
+
+namespace refraster {
+
+#define REFRASTER_GL_FUNCTIONS(F)                                                                                      \
+  F(ACTIVETEXTURE, ActiveTexture)                                                                                      \
+  F(ATTACHSHADER, AttachShader)                                                                                        \
+  F(BEGINQUERY, BeginQuery)                                                                                            \
+  F(BINDATTRIBLOCATION, BindAttribLocation)                                                                            \
+  F(BINDBUFFER, BindBuffer)                                                                                            \
+  F(BINDBUFFERBASE, BindBufferBase)                                                                                    \
+  F(BINDFRAMEBUFFER, BindFramebuffer)                                                                                  \
+  F(BINDRENDERBUFFER, BindRenderbuffer)                                                                                \
+  F(BINDTEXTURE, BindTexture)                                                                                          \
+  F(BINDVERTEXARRAY, BindVertexArray)                                                                                  \
+  F(BUFFERDATA, BufferData)                                                                                            \
+  F(CHECKFRAMEBUFFERSTATUS, CheckFramebufferStatus)                                                                    \
+  F(CLEAR, Clear)                                                                                                      \
+  F(CLEARCOLOR, ClearColor)                                                                                            \
+  F(CLEARDEPTH, ClearDepth)                                                                                            \
+  F(COMPILESHADER, CompileShader)                                                                                      \
+  F(CREATEPROGRAM, CreateProgram)                                                                                      \
+  F(CREATESHADER, CreateShader)                                                                                        \
+  F(CULLFACE, CullFace)                                                                                                \
+  F(DEPTHFUNC, DepthFunc)                                                                                              \
+  F(DISABLE, Disable)                                                                                                  \
+  F(DRAWELEMENTS, DrawElements)                                                                                        \
+  F(ENABLE, Enable)                                                                                                    \
+  F(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray)                                                                  \
+  F(ENDQUERY, EndQuery)                                                                                                \
+  F(FINISH, Finish)                                                                                                    \
+  F(FRAMEBUFFERRENDERBUFFER, FramebufferRenderbuffer)                                                                  \
+  F(FRONTFACE, FrontFace)                                                                                              \
+  F(GENBUFFERS, GenBuffers)                                                                                            \
+  F(GENFRAMEBUFFERS, GenFramebuffers)                                                                                  \
+  F(GENQUERIES, GenQueries)                                                                                            \
+  F(GENRENDERBUFFERS, GenRenderbuffers)                                                                                \
+  F(GENTEXTURES, GenTextures)                                                                                          \
+  F(GENVERTEXARRAYS, GenVertexArrays)                                                                                  \
+  F(GETACTIVEUNIFORM, GetActiveUniform)                                                                                \
+  F(GETACTIVEUNIFORMBLOCKIV, GetActiveUniformBlockiv)                                                                  \
+  F(GETACTIVEUNIFORMBLOCKNAME, GetActiveUniformBlockName)                                                              \
+  F(GETERROR, GetError)                                                                                                \
+  F(GETINTEGERV, GetIntegerv)                                                                                          \
+  F(GETPROGRAMINFOLOG, GetProgramInfoLog)                                                                              \
+  F(GETPROGRAMIV, GetProgramiv)                                                                                        \
+  F(GETQUERYOBJECTUIV, GetQueryObjectuiv)                                                                              \
+  F(GETSHADERINFOLOG, GetShaderInfoLog)                                                                                \
+  F(GETSHADERIV, GetShaderiv)                                                                                          \
+  F(GETSTRING, GetString)                                                                                              \
+  F(GETUNIFORMLOCATION, GetUniformLocation)                                                                            \
+  F(LINKPROGRAM, LinkProgram)                                                                                          \
+  F(PIXELSTOREI, PixelStorei)                                                                                          \
+  F(READBUFFER, ReadBuffer)                                                                                            \
+  F(READPIXELS, ReadPixels)                                                                                            \
+  F(RENDERBUFFERSTORAGE, RenderbufferStorage)                                                                          \
+  F(SHADERSOURCE, ShaderSource)                                                                                        \
+  F(TEXIMAGE2D, TexImage2D)                                                                                            \
+  F(TEXIMAGE3D, TexImage3D)                                                                                            \
+  F(TEXPARAMETERI, TexParameteri)                                                                                      \
+  F(UNIFORM1F, Uniform1f)                                                                                              \
+  F(UNIFORM1I, Uniform1i)                                                                                              \
+  F(UNIFORM3FV, Uniform3fv)                                                                                            \
+  F(UNIFORMBLOCKBINDING, UniformBlockBinding)                                                                          \
+  F(UNIFORMMATRIX3FV, UniformMatrix3fv)                                                                                \
+  F(UNIFORMMATRIX4FV, UniformMatrix4fv)                                                                                \
+  F(USEPROGRAM, UseProgram)                                                                                            \
+  F(VERTEXATTRIBPOINTER, VertexAttribPointer)                                                                          \
+  F(VIEWPORT, Viewport)
+
+/// gl.Clear(…) is glClear(…). For the context it was loaded from.
+struct GlApi {
+#define REFRASTER_GL_MEMBER(TYPE, name) PFNGL##TYPE##PROC name = nullptr;
+  REFRASTER_GL_FUNCTIONS(REFRASTER_GL_MEMBER)
+#undef REFRASTER_GL_MEMBER
+};
+
+using GlFunction = void (*)();
+
+/// Loads all of them; gives the name of the first that is missing, or null.
+const char* load(GlApi& gl, GlFunction (*get)(const char* name));
+
+} // namespace refraster

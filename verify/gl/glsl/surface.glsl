@@ -1,0 +1,58 @@
+// What every fragment function starts from: shading/fragment.h and shading/light.h.
+#ifdef GL_ES // has no blocks between stages
+in vec3 FragPos;
+in vec3 Normal;
+in vec2 TexCoord;
+#define fs_in(name) name
+#else
+in VS_OUT {
+    vec3 FragPos;
+    vec3 Normal;
+    vec2 TexCoord;
+} fs_in_block;
+#define fs_in(name) fs_in_block.name
+#endif
+out vec4 FragColor;
+
+struct PointLight {
+    vec3 position;
+    vec3 radiance;
+    float constant;
+    float linear;
+    float quadratic;
+};
+struct DirectionLight {
+    vec3 direction; // where the light travels to, unit
+    vec3 radiance;
+};
+
+uniform vec3 viewPos;
+#if POINT_LIGHTS > 0
+uniform PointLight pointLights[POINT_LIGHTS];
+#endif
+#if DIRECTION_LIGHTS > 0
+uniform DirectionLight directionLights[DIRECTION_LIGHTS];
+#endif
+
+// Light that reaches the surface: the unit direction to it, and radiance times attenuation.
+struct Incident {
+    vec3 direction;
+    vec3 radiance;
+};
+
+// a / |a|, and 0 for 0, where normalize() is undefined.
+vec3 unit(vec3 a) {
+    float squared = dot(a, a);
+    return a * (squared > 0.0 ? inversesqrt(squared) : 0.0);
+}
+
+Incident arriving(PointLight light, vec3 position) {
+    vec3 way = light.position - position;
+    float d = length(way);
+    float attenuation = 1.0 / (light.constant + light.linear * d + light.quadratic * d * d);
+    return Incident(way * (d > 0.0 ? 1.0 / d : 0.0), light.radiance * (d > 0.0 ? attenuation : 0.0));
+}
+
+Incident arriving(DirectionLight light) {
+    return Incident(-light.direction, light.radiance);
+}

@@ -1,0 +1,94 @@
+#include "verify/gl/render_gl.h"
+
+#include "verify/gl/context.h"
+#include "verify/gl/drawing.h"
+#include "verify/gl/frame_timer.h"
+
+#include <algorithm>
+
+namespace refraster {
+namespace {
+
+void check_size(const GlApi& gl, const GlOptions& options) {
+  GLint most = 0;
+  gl.GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &most);
+  if (options.width > most || options.height > most)
+    throw NoOpenGl("an image of " + std::to_string(options.width) + " x " + std::to_string(options.height) +
+                   " pixels is too large for this OpenGL, which draws at most " + std::to_string(most) + " a side");
+}
+
+/// Something to draw to, and now the current framebuffer: colour in the given format, depth in DEPTH32F.
+void make_target(const GlApi& gl, GLenum colour_format, const GlOptions& options) {
+  GLuint framebuffer = 0, buffers[2] = {};
+  gl.GenFramebuffers(1, &framebuffer);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  gl.GenRenderbuffers(2, buffers);
+  const GLenum formats[] = {colour_format, GL_DEPTH_COMPONENT32F},
+               places[] = {GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT};
+  for (std::size_t i = 0; i < 2; ++i) {
+    gl.BindRenderbuffer(GL_RENDERBUFFER, buffers[i]);
+    gl.RenderbufferStorage(GL_RENDERBUFFER, formats[i], options.width, options.height);
+    gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, places[i], GL_RENDERBUFFER, buffers[i]);
+  }
+  if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+    throw NoOpenGl("this OpenGL cannot draw to an image of that format and size");
+  gl.Viewport(0, 0, options.width, options.height);
+}
+
+/// The current framebuffer's pixels. y was turned over in drawing, so the first row is the top one.
+template <class Value>
+Image<Value> read_pixels(const GlApi& gl, const GlOptions& options, GLenum format, int channels) {
+  Image<Value> image(options.width, options.height, channels);
+  gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
+  gl.ReadPixels(0, 0, options.width, options.height, format, sizeof(Value) == 1 ? GL_UNSIGNED_BYTE : GL_FLOAT,
+                image.values.data());
+  return image;
+}
+
+std::uint64_t counted_samples(const GlApi& gl, const GlDrawing& drawing) {
+  GLuint query = 0, passed = 0;
+  gl.GenQueries(1, &query);
+  gl.BeginQuery(GL_SAMPLES_PASSED, query);
+  drawing.draw(GlPass::colour);
+  gl.EndQuery(GL_SAMPLES_PASSED);
+  gl.GetQueryObjectuiv(query, GL_QUERY_RESULT, &passed);
+  return passed;
+}
+
+} // namespace
+
+GlFrame render_gl(const Scene& scene, const GlOptions& options) {
+  const GlContext context(options.renderer);
+  const GlApi& gl = context.gl();
+  check_size(gl, options);
+  GlFrame frame;
+  frame.driver = context.driver();
+
+  make_target(gl, GL_RGBA8, options);
+  const GlDrawing drawing(gl, scene, options);
+  frame.shaders = drawing.shaders();
+  frame.warnings = drawing.warnings();
+  frame.samples_passed = counted_samples(gl, drawing); // and what drivers put off until the first frame is done
+  if (options.want_levels) frame.levels = read_pixels<std::uint8_t>(gl, options, GL_RGB, 3);
+  if (options.want_depth) frame.depth = read_pixels<float>(gl, options, GL_DEPTH_COMPONENT, 1);
+  gl.Finish();
+  frame.times = time_frames(options.timed_frames, [&] {
+    drawing.draw(GlPass::colour);
+    gl.Finish();
+  });
+
+  if (options.want_radiance || options.want_ids) make_target(gl, GL_RGBA32F, options);
+  if (options.want_radiance) {
+    drawing.draw(GlPass::colour);
+    frame.radiance = read_pixels<float>(gl, options, GL_RGB, 3);
+  }
+  if (options.want_ids) {
+    drawing.draw(GlPass::ids);
+    frame.ids = read_pixels<float>(gl, options, GL_RG, 2);
+  }
+  if (const GLenum error = gl.GetError(); error != GL_NO_ERROR)
+    throw std::runtime_error("OpenGL reports error " + std::to_string(error));
+  return frame;
+}
+
+} // namespace refraster
