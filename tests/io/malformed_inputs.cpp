@@ -100,6 +100,8 @@ void add_scenes(List& list) {
       "s.json:8:41: /scene/objects/0/rotate_x: found the key a second time, expected each key once");
   add("a string for a number", "\"glossiness\": 8", "\"glossiness\": \"8\"",
       "s.json:9:83: /scene/objects/0/material/glossiness: found \"8\", expected a number >= 0");
+  add("a string with quotes for a number", "\"glossiness\": 8", R"("glossiness": "a\"b\\")",
+      "s.json:9:83: /scene/objects/0/material/glossiness: found \"a\"b\\\", expected a number >= 0");
   add("a number below its range", "\"glossiness\": 8", "\"glossiness\": -3",
       "s.json:9:83: /scene/objects/0/material/glossiness: found -3, expected a number >= 0");
   add("a vector of two numbers", "\"0 0 6\"", "\"0 0\"",
@@ -116,6 +118,8 @@ void add_scenes(List& list) {
       "s.json:4:38: /scene/direction_lights/0/direction: found a vector of length 0, expected a direction");
   add("a target at the camera", "\"0 0 6\"", "\"0 0 6\", \"target\": \"0 0 6\"",
       "s.json:2:45: /scene/camera/target: found the camera's position, expected a target away from the position");
+  add("no target can be judged without a position", "\"0 0 6\"", "\"six\", \"target\": \"0 0 0\"",
+      "s.json:2:26: /scene/camera/position: found \"six\", expected three numbers");
   add("up along the line of sight", "\"0 0 6\"", "\"0 0 6\", \"up\": \"0 0 2\"",
       "s.json:2:41: /scene/camera/up: found an up vector along the line of sight, expected up not parallel to target - "
       "position");

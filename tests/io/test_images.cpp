@@ -1,5 +1,6 @@
 #include "io/image_file.h"
 #include "io/input_error.h"
+#include "io/input_file.h"
 #include "tests/io/malformed_inputs.h"
 #include "tests/io/png_bytes.h"
 
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <numeric>
 
@@ -112,6 +114,34 @@ TEST_CASE("an EXR file keeps the names of its channels, colour first") {
   const ImageFile read = read_image(folder / "i.exr");
   CHECK(read.channels == std::vector<std::string>{"R", "G", "B", "A", "depth.Z"});
   CHECK(read.values.values == std::vector<float>{3, 4, 0, 2, 1, 8, 9, 5, 7, 6});
+}
+
+TEST_CASE("an EXR file whose pixels do not begin at (0, 0) is read as any other") {
+  const TemporaryFolder folder;
+  const Image<float> image = difficult(3);
+  write_float_image(folder / "i.exr", image);
+  std::string bytes = read_file(folder / "i.exr", "", 1 << 20);
+  const auto shift = [&](std::size_t at, std::int32_t by) {
+    std::int32_t value = 0;
+    std::memcpy(&value, &bytes[at], sizeof value);
+    value += by;
+    std::memcpy(&bytes[at], &value, sizeof value);
+  };
+  // The window: x and y of its first and last pixel, behind name, type and size.
+  using namespace std::string_literals;
+  const std::string attribute = "dataWindow\0box2i\0"s;
+  const std::size_t window = bytes.find(attribute) + attribute.size() + 4;
+  for (const std::size_t x : {0u, 2u}) shift(window + 4 * x, -7);
+  for (const std::size_t y : {1u, 3u}) shift(window + 4 * y, 1000);
+  // The only block of rows begins with its y; the table of blocks, just before it, holds its place.
+  for (std::size_t at = window; at + 12 < bytes.size(); ++at) {
+    std::uint64_t place = 0;
+    std::memcpy(&place, &bytes[at], sizeof place);
+    if (place != at + 8) continue;
+    shift(at + 8, 1000);
+    break;
+  }
+  CHECK(same_bits(read_image(file_with(folder, "i.exr", bytes)).values.values, image.values));
 }
 
 TEST_CASE("a big-endian PFM is read") {

@@ -131,6 +131,20 @@ TEST_CASE("a normal is weighted by angle: how a flat face is cut changes nothing
                                  .epsilon(static_cast<double>(std::numeric_limits<float>::epsilon())));
 }
 
+TEST_CASE("a corner that is concave weighs with its angle beyond half a circle") {
+  // An L in the xz plane round the origin, where it takes three quarters of a circle, as one polygon and cut in two;
+  // and a wall on the x axis that takes one quarter.
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 1 0 -1\nv -1 0 -1\nv -1 0 1\nv 0 0 1\nv 1 1 0\nv 0 1 0\n",
+                    wall = "f 1 2 7 8\n";
+  const Float3 whole = obj(points + "f 1 2 3 4 5 6\n" + wall).normals[0];
+  const Float3 cut = obj(points + "f 1 2 3 4\nf 1 4 5 6\n" + wall).normals[0];
+  CHECK(whole.y ==
+        doctest::Approx(3 / std::sqrt(10.0)).epsilon(static_cast<double>(std::numeric_limits<float>::epsilon())));
+  CHECK(
+      whole.y ==
+      doctest::Approx(static_cast<double>(cut.y)).epsilon(static_cast<double>(std::numeric_limits<float>::epsilon())));
+}
+
 TEST_CASE("normals that the file gives are kept as they are, also beside missing ones") {
   const Mesh mesh = obj(square + "vn 0 3 4\nf 1//1 2//1 3\n");
   CHECK(mesh.normals[0] == Float3(0, 3, 4));
