@@ -10,6 +10,7 @@
 #include <map>
 #include <numbers>
 #include <set>
+#include <string>
 #include <tuple>
 
 using namespace refraster;
@@ -17,7 +18,7 @@ using namespace refraster;
 namespace {
 
 struct Named {
-  const char* name;
+  std::string name;
   Mesh mesh;
 };
 
@@ -67,19 +68,21 @@ std::size_t open_edges(const Mesh& mesh) {
 } // namespace
 
 TEST_CASE("every triangle of a shape turns left seen from the side its normals point to") {
-  for (const auto& [name, mesh] : shapes())
-    for (const auto& triangle : mesh.triangles) {
+  for (const Named& shape : shapes())
+    for (const auto& triangle : shape.mesh.triangles) {
+      const Mesh& mesh = shape.mesh;
       const Double3 a = corner(mesh, triangle, 0), b = corner(mesh, triangle, 1), c = corner(mesh, triangle, 2);
       for (const std::uint32_t vertex : triangle)
-        CHECK_MESSAGE(dot(cross(b - a, c - a), Double3(mesh.normals[vertex])) > 0, name);
+        CHECK_MESSAGE(dot(cross(b - a, c - a), Double3(mesh.normals[vertex])) > 0, shape.name);
     }
 }
 
 TEST_CASE("no texture is mirrored: uv turn left where the triangle does") {
-  for (const auto& [name, mesh] : shapes())
-    for (const auto& [i, j, k] : mesh.triangles) {
+  for (const Named& shape : shapes())
+    for (const auto& [i, j, k] : shape.mesh.triangles) {
+      const Mesh& mesh = shape.mesh;
       const Float2 right = mesh.uvs[j] - mesh.uvs[i], up = mesh.uvs[k] - mesh.uvs[i];
-      CHECK_MESSAGE(right.x * up.y > right.y * up.x, name);
+      CHECK_MESSAGE(right.x * up.y > right.y * up.x, shape.name);
     }
 }
 
@@ -99,19 +102,21 @@ TEST_CASE("sphere, cube and torus are closed, to the bit, and hold nearly the vo
 TEST_CASE("normals have unit length, and uv lie in the unit square") {
   // Three coordinates, each rounded to float: the length is off by at most sqrt(3) half ulps of 1.
   const double bound = std::sqrt(3.0) * static_cast<double>(std::numeric_limits<float>::epsilon()) / 2;
-  for (const auto& [name, mesh] : shapes()) {
+  for (const Named& shape : shapes()) {
+    const Mesh& mesh = shape.mesh;
     REQUIRE(mesh.normals.size() == mesh.positions.size());
     REQUIRE(mesh.uvs.size() == mesh.positions.size());
-    for (const Float3& normal : mesh.normals) CHECK_MESSAGE(std::abs(length(Double3(normal)) - 1) <= bound, name);
-    for (const Float2& uv : mesh.uvs) CHECK_MESSAGE((0 <= uv.x && uv.x <= 1 && 0 <= uv.y && uv.y <= 1), name);
+    for (const Float3& normal : mesh.normals) CHECK_MESSAGE(std::abs(length(Double3(normal)) - 1) <= bound, shape.name);
+    for (const Float2& uv : mesh.uvs) CHECK_MESSAGE((0 <= uv.x && uv.x <= 1 && 0 <= uv.y && uv.y <= 1), shape.name);
   }
 }
 
 TEST_CASE("every vertex is used") {
-  for (const auto& [name, mesh] : shapes()) {
+  for (const Named& shape : shapes()) {
+    const Mesh& mesh = shape.mesh;
     std::set<std::uint32_t> used;
     for (const auto& triangle : mesh.triangles) used.insert(triangle.begin(), triangle.end());
-    CHECK_MESSAGE(used.size() == mesh.positions.size(), name);
+    CHECK_MESSAGE(used.size() == mesh.positions.size(), shape.name);
   }
 }
 
