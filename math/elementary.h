@@ -3,6 +3,7 @@
 // error that is tested. No libm: its results change with the machine. For a bounds type see tests/support/interval.h.
 
 #include "math/atan2.h"
+#include "math/cosine_power.h"
 #include "math/degrees.h"
 #include "math/exp_log.h"
 #include "math/power.h"

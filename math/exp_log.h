@@ -20,6 +20,8 @@ inline constexpr UlpBound exp2_error = sizeof(F) == 4 ? UlpBound{0.6, 0.52} : Ul
 template <class F>
 inline constexpr double lowest_power = sizeof(F) == 4 ? -120 : -1000;
 template <class F>
+inline constexpr double smallest_result = sizeof(F) == 4 ? 0x1p-120 : 0x1p-1000; // 2^lowest_power
+template <class F>
 inline constexpr double highest_power = std::numeric_limits<F>::max_exponent; // 2^this overflows
 
 inline constexpr Twofold<double> two_over_ln2 = {0x1.71547652b82fep+1, 0x1.777d0ffda0d24p-55};
@@ -84,21 +86,6 @@ Log2Argument<T> log2_argument(const T& x) {
   const T c = select(high, T(1.5), T(1));
   const Twofold<T> log2_c = {select(high, T(log2_of_1_5.hi), T(0)), select(high, T(log2_of_1_5.lo), T(0))};
   return {k, m - c, c, m, log2_c};
-}
-
-/// log2(1 - q) for 0 <= q < 1/2, without ever rounding 1 - q: c = 1, m = 1 - q.
-template <Lanes T>
-Log2Argument<T> log2_argument_of_1_minus(const T& q) {
-  return {T(0), -q, T(2), -q, {T(0), T(0)}};
-}
-
-template <Lanes T>
-Log2Argument<T> select(const MaskOf<T>& m, const Log2Argument<T>& x, const Log2Argument<T>& y) {
-  return {select(m, x.k, y.k),
-          select(m, x.difference, y.difference),
-          select(m, x.a, y.a),
-          select(m, x.b, y.b),
-          {select(m, x.log2_c.hi, y.log2_c.hi), select(m, x.log2_c.lo, y.log2_c.lo)}};
 }
 
 /// The logarithm with a relative error below 2^-66.

@@ -85,7 +85,9 @@ Wide<float, N> in_double(const Function& f, const Wide<float, N>& x, const More&
     return joined(in_double(f, low_half(x), low_half(more)...), in_double(f, high_half(x), high_half(more)...));
   } else {
     const auto widened = [](const Wide<float, N>& y) {
-      return Wide<double, N>(__builtin_convertvector(y.v, VectorOf<double, N>));
+      if constexpr (requires { registers::widened(y.v); })
+        return Wide<double, N>(VectorOf<double, N>(registers::widened(y.v)));
+      else return Wide<double, N>(__builtin_convertvector(y.v, VectorOf<double, N>));
     };
     return __builtin_convertvector(f(widened(x), widened(more)...).v, VectorOf<float, N>);
   }

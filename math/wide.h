@@ -4,14 +4,11 @@
 // With N = 1 use the plain float or double: the formulas are the same.
 
 #include "math/number.h"
+#include "math/registers.h"
 
 #include <array>
 #include <bit>
 #include <utility>
-
-#if defined(__x86_64__)
-#include <immintrin.h>
-#endif
 
 namespace refraster {
 
@@ -93,11 +90,13 @@ Wide<F, N> select(WideMask<F, N> m, Wide<F, N> x, Wide<F, N> y) {
 }
 template <class F, int N>
 Wide<F, N> maximum(Wide<F, N> x, Wide<F, N> y) {
-  return x.v > y.v ? x.v : y.v;
+  if constexpr (requires { registers::maximum(x.v, y.v); }) return VectorOf<F, N>(registers::maximum(x.v, y.v));
+  else return x.v > y.v ? x.v : y.v;
 }
 template <class F, int N>
 Wide<F, N> minimum(Wide<F, N> x, Wide<F, N> y) {
-  return x.v < y.v ? x.v : y.v;
+  if constexpr (requires { registers::minimum(x.v, y.v); }) return VectorOf<F, N>(registers::minimum(x.v, y.v));
+  else return x.v < y.v ? x.v : y.v;
 }
 template <class F, int N>
 Wide<F, N> square(Wide<F, N> x) {
@@ -121,25 +120,7 @@ Wide<F, N> magnitude(Wide<F, N> x) {
 
 template <class F, int N>
 Wide<F, N> root(Wide<F, N> x) {
-#if defined(__x86_64__)
-  constexpr int bytes = N * static_cast<int>(sizeof(F));
-  if constexpr (bytes == 16) {
-    if constexpr (sizeof(F) == 4) return VectorOf<F, N>(_mm_sqrt_ps(__m128(x.v)));
-    else return VectorOf<F, N>(_mm_sqrt_pd(__m128d(x.v)));
-  }
-#if defined(__AVX__)
-  if constexpr (bytes == 32) {
-    if constexpr (sizeof(F) == 4) return VectorOf<F, N>(_mm256_sqrt_ps(__m256(x.v)));
-    else return VectorOf<F, N>(_mm256_sqrt_pd(__m256d(x.v)));
-  }
-#endif
-#if defined(__AVX512F__)
-  if constexpr (bytes == 64) { // the zero-masked form: GCC 12 warns of its own undefined operand in the plain one
-    if constexpr (sizeof(F) == 4) return VectorOf<F, N>(_mm512_maskz_sqrt_ps(0xFFFF, __m512(x.v)));
-    else return VectorOf<F, N>(_mm512_maskz_sqrt_pd(0xFF, __m512d(x.v)));
-  }
-#endif
-#endif
+  if constexpr (requires { registers::root(x.v); }) return VectorOf<F, N>(registers::root(x.v));
   Wide<F, N> result;
   for (int lane = 0; lane < N; ++lane) result.v[lane] = root(x.v[lane]);
   return result;

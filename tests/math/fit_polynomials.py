@@ -68,7 +68,7 @@ one = lambda x: mpf(1)
 relative = lambda g: lambda x: 1 / abs(g(x))
 
 log2_over_t = lambda t: log1p(t) / (ln2 * t) if t else 1 / ln2
-for d in (9, 10, 11, 12):
+for d in (8, 11, 19, 20):
     show("log2(1 + t) / t", log2_over_t, relative(log2_over_t), sqrt(mpf(1) / 2) - 1, sqrt(mpf(2)) - 1, d)
 
 # log2((1 + z) / (1 - z)) = z (A + w (A/3 + w q(w))), w = z^2, A = 2 / ln 2; |z| <= (sqrt(3/2) - 1) / (sqrt(3/2) + 1)

@@ -169,7 +169,9 @@ inline Interval root(Interval x) {
   };
   return {ends(std::max(x.lo, 0.0)).lo, ends(std::max(x.hi, 0.0)).hi};
 }
-inline Interval exact_reciprocal(Interval s) { return {exact_reciprocal(s.hi), exact_reciprocal(s.lo)}; } // s > 0
+inline Interval exact_reciprocal(Interval s) {
+  return {exact_reciprocal(s.hi), exact_reciprocal(s.lo)};
+} // s > 0
 inline Interval reciprocal_binade(Interval x) {
   const Interval size = magnitude(x);
   return {reciprocal_binade(size.hi), reciprocal_binade(size.lo)};
@@ -249,11 +251,17 @@ inline Interval power(Interval x, double s) {
 inline Interval cosine_power(const Vec3<Interval>& a, const Vec3<Interval>& b, double s) {
   if (s == 0) return {1.0};
   const Interval cosine = dot(a, b);
-  const Interval q = minimum(Interval(0.5) * squared_length(a - b), Interval(0.5));
-  const auto falling = [s](double minus_q) { return power_of(log2_argument_of_1_minus(-minus_q), s); };
-  Interval near = with_cut_off(of_rising(falling, -q, power_error<double>.max));
-  near.hi = std::min(near.hi, 1.0);
-  const Interval far = power(minimum(cosine, Interval(0.75)), s);
+  const Interval q = minimum(Interval(0.5) * squared_length(a - b), Interval(0.25));
+  // Twice the error of small_power, as in of_rising.
+  const auto plain = [s](const OnePlus<double>& base) {
+    const double r = small_power(base, s);
+    const double error = small_power_error_at_1 - small_power_error_per_bit * log2(r + smallest_result<double>);
+    const double relative = error * std::numeric_limits<double>::epsilon();
+    return Interval(std::max(r * (1 - relative), 0.0), std::min(r * (1 + relative), 1.0));
+  };
+  const Interval near = with_cut_off({plain({-q.hi, 0}).lo, plain({-q.lo, 0}).hi});
+  const auto of_cosine = [&](double c) { return c > 0 ? plain(one_plus(std::min(c, 0.75))) : Interval(0.0); };
+  const Interval far = with_cut_off({of_cosine(cosine.lo).lo, of_cosine(cosine.hi).hi});
   return select(cosine > Interval(0.75), near, far);
 }
 
