@@ -31,6 +31,7 @@ public:
 
   bool too_deep() const { return open_.size() > static_cast<std::size_t>(JsonDocument::max_depth); }
 
+  // NOLINTBEGIN(readability-identifier-naming): the names that rapidjson calls
   bool Null() { return scalar(JsonKind::null, offset() - 4); }
   bool Bool(bool value) { return scalar(JsonKind::boolean, offset() - (value ? 4 : 5)); }
   bool Int(int value) { return number(value); }
@@ -54,6 +55,7 @@ public:
   bool StartArray() { return start(JsonKind::array); }
   bool EndObject(rapidjson::SizeType) { return finish(); }
   bool EndArray(rapidjson::SizeType) { return finish(); }
+  // NOLINTEND(readability-identifier-naming)
 
 private:
   struct Open {

@@ -10,7 +10,7 @@
 namespace refraster {
 
 /// Size of every file: 3 int32 dimensions (90, 90, 180), then planes of red, green and blue doubles, little-endian.
-inline constexpr std::uint64_t merl_file_bytes = 12 + 3 * 8 * std::uint64_t{MerlTable::samples};
+inline constexpr std::uint64_t merl_file_bytes = 12 + std::uint64_t{3 * 8} * MerlTable::samples;
 
 /// A channel's f in 1/sr is the stored value times its scale.
 inline constexpr double merl_scale[3] = {1.0 / 1500, 1.15 / 1500, 1.66 / 1500};

@@ -87,17 +87,28 @@ private:
 
   /// Takes a corner out; returns the one behind it.
   std::uint32_t clip(std::uint32_t i) {
-    is_reflex_[i] = false;
+    if (is_reflex_[i]) no_longer_reflex(i);
     next_[before_[i]] = next_[i];
     before_[next_[i]] = before_[i];
-    for (const std::uint32_t side : {before_[i], next_[i]}) is_reflex_[side] = is_reflex_[side] && !convex(side);
+    for (const std::uint32_t side : {before_[i], next_[i]})
+      if (is_reflex_[side] && convex(side)) no_longer_reflex(side);
     for (const std::uint32_t side : {before_[i], next_[i]}) is_ear_[side] = ear(side);
     return next_[i];
   }
 
+  /// The list is made anew whenever half of it is of no more use: what lies in a wide ear is then found without a walk
+  /// past corners that have long become convex.
+  void no_longer_reflex(std::uint32_t i) {
+    is_reflex_[i] = false;
+    if (2 * ++stale_ < reflex_.size()) return;
+    std::erase_if(reflex_, [&](std::uint32_t r) { return !is_reflex_[r]; });
+    stale_ = 0;
+  }
+
   std::vector<Double2> at_;
   std::vector<std::uint32_t> before_, next_;
-  std::vector<std::uint32_t> reflex_; // by x; those that are no longer reflex stay in it
+  std::vector<std::uint32_t> reflex_; // by x
+  std::size_t stale_ = 0;             // how many of them are no longer reflex
   std::vector<char> is_ear_, is_reflex_;
 };
 
