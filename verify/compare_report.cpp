@@ -40,11 +40,11 @@ std::string values_text(const std::vector<double>& values) {
   return text;
 }
 
-/// "12 (0.0013 %)"; a share that is not 0 or all is never printed as if it were.
+/// "12         0.0013 %". Cut, not rounded: 100 % means all.
 std::string count_text(std::uint64_t count, std::uint64_t whole) {
   double percent = 100 * static_cast<double>(count) / static_cast<double>(whole);
-  if (count < whole) percent = std::min(percent, 99.9999);
-  return format("%-10llu %.4g %%", static_cast<unsigned long long>(count), percent);
+  if (percent > 1) percent = std::floor(percent * 1e4) / 1e4;
+  return format("%-10llu %.6g %%", static_cast<unsigned long long>(count), percent);
 }
 
 std::string limits_text(const CompareLimits& limits) {

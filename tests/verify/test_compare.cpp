@@ -162,6 +162,16 @@ TEST_CASE("the text begins with the verdict and shows the worst pixel") {
   CHECK(text({}).find("(0, 1)  40 50 60  40 46 60  4\n") != std::string::npos);
 }
 
+TEST_CASE("a share is 100 % only if it is all") {
+  Image<float> image(1000, 1000, 1), other = image;
+  other.at(999, 999)[0] = 1;
+  const auto text = [](const Image<float>& left, const Image<float>& right) {
+    return comparison_text({"a", "b", {}, compare(left, right, CompareUnit::values, {})});
+  };
+  CHECK(text(image, other).find("999999     99.9999 %") != std::string::npos);
+  CHECK(text(image, image).find("1000000    100 %") != std::string::npos);
+}
+
 TEST_CASE("the JSON holds full numbers, and null for what JSON has no number for") {
   const std::string json =
       comparison_json({"a", "b", {}, compare(row({not_a_number, 0.1F}), row({1, 0.1F}), CompareUnit::values, {})});
