@@ -56,7 +56,7 @@ struct Rounded {
 template <Lanes T>
 Rounded<T> rounded(const T& x) {
   // With 1.5 2^fraction_bits added, the last place is worth 1: the sum is rounded to it, and ends in the bits of n.
-  const T shelf = as<T>(1.5 * double{integer_shelf<T>});
+  const T shelf(RealOf<T>(1.5) * integer_shelf<T>);
   const T on_shelf = x + shelf;
   return {x - (on_shelf - shelf), std::bit_cast<UnsignedLaneBits<T>>(on_shelf)};
 }
