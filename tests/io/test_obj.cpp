@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 namespace refraster::test {
 namespace {
@@ -156,13 +157,13 @@ TEST_CASE("a vertex whose faces have no area has the normal 0") {
 }
 
 TEST_CASE("a polygon with a thousand corners is read whole") {
-  std::string text, face = "f";
+  std::ostringstream text, face;
   for (int i = 0; i < 1000; ++i) {
     const double angle = 2 * 3.14159265358979 * i / 1000;
-    text += "v " + std::to_string(std::cos(angle)) + " " + std::to_string(std::sin(angle)) + " 0\n";
-    face += " " + std::to_string(i + 1);
+    text << "v " << std::cos(angle) << " " << std::sin(angle) << " 0\n";
+    face << " " << i + 1;
   }
-  CHECK(obj(text + face + "\n").triangles.size() == 998);
+  CHECK(obj(text.str() + "f" + face.str() + "\n").triangles.size() == 998);
 }
 
 TEST_CASE("what write_obj writes, read_obj reads back bit for bit") {
