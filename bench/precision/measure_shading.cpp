@@ -1,0 +1,162 @@
+#include "bench/precision/exact_shading.h"
+#include "bench/precision/measure.h"
+
+#include "shading/merl_synthesis.h"
+#include "shading/models.h"
+
+#include <memory>
+
+namespace refraster::precision {
+
+namespace {
+
+/// Merl has one channel measured in every trial; Phong and Blinn-Phong have the same value in all three.
+int channel_of(int trial) {
+  return trial % 3;
+}
+
+template <class F, class Model>
+F radiance(const Model& model, const Inputs& in, int channel) {
+  const Lit<F> there = lit<F>(in);
+  return model(there.at, there.light)[channel];
+}
+
+/// The errors of one fragment function in one number.
+struct ModelErrors {
+  Errors terms, result;
+
+  template <class F>
+  void add(F computed, const Exactly& exactly, const std::string& input) {
+    const Exact error = abs(Exact(computed) - exactly.value);
+    terms.add(Exact(error / ulp_at<F>(exactly.terms)), [&] { return input; });
+    result.add(Exact(error / ulp_at<F>(exactly.value)), [&] { return input; });
+  }
+};
+
+/// Which bound belongs to a row; the default one, which nothing keeps to, where there is none yet.
+PrecisionBound bound_of(std::string_view model, std::string_view inputs) {
+  for (const PrecisionBound& bound : precision_bounds)
+    if (bound.model == model && bound.inputs == inputs) return bound;
+  return {model, inputs, {}, {}, {}, {}, 0};
+}
+
+/// Radiance of float beside that of double, on one scene: each rounds the inputs for itself.
+template <class Model>
+double float_from_double(const Model& in_double, const Model& in_float, const Inputs& of_double,
+                         const Inputs& of_float, int channel) {
+  const double arriving = lit<double>(of_double).light.radiance.x;
+  const double apart = radiance<double>(in_double, of_double, channel) -
+                       static_cast<double>(radiance<float>(in_float, of_float, channel));
+  return std::abs(apart) / arriving;
+}
+
+// --- Phong and Blinn-Phong
+
+template <class Model>
+Model model_of(const Inputs& in) {
+  return Model{{Double3(0), Double3(in.kd), Double3(in.ks), in.glossiness, SpecularGate::open}};
+}
+
+template <class Model>
+ShadingRow measure_phong(const Family& inputs, Exactly (*exactly)(const Inputs&), int trials) {
+  ModelErrors in_double, in_float;
+  Errors apart;
+  const auto once = [&]<class F>(ModelErrors& errors, std::mt19937_64& random) {
+    const Inputs in = held<F>(inputs.make(random, decades<F>));
+    errors.add(radiance<F>(model_of<Model>(in), in, 0), exactly(in), text(in, Glossiness::used));
+  };
+  std::mt19937_64 random_double(1), random_float(2);
+  for (int k = 0; k < trials; ++k) {
+    once.template operator()<double>(in_double, random_double);
+    const std::mt19937_64 before = random_float;
+    once.template operator()<float>(in_float, random_float);
+    std::mt19937_64 again = before;
+    const Inputs in = inputs.make(again, decades<float>);
+    const Inputs of_double = held<double>(in), of_float = held<float>(in);
+    apart.add(float_from_double(model_of<Model>(of_double), model_of<Model>(of_float), of_double, of_float, 0),
+              [&] { return text(of_float, Glossiness::used); });
+  }
+  return {bound_of(Model::name, inputs.name),
+          in_double.terms.summary(),
+          in_float.terms.summary(),
+          in_double.result.summary(),
+          in_float.result.summary(),
+          apart.summary()};
+}
+
+// --- MERL
+
+/// Whether a point lies so close to the border of two bins that rounding decides which of them it is in.
+bool other_bin(const Exactly& exactly, double computed) {
+  // Neighbouring samples of the table differ by far more than this, rounding by far less.
+  return abs(Exact(exactly.value - computed)) > 1e-4 * exactly.value + 1e-9;
+}
+
+struct Lookup {
+  MerlLookup lookup;
+  ModelErrors in_double, in_float;
+  Errors apart;
+  int other_bin_double = 0, other_bin_float = 0;
+};
+
+template <class F>
+void add_all(std::vector<Lookup>& lookups, const std::shared_ptr<const MerlTable>& table, const Inputs& in, int channel,
+             ModelErrors Lookup::*errors, int Lookup::*other) {
+  const MerlPlace place = exact_merl_place(in);
+  const std::string input = text(in, Glossiness::unused);
+  for (Lookup& one : lookups) {
+    const F computed = radiance<F>(Merl{table, one.lookup, MerlAngles::closed}, in, channel);
+    const Exactly exactly = exact_merl(place, *table, one.lookup, channel);
+    if (one.lookup == MerlLookup::nearest && other_bin(exactly, static_cast<double>(computed))) ++(one.*other);
+    else (one.*errors).add(computed, exactly, input);
+  }
+}
+
+std::vector<ShadingRow> measure_merl(const std::shared_ptr<const MerlTable>& table, const Family& inputs, int trials) {
+  std::vector<Lookup> lookups;
+  for (const auto& [lookup, name] : EnumNames<MerlLookup>::names) lookups.push_back({lookup, {}, {}, {}});
+  std::mt19937_64 random_double(1), random_float(2);
+  for (int k = 0; k < trials; ++k) {
+    const int channel = channel_of(k);
+    add_all<double>(lookups, table, held<double>(inputs.make(random_double, decades<double>)), channel,
+                    &Lookup::in_double, &Lookup::other_bin_double);
+    const Inputs in = inputs.make(random_float, decades<float>);
+    const Inputs of_double = held<double>(in), of_float = held<float>(in);
+    add_all<float>(lookups, table, of_float, channel, &Lookup::in_float, &Lookup::other_bin_float);
+    for (Lookup& one : lookups) {
+      const Merl model{table, one.lookup, MerlAngles::closed};
+      one.apart.add(float_from_double(model, model, of_double, of_float, channel),
+                    [&] { return text(of_float, Glossiness::unused); });
+    }
+  }
+  std::vector<ShadingRow> rows;
+  for (Lookup& one : lookups) {
+    // A row's name has to live as long as the row: it is that of the bound, or one of these.
+    static const std::string names[] = {"merl nearest", "merl trilinear", "merl trilinear-edge", "merl trilinear-log",
+                                        "merl tricubic-log"};
+    rows.push_back({bound_of(names[static_cast<int>(one.lookup)], inputs.name), one.in_double.terms.summary(),
+                    one.in_float.terms.summary(), one.in_double.result.summary(), one.in_float.result.summary(),
+                    one.apart.summary(), one.other_bin_double / double(trials), one.other_bin_float / double(trials)});
+  }
+  return rows;
+}
+
+} // namespace
+
+std::vector<ShadingRow> measure_shading(int trials) {
+  std::vector<ShadingRow> rows;
+  for (const Family& inputs : phong_families()) rows.push_back(measure_phong<Phong>(inputs, exact_phong, trials));
+  for (const Family& inputs : phong_families())
+    rows.push_back(measure_phong<BlinnPhong>(inputs, exact_blinn_phong, trials));
+  const std::shared_ptr<const MerlTable> table(new MerlTable(merl_table_from(find_brdf_preset("nylon-like")->brdf)));
+  std::vector<ShadingRow> merl;
+  for (const Family& inputs : merl_families())
+    for (ShadingRow& row : measure_merl(table, inputs, trials)) merl.push_back(std::move(row));
+  // By lookup, then by inputs.
+  std::stable_sort(merl.begin(), merl.end(),
+                   [](const ShadingRow& a, const ShadingRow& b) { return a.bound.model < b.bound.model; });
+  for (ShadingRow& row : merl) rows.push_back(std::move(row));
+  return rows;
+}
+
+} // namespace refraster::precision
