@@ -84,7 +84,7 @@ void write_aov(const FrameContext& context, const VisibleTile& visible, std::spa
       case Aov::uv: {
         const Barycentric<T> at = barycentrics<Derivatives::no>(data).at;
         for (int c = 0; c < 2; ++c) {
-          const T fraction = data.interpolated(Attribute::uv, c, at.b1, at.b2);
+          const T fraction = data.uv(c, at.b1, at.b2);
           put(c, [&](int lane) { return fraction[lane] + triangle(lane).uv_whole[static_cast<std::size_t>(c)]; });
         }
         break;

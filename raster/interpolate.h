@@ -50,7 +50,12 @@ public:
   T interpolated(Attribute attribute, int c, const T& b1, const T& b2) const {
     return value(static_cast<int>(attribute) + c) + changed(attribute, c, b1, b2);
   }
-  /// How it changes when the weights change by b1, b2.
+  /// Texture coordinate c, kept within the range of the corners': where an edge has the coordinate 0, rounding would
+  /// else show the last texel beside the first. NaN stays NaN.
+  T uv(int c, const T& b1, const T& b2) const {
+    return minimum(value(most_uv + c), maximum(value(least_uv + c), interpolated(Attribute::uv, c, b1, b2)));
+  }
+  /// How an attribute changes when the weights change by b1, b2.
   T changed(Attribute attribute, int c, const T& b1, const T& b2) const {
     const int at = static_cast<int>(attribute) + c, n = components(attribute);
     return b1 * value(at + n) + b2 * value(at + 2 * n);

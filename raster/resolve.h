@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <vector>
 
 namespace refraster {
@@ -113,7 +114,8 @@ private:
                              const FragmentColours<T>& colours, int left, int top, Image<float>& image) {
     const Rgb<Real> background = as<Real>(context.scene.background);
     const auto put = [](float* at, const Rgb<Real>& rgb) {
-      for (int c = 0; c < 3; ++c) at[c] = static_cast<float>(rgb[c]);
+      constexpr Real largest = std::numeric_limits<float>::max(); // a finite double may lie beyond it
+      for (int c = 0; c < 3; ++c) at[c] = static_cast<float>(minimum(maximum(rgb[c], -largest), largest));
     };
     for (int y = 0; y < tile.height; ++y)
       for (int x = 0; x < tile.width; ++x) put(image.at(left + x, top + y), background);

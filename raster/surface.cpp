@@ -1,5 +1,7 @@
 #include "raster/surface.h"
 
+#include "math/twofold.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -55,7 +57,12 @@ SurfaceTriangle<Real> surface_triangle(const Scene& scene, const Geometry& geome
     return geometry.world[ref.vertex[corner[static_cast<std::size_t>(k)]]];
   };
   anchored(Attribute::position, [&](int k, int c) { return world(k).position[c]; });
-  anchored(Attribute::normal, [&](int k, int c) { return world(k).normal[c]; });
+  // Normals count by their direction only. A power of two, common to the corners, keeps differences of huge ones in the
+  // range of a float rung, and tiny ones above its end.
+  const Double3 sizes(reciprocal_binade(world(0).normal), reciprocal_binade(world(1).normal),
+                      reciprocal_binade(world(2).normal));
+  const double normal_scale = minimum(sizes.x, minimum(sizes.y, sizes.z));
+  anchored(Attribute::normal, [&](int k, int c) { return world(k).normal[c] * normal_scale; });
 
   const Mesh& mesh = *scene.objects[ref.object].mesh;
   if (mesh.uvs.empty()) {
@@ -76,6 +83,8 @@ SurfaceTriangle<Real> surface_triangle(const Scene& scene, const Geometry& geome
     // Exact: uv is a float and the difference of two doubles this close to it. Small negative ones stay as they are.
     if (least > -1 && least < 1) t.uv_whole[c] = 0;
     for (std::size_t k = 0; k < 3; ++k) uv[k][c] -= t.uv_whole[c];
+    t.value[least_uv + c] = static_cast<Real>(std::min({uv[0][c], uv[1][c], uv[2][c]}));
+    t.value[most_uv + c] = static_cast<Real>(std::max({uv[0][c], uv[1][c], uv[2][c]}));
   }
   anchored(Attribute::uv, [&](int k, int c) { return uv[static_cast<std::size_t>(k)][static_cast<std::size_t>(c)]; });
   return t;
@@ -88,10 +97,21 @@ Double3 face_normal(const Scene& scene, const Geometry& geometry, std::uint32_t 
   const TriangleRef ref = triangle_ref(scene, geometry, number);
   const Mesh& mesh = *scene.objects[ref.object].mesh;
   const auto corner = [&](std::size_t k) { return Double3(mesh.positions[mesh.triangles[ref.triangle][k]]); };
-  const Double3 p0 = corner(0), e1 = corner(1) - p0, e2 = corner(2) - p0;
-  // Each edge is brought near unit length first, so that the cross product neither overflows nor vanishes.
-  const Double3 normal = cross(e1 * reciprocal_binade(e1), e2 * reciprocal_binade(e2));
-  return geometry.transforms[ref.object].world_from_normal * normal;
+  // Of a needle the edges are nearly parallel: differences and products are carried to twice the precision, so that
+  // what their difference leaves is good. Each edge is brought near unit length first: nothing overflows or vanishes.
+  const Double3 p0 = corner(0), p1 = corner(1), p2 = corner(2);
+  const double scale1 = reciprocal_binade(p1 - p0), scale2 = reciprocal_binade(p2 - p0);
+  const auto edge = [&](const Double3& p, int c, double scale) {
+    const Twofold<double> difference = exact_sum(p[c], -p0[c]);
+    return Twofold<double>{difference.hi * scale, difference.lo * scale};
+  };
+  const auto minor = [&](int i, int j) {
+    const Twofold<double> a = wide_product(edge(p1, i, scale1), edge(p2, j, scale2));
+    const Twofold<double> b = wide_product(edge(p1, j, scale1), edge(p2, i, scale2));
+    const Twofold<double> difference = exact_sum(a.hi, -b.hi);
+    return difference.hi + (difference.lo + (a.lo - b.lo));
+  };
+  return geometry.transforms[ref.object].world_from_normal * Double3(minor(1, 2), minor(2, 0), minor(0, 1));
 }
 
 } // namespace refraster

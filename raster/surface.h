@@ -13,6 +13,8 @@ namespace refraster {
 /// Where the attributes of a SurfaceTriangle stand: attribute f has its components at f, f + 1 … for corner 0, and then
 /// the differences of corner 1 and of corner 2 to it.
 enum class Attribute : std::uint8_t { position = 3, normal = 12, uv = 21 };
+/// Where the least and the greatest uv of the three corners stand.
+inline constexpr int least_uv = 27, most_uv = 29;
 inline constexpr int components(Attribute a) {
   return a == Attribute::uv ? 2 : 3;
 }
@@ -25,7 +27,7 @@ inline constexpr int components(Attribute a) {
 template <class Real>
 struct SurfaceTriangle {
   std::array<double, 9> line;     // a, b, c of each line: exact; unused where projective
-  std::array<Real, 27> value;     // [0..2] weights of perspective, see SnappedTriangle; then as Attribute says
+  std::array<Real, 31> value;     // [0..2] weights of perspective, see SnappedTriangle; then as Attribute says
   std::array<double, 2> uv_whole; // whole repeats taken off uv, so that it keeps its fraction's digits
   const ProjectiveTriangle* projective = nullptr;
   std::uint32_t object = 0;

@@ -28,9 +28,14 @@ Double3x3 linear_part(const Object& object) {
 // The inverse transpose is cofactors / determinant; normals need only its direction, so the division, which a flattened
 // scale would make impossible, is left out and the sign kept. det = 0 counts as positive.
 Double3x3 normal_matrix(const Double3x3& m) {
-  const Double3x3 cofactors(cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1]));
-  const double sign = dot(m[0], cofactors[0]) < 0 ? -1 : 1;
-  // A common factor changes no direction; a power of two changes no digit. It keeps float rungs from overflow.
+  // A common factor changes no direction, and a power of two no digit. With columns m_k = u_k / s_k, each u_k of about
+  // unit size, the cofactors (u_i x u_j) / (s_i s_j) are s_k (u_i x u_j) times a common factor: no product leaves the
+  // range of double, whatever the scales.
+  constexpr double below_one = 0.25; // so that s_k (u_i x u_j) stays finite for the largest s_k
+  const auto size = [&](int k) { return below_one * reciprocal_binade(m[k]); };
+  const Double3 u0 = m[0] * size(0), u1 = m[1] * size(1), u2 = m[2] * size(2);
+  const Double3x3 cofactors(cross(u1, u2) * size(0), cross(u2, u0) * size(1), cross(u0, u1) * size(2));
+  const double sign = dot(u0, cofactors[0]) < 0 ? -1 : 1;
   double most = 0;
   for (int column = 0; column < 3; ++column)
     for (int row = 0; row < 3; ++row) most = maximum(magnitude(cofactors[column][row]), most);
