@@ -67,25 +67,26 @@ T times_power_of_2(const T& m, const UnsignedLaneBits<T>& n) {
   return std::bit_cast<T>(std::bit_cast<UnsignedLaneBits<T>>(m) + (n << fraction_bits<RealOf<T>>));
 }
 
-/// What the logarithm of x = c m 2^k is made from: log2(x) = k + log2(c) + log2((sum + difference) / (sum -
-/// difference)), where sum and difference are of m and c: difference / sum is the argument of a fast series, atanh.
+/// What the logarithm of x = m 2^k is made from:
+///     log2(x) = k + log2(c) + log2((1 + z) / (1 - z)),   z = (m - c) / (m + c)
 template <class T>
 struct Log2Argument {
   T k;
   T difference; // m - c: exact
-  T a, b;       // two numbers whose sum is m + c, |a| >= |b| or both of one binade
+  T c, m;       // c >= m, or both of one binade
   Twofold<T> log2_c;
 };
 
-/// For normal x > 0. c is 1 or 3/2, so that |m - c| / (m + c) <= 0.1011.
+/// For finite x > 0. c is 1 or 3/2, so that |m - c| / (m + c) <= 0.1011.
 template <Lanes T>
   requires(sizeof(RealOf<T>) == 8)
 Log2Argument<T> log2_argument(const T& x) {
-  const auto [m, k] = binary(x, 0x1.bb67ae8584caap-1); // sqrt(3)/2: m in [0.866, 1.732)
-  const MaskOf<T> high = m > T(0x1.3988e1409212ep+0);  // sqrt(3/2)
+  const MaskOf<T> subnormal = x < T(std::numeric_limits<double>::min());
+  const auto [m, k] = binary(select(subnormal, x * T(0x1p54), x), 0x1.bb67ae8584caap-1); // m in [sqrt(3)/2, sqrt(3))
+  const MaskOf<T> high = m > T(0x1.3988e1409212ep+0);                                    // sqrt(3/2)
   const T c = select(high, T(1.5), T(1));
   const Twofold<T> log2_c = {select(high, T(log2_of_1_5.hi), T(0)), select(high, T(log2_of_1_5.lo), T(0))};
-  return {k, m - c, c, m, log2_c};
+  return {k - select(subnormal, T(54), T(0)), m - c, c, m, log2_c};
 }
 
 /// The logarithm with a relative error below 2^-66.
@@ -97,7 +98,7 @@ Twofold<T> wide_log2(const Log2Argument<T>& x) {
   // q(w) within 5.5e-21 / w^2 for w in [0, 0.01021].
   constexpr std::array q = {0x1.2776c50ef9bd0p-1, 0x1.a61762a7cbc62p-2, 0x1.484b139e1606dp-2,
                             0x1.0c9abb3e965f5p-2, 0x1.c658d23e95b77p-3, 0x1.97aaebd9d94eep-3};
-  const Twofold<T> sum = quick_sum(x.a, x.b);
+  const Twofold<T> sum = quick_sum(x.c, x.m);
   const T reciprocal = T(1) / sum.hi;
   const T quotient = x.difference * reciprocal;
   const Twofold<T> back = wide_product(quotient, sum.hi);
@@ -176,10 +177,7 @@ T log2(const T& x) {
     return in_double([]<class D>(const D& k_double, const D& t_double) { return narrow_log2(k_double, t_double); }, k,
                      t);
   } else {
-    const MaskOf<T> subnormal = inside < T(std::numeric_limits<F>::min());
-    Log2Argument<T> argument = log2_argument(select(subnormal, inside * T(0x1p54), inside));
-    argument.k = argument.k - select(subnormal, T(54), T(0));
-    const Twofold<T> result = wide_log2(argument);
+    const Twofold<T> result = wide_log2(log2_argument(inside));
     return result.hi + result.lo;
   }
 }

@@ -6,7 +6,7 @@
 namespace refraster {
 
 template <class F>
-inline constexpr UlpBound power_error = sizeof(F) == 4 ? UlpBound{0.7, 0.55} : UlpBound{0.7, 0.55};
+inline constexpr UlpBound power_error = {0.7, 0.55};
 
 /// 2^(s log2(x)) for double lanes, x as taken apart in `base`.
 template <Lanes T>
@@ -44,16 +44,8 @@ T power(const T& x, double s) {
   if (s == 0) return T(1);
   const MaskOf<T> is_positive = x > T(0);
   const T base = minimum(select(is_positive, x, T(1)), largest);
-  T result;
-  if constexpr (sizeof(F) == 4) {
-    result = power_of(one_plus(base), s);
-  } else {
-    const MaskOf<T> subnormal = base < T(std::numeric_limits<F>::min());
-    Log2Argument<T> argument = log2_argument(select(subnormal, base * T(0x1p54), base));
-    argument.k = argument.k - select(subnormal, T(54), T(0));
-    result = power_of(argument, s);
-  }
-  return select(is_positive, result, T(0));
+  if constexpr (sizeof(F) == 4) return select(is_positive, power_of(one_plus(base), s), T(0));
+  else return select(is_positive, power_of(log2_argument(base), s), T(0));
 }
 
 } // namespace refraster
