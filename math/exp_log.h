@@ -115,7 +115,7 @@ Twofold<T> wide_log2(const Log2Argument<T>& x) {
   return quick_sum(result.hi, result.lo + (whole.lo + x.log2_c.lo + log2_m.lo));
 }
 
-/// 2^(y.hi + y.lo) for |y.hi| <= 1022.
+/// 2^(y.hi + y.lo) for -1022 <= y.hi < 1024.
 template <Lanes T>
 T wide_exp2(const Twofold<T>& y) {
   // (2^f - 1 - f ln2) / f^2 within 1.2e-17 for |f| <= 1/2.
@@ -142,7 +142,7 @@ T narrow_log2(const T& k, const T& t) {
   return k + t * polynomial(t, p);
 }
 
-/// 2^y for float lanes, in double: |y| <= 1022. Relative error below 2^-27.4.
+/// 2^y for float lanes, in double, |y| <= 1022. Relative error below 2^-27.4.
 template <Lanes T>
 T narrow_exp2(const T& y) {
   // (2^f - 1) / f within 7.5e-9 for |f| <= 1/2.
