@@ -69,6 +69,20 @@ T small_power(const OnePlus<T>& base, double s) {
 template <class F>
 inline constexpr double cosine_power_max_error = 24 * static_cast<double>(std::numeric_limits<F>::epsilon()) / 2;
 
+/// cosine_power(a, b, s), see below, with a - b given: more exactly than it follows from rounded a and b.
+template <Lanes T>
+T cosine_power(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& gap, double s) {
+  using F = RealOf<T>;
+  if (s == 0) return T(1);
+  const T cosine = dot(a, b);
+  const T q = minimum(T(F(0.5)) * squared_length(gap), T(F(0.25))); // more only where a or b is not unit
+  const MaskOf<T> is_near = cosine > T(F(0.75));
+  const T smallest(std::numeric_limits<F>::min());
+  const auto [m, k] = binary(maximum(cosine, smallest), F(sqrt_half));
+  const OnePlus<T> base = {select(is_near, -q, m - T(1)), select(is_near, T(0), k)};
+  return select(cosine >= smallest, small_power(base, s), T(0));
+}
+
 /// max(a.b, 0)^s for unit vectors a and b (0 counts as perpendicular to all) and a finite s >= 0. Exactly 1 where a ==
 /// b, never above 1; zero to the zero is 1. Cosines below the smallest normal number count as 0, and results below
 /// 2^lowest_power are 0. Absolute error for s >= 1: cosine_power_max_error, however large s is.
@@ -91,15 +105,7 @@ inline constexpr double cosine_power_max_error = 24 * static_cast<double>(std::n
 /// is most of it, a more exact logarithm would buy nothing.
 template <Lanes T>
 T cosine_power(const Vec3<T>& a, const Vec3<T>& b, double s) {
-  using F = RealOf<T>;
-  if (s == 0) return T(1);
-  const T cosine = dot(a, b);
-  const T q = minimum(T(F(0.5)) * squared_length(a - b), T(F(0.25))); // more only where a or b is not unit
-  const MaskOf<T> is_near = cosine > T(F(0.75));
-  const T smallest(std::numeric_limits<F>::min());
-  const auto [m, k] = binary(maximum(cosine, smallest), F(sqrt_half));
-  const OnePlus<T> base = {select(is_near, -q, m - T(1)), select(is_near, T(0), k)};
-  return select(cosine >= smallest, small_power(base, s), T(0));
+  return cosine_power(a, b, a - b, s);
 }
 
 } // namespace refraster

@@ -3,6 +3,7 @@
 #include "math/elementary.h"
 #include "shading/fields.h"
 #include "shading/fragment.h"
+#include "shading/highlight_gap.h"
 
 #include <utility>
 
@@ -39,12 +40,15 @@ struct PhongParameters {
     return as<T>(ka) * at.texture;
   }
 
-  /// <a.b>^s. 0^0 is 1: an exponent of 0 makes a highlight that is everywhere.
-  template <Number T>
-  T lobe(const Fragment<T>& at, const Vec3<T>& a, const Vec3<T>& b) const {
+  /// <a.b>^s. 0^0 is 1: an exponent of 0 makes a highlight that is everywhere. gap() is a - b, more exactly than from a
+  /// and b as they are rounded; asked for where that shows.
+  template <Number T, class Gap>
+  T lobe(const Fragment<T>& at, const Vec3<T>& a, const Vec3<T>& b, const Gap& gap) const {
     if (ks.x == 0 && ks.y == 0 && ks.z == 0) return T(0); // not used, so not paid for
     if (glossiness == 0) at.undefined(Undefined::zero_to_the_zero, dot(a, b) <= T(0));
-    return cosine_power(a, b, glossiness);
+    if constexpr (SharpHighlights<T>)
+      return cosine_power(a, b, glossiness > plain_glossiness ? gap() : a - b, glossiness);
+    else return cosine_power(a, b, glossiness);
   }
 
   /// (kd t <n.l> + ks highlight) C, <x> = max(x, 0), t the texture colour: the highlight is not coloured by it.
@@ -71,7 +75,7 @@ struct Phong : PhongParameters {
     const Vec3<T> n = at.normal, l = light.direction, v = at.to_eye;
     const T n_l = dot(n, l);
     const Vec3<T> r = n * (T(2) * n_l) - l;
-    return reflected(at, light, n_l, lobe(at, r, v));
+    return reflected(at, light, n_l, lobe(at, r, v, MirrorGap<T>{n, l, v}));
   }
 };
 
