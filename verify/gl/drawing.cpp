@@ -13,9 +13,10 @@ constexpr GLuint matrices_binding = 0;
 
 const std::string ids_glsl = R"(#version 330 core
 uniform float objectNumber;
+uniform float triangleNumber;
 out vec4 FragColor;
 void main() {
-    FragColor = vec4(objectNumber, float(gl_PrimitiveID + 1), 0.0, 1.0);
+    FragColor = vec4(objectNumber, triangleNumber, 0.0, 1.0);
 }
 )";
 
@@ -106,9 +107,11 @@ GlDrawing::Item GlDrawing::item(const Scene& scene, std::size_t number, const Gl
   for (const std::string& warning : warnings) warnings_.push_back(object.name + ": " + warning);
   if (options.want_ids) {
     values["objectNumber"] = static_cast<float>(number + 1);
+    values["triangleNumber"] = 0.0f; // set for each
     item.program[ids] = linked(choice.vertex, {"our fragment shader of ids", ids_glsl}, object.name);
     warnings.clear(); // the colour pass has told them
     item.uniforms[ids] = settings(gl_, item.program[ids], values, warnings);
+    item.triangle_number = gl_.GetUniformLocation(item.program[ids], "triangleNumber");
   }
   return item;
 }
@@ -129,7 +132,18 @@ void GlDrawing::draw(GlPass pass) const {
     gl_.ActiveTexture(GL_TEXTURE0 + merl_unit);
     gl_.BindTexture(GL_TEXTURE_3D, item.table);
     gl_.BindVertexArray(item.vertices);
-    gl_.DrawElements(GL_TRIANGLES, item.indices, GL_UNSIGNED_INT, nullptr);
+    if (pass == GlPass::colour) gl_.DrawElements(GL_TRIANGLES, item.indices, GL_UNSIGNED_INT, nullptr);
+    else draw_each(item);
+  }
+}
+
+// gl_PrimitiveID would be the way, but Mesa's softpipe has none in fragment shaders.
+void GlDrawing::draw_each(const Item& item) const {
+  constexpr std::size_t triangle_bytes = 3 * sizeof(std::uint32_t);
+  const std::size_t triangles = static_cast<std::size_t>(item.indices) / 3;
+  for (std::size_t i = 0; i < triangles; ++i) {
+    gl_.Uniform1f(item.triangle_number, static_cast<float>(i + 1));
+    gl_.DrawElements(GL_TRIANGLES, 3, GL_UNSIGNED_INT, reinterpret_cast<const void*>(i * triangle_bytes));
   }
 }
 

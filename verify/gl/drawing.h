@@ -33,11 +33,13 @@ private:
     GLuint vertices = 0, texture = 0, table = 0;
     GLsizei indices = 0;
     Cull cull = Cull::none;
+    GLint triangle_number = -1;              // place of that uniform in the program of ids
     GLuint program[2] = {};                  // by pass
     std::vector<UniformSetting> uniforms[2]; // by pass
   };
 
   Item item(const Scene& scene, std::size_t object, const GlOptions& options, const Double4x4& clip_from_world);
+  void draw_each(const Item& item) const;
   GLuint linked(const ShaderText& vertex, const ShaderText& fragment, const std::string& object);
 
   const GlApi& gl_;

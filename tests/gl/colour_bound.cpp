@@ -1,0 +1,330 @@
+#include "tests/gl/colour_bound.h"
+
+#include "raster/shade_packet.h"
+#include "tests/gl/window_triangle.h"
+
+#include <limits>
+#include <numbers>
+
+namespace refraster {
+namespace {
+
+constexpr double u = 0x1p-24; // half a unit in the last place of a float at 1
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+Double3 absolute(const Double3& a) {
+  return {std::abs(a.x), std::abs(a.y), std::abs(a.z)};
+}
+Double3 larger(const Double3& a, const Double3& b) {
+  return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
+}
+
+/// Everything that is interpolated.
+struct Varyings {
+  Double3 position, normal;
+  Double2 uv;
+};
+constexpr int varying_components = 8;
+
+double& component(Varyings& v, int i) {
+  return i < 3 ? v.position[i] : i < 6 ? v.normal[i - 3] : v.uv[i - 6];
+}
+
+/// The colour of a surface with these varyings, in double; with a measured BRDF's table point moved, in bins.
+struct Shader {
+  const Scene& scene;
+  const Material& material;
+  Double2 uv_right, uv_down; // for the level of detail
+  MerlPoint<double> moved{0, 0, 0};
+  Double3 texture_moved{0};
+
+  Rgb<double> texture(const Varyings& at) const {
+    if (!material.texture) return Rgb<double>(1);
+    return sample(*material.texture, material.texture_filter, at.uv, uv_right, uv_down) + texture_moved;
+  }
+
+  Fragment<double> fragment(const Varyings& at) const {
+    return {at.position, normalize(at.normal), normalize(scene.camera.position - at.position), texture(at)};
+  }
+
+  Rgb<double> reflected(const Merl& model, const Fragment<double>& at, const Incident<double>& light) const {
+    const double n_l = dot(at.normal, light.direction);
+    if (!(std::min(n_l, dot(at.normal, at.to_eye)) > 0)) return Rgb<double>(0);
+    MerlPoint<double> point = merl_point(half_difference(model.angles, at.normal, light.direction, at.to_eye));
+    point.u = std::max(point.u + moved.u, 0.0), point.v += moved.v, point.w += moved.w;
+    return merl_value(*model.table, model.lookup, point).f * n_l * light.radiance;
+  }
+  template <class Model>
+  Rgb<double> reflected(const Model& model, const Fragment<double>& at, const Incident<double>& light) const {
+    return model(at, light);
+  }
+
+  template <class Model>
+  Rgb<double> colour(const Model& model, const Varyings& at) const {
+    const Fragment<double> here = fragment(at);
+    Rgb<double> sum = model.ambient(here);
+    for (const PointLight& light : scene.point_lights) sum += reflected(model, here, arriving(light, here));
+    for (const DirectionLight& light : scene.direction_lights) sum += reflected(model, here, arriving(light, here));
+    return sum;
+  }
+  Rgb<double> colour(const Varyings& at) const {
+    return std::visit([&](const auto& model) { return colour(model, at); }, material.model);
+  }
+};
+
+/// The share of a colour that comes from highlights, and their exponent.
+std::pair<Rgb<double>, double> highlights(const Shader& shader, const Varyings& at) {
+  return std::visit(
+      [&](const auto& model) -> std::pair<Rgb<double>, double> {
+        if constexpr (requires { model.ks; }) {
+          auto dull = model;
+          dull.ks = Double3(0);
+          return {shader.colour(model, at) - shader.colour(dull, at), model.glossiness};
+        }
+        return {Rgb<double>(0), 0};
+      },
+      shader.material.model);
+}
+
+/// How far float angles may move the point of the table, in bins.
+MerlPoint<double> table_error(const Shader& shader, const Varyings& at, double atan_ulp) {
+  const Merl* const model = std::get_if<Merl>(&shader.material.model);
+  MerlPoint<double> most{0, 0, 0};
+  if (!model) return most;
+  const Fragment<double> here = shader.fragment(at);
+  const auto see = [&](const Incident<double>& light) {
+    const Double3 n = here.normal, i = light.direction, o = here.to_eye;
+    const HalfDifference<double> angles = half_difference(model->angles, n, i, o);
+    constexpr double bins_per_radian = 180 / std::numbers::pi;
+    const double s = length(i + o), d = length(i - o);
+    const double theta_h_error = atan_ulp * u * angles.theta_h + 8 * u;
+    const double highest = 90 * std::sqrt((angles.theta_h + theta_h_error) * 2 / std::numbers::pi);
+    most.u = std::max(most.u,
+                      highest - 90 * std::sqrt(std::max(angles.theta_h - theta_h_error, 0.0) * 2 / std::numbers::pi));
+    most.v = std::max(most.v, bins_per_radian * (atan_ulp * u * angles.theta_d + 8 * u));
+    const double azimuth = length(Double3(s * dot(n, i - o), 2 * dot(n, cross(i, o)), 0));
+    const double turn =
+        azimuth > 0 ? std::min(16 * u * s * std::max(d, 4 * u) / azimuth, std::numbers::pi / 2) : std::numbers::pi / 2;
+    most.w = std::max(most.w, bins_per_radian * (atan_ulp * u * angles.phi_d + 4 * u + turn));
+  };
+  for (const PointLight& light : shader.scene.point_lights) see(arriving(light, here));
+  for (const DirectionLight& light : shader.scene.direction_lights) see(arriving(light, here));
+  return most;
+}
+
+} // namespace
+
+/// A triangle's planes, and how far a float vertex stage may be off.
+struct ColourBound::Setup {
+  WindowTriangle planes;
+  std::array<double, 3> z_clip{}, w_clip{};
+  std::array<Varyings, 3> corner;
+  Double2 homogeneous_error{0}; // of x w or y w, and of w, in pixels and 1
+  Varyings corner_error;        // of what a float vertex stage makes of each attribute
+  bool clipped = false;
+};
+
+ColourBound::ColourBound(const Scene& scene, int width, int height, const DriverTolerances& driver)
+    : scene_(scene), width_(width), height_(height), driver_(driver), geometry_(transform(scene, width, height, 1)) {}
+
+ColourBound::Setup ColourBound::set_up(std::size_t object, std::uint32_t triangle) const {
+  const TriangleRef place = ref(object, triangle);
+  const Mesh& mesh = *scene_.objects[object].mesh;
+  const ObjectTransform& matrices = geometry_.transforms[object];
+  const auto& indices = mesh.triangles[triangle];
+  std::array<Double3, 3> homogeneous;
+  Setup setup{WindowTriangle({Double3(1, 0, 0), Double3(0, 1, 0), Double3(0, 0, 1)}), {}, {}, {}, {}, {}};
+  Varyings& error = setup.corner_error;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Float3 p = mesh.positions[indices[i]], n = mesh.normals[indices[i]];
+    const Double4 clip = clip_position(matrices, p);
+    homogeneous[i] = {(clip.x + clip.w) / 2 * width_, (clip.w - clip.y) / 2 * height_, clip.w};
+    setup.z_clip[i] = clip.z, setup.w_clip[i] = clip.w;
+    // Five roundings: of the matrix, of the product, of three sums.
+    const auto product_error = [&](const auto& matrix, int row, const auto& v, int columns, double last) {
+      double sum = last;
+      for (int c = 0; c < columns; ++c) sum += std::abs(matrix[c][row] * static_cast<double>(v[c]));
+      return 5 * u * sum;
+    };
+    const auto clip_error = [&](int row) {
+      return product_error(matrices.clip_from_object, row, p, 3, std::abs(matrices.clip_from_object[3][row]));
+    };
+    const double x = clip_error(0), y = clip_error(1), w = clip_error(3);
+    const double half = std::max(width_, height_) / 2.0;
+    // And three more for the division and the viewport, of coordinates up to the size of the image.
+    setup.homogeneous_error.x =
+        std::max(setup.homogeneous_error.x, half * (std::max(x, y) + w) + 6 * u * half * std::abs(clip.w));
+    setup.homogeneous_error.y = std::max(setup.homogeneous_error.y, w);
+    const auto v = place.vertex[i];
+    setup.clipped |= (geometry_.window[v].outcode != 0);
+    Varyings& corner = setup.corner[i];
+    corner = {geometry_.world[v].position, geometry_.world[v].normal, Double2(0)};
+    if (!mesh.uvs.empty()) corner.uv = Double2(mesh.uvs[indices[i]]);
+    for (int row = 0; row < 3; ++row) {
+      error.position[row] = std::max(error.position[row], product_error(matrices.world_from_object, row, p, 3,
+                                                                        std::abs(matrices.world_from_object[3][row])));
+      error.normal[row] = std::max(error.normal[row], product_error(matrices.world_from_normal, row, n, 3, 0));
+    }
+  }
+  setup.planes = WindowTriangle(homogeneous);
+  return setup;
+}
+
+namespace {
+
+/// A plane over the window, of f / w or of 1 / w, and what a driver's float makes of it.
+struct Plane {
+  double value, along_x, along_y, error;
+};
+
+} // namespace
+
+AllowedColour ColourBound::at(std::size_t object, std::uint32_t triangle, int pixel_x, int pixel_y) const {
+  const Setup setup = set_up(object, triangle);
+  if (setup.planes.flat) return {Double3(0), Double3(infinite)};
+  const double x = pixel_x + 0.5, y = pixel_y + 0.5;
+  const std::array<Double3, 3>& l = setup.planes.l;
+
+  // Anchored at the framebuffer's origin: a0 + a_x x + a_y y, each of the three with errors in proportion to its size.
+  const auto plane = [&](auto&& corner_value) {
+    Double3 sum(0);
+    double most = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      sum += l[i] * corner_value(i);
+      if (!setup.clipped) most = std::max(most, std::abs(corner_value(i) / setup.w_clip[i]));
+    }
+    const auto value = [&](double px, double py) { return sum.x * px + sum.y * py + sum.z; };
+    if (setup.clipped) // cut at the borders of the window: a plane is largest at a corner of it
+      for (const double px : {0.0, static_cast<double>(width_)})
+        for (const double py : {0.0, static_cast<double>(height_)}) most = std::max(most, std::abs(value(px, py)));
+    return Plane{value(x, y), sum.x, sum.y, driver_.plane_ulp * u * (most + std::abs(sum.x) * x + std::abs(sum.y) * y)};
+  };
+  const Plane h = plane([](std::size_t) { return 1.0; });
+  if (!(h.value > h.error)) return {Double3(0), Double3(infinite)};
+  const double w = 1 / h.value;
+
+  // Corners that are snapped here and rounded there: the same as another sample, so far away at most.
+  const double shift = 0.5 / 256 + (setup.homogeneous_error.x + std::max(x, y) * setup.homogeneous_error.y) / w;
+
+  Varyings here{Double3(0), Double3(0), Double2(0)}, error = here;
+  std::array<Plane, varying_components> planes{};
+  for (int c = 0; c < varying_components; ++c) {
+    Setup copy = setup;
+    const Plane g = planes[static_cast<std::size_t>(c)] =
+        plane([&](std::size_t i) { return component(copy.corner[i], c); });
+    const double f = g.value * w;
+    component(here, c) = f;
+    component(error, c) = (g.error + std::abs(f) * h.error) / (h.value - h.error) + 3.5 * u * std::abs(f) +
+                          component(copy.corner_error, c);
+  }
+  const auto shifted = [&](double dx, double dy) {
+    Varyings result{};
+    const double h_there = h.value + h.along_x * dx + h.along_y * dy;
+    for (int c = 0; c < varying_components; ++c) {
+      const Plane& g = planes[static_cast<std::size_t>(c)];
+      component(result, c) = (g.value + g.along_x * dx + g.along_y * dy) / h_there;
+    }
+    return result;
+  };
+  // The derivative of f / w by x: (g_x - f h_x) / h.
+  const auto derivative = [&](double Plane::*along) {
+    const auto of = [&](int c) {
+      return (planes[static_cast<std::size_t>(c)].*along - component(here, c) * h.*along) * w;
+    };
+    return Double2(of(6), of(7));
+  };
+  const Double2 uv_right = derivative(&Plane::along_x), uv_down = derivative(&Plane::along_y);
+
+  Shader shader{scene_, scene_.objects[object].material, uv_right, uv_down};
+  const Rgb<double> centre = shader.colour(here);
+  const auto change = [&](const Varyings& there) { return absolute(shader.colour(there) - centre); };
+
+  Double3 bound(0);
+  Double3 by_shift(0);
+  for (int i = -2; i <= 2; ++i) // not the corners alone: a highlight's edge or a light's horizon may run through
+    for (int j = -2; j <= 2; ++j) by_shift = larger(by_shift, change(shifted(i * shift / 2, j * shift / 2)));
+  bound += by_shift;
+  for (int c = 0; c < 6; ++c) {
+    Double3 by_component(0);
+    for (const double sign : {-1.0, 1.0}) {
+      Varyings there = here;
+      component(there, c) += sign * component(error, c);
+      by_component = larger(by_component, change(there));
+    }
+    bound += by_component;
+  }
+  if (shader.material.texture) {
+    Double3 by_uv(0), by_texel(0), by_detail(0);
+    for (const double s : {-error.uv.x, error.uv.x})
+      for (const double t : {-error.uv.y, error.uv.y}) {
+        Varyings there = here;
+        there.uv += Double2(s, t);
+        by_uv = larger(by_uv, change(there));
+      }
+    for (const double sign : {-1.0, 1.0}) {
+      shader.texture_moved = Double3(sign * (driver_.texel_error + 4 * u));
+      by_texel = larger(by_texel, change(here));
+    }
+    shader.texture_moved = Double3(0);
+    // Derivatives may be differences between any neighbours of the pixel's 2 x 2 block, and for the whole block alike.
+    const int left = pixel_x & ~1, top = pixel_y & ~1;
+    const auto uv = [&](int px, int py) { return shifted(px - pixel_x, py - pixel_y).uv; };
+    for (int row = top; row <= top + 1; ++row)
+      for (int column = left; column <= left + 1; ++column)
+        for (const double sign : {-1.0, 1.0}) {
+          // A difference of two values, each of them off by its error; then the logarithm.
+          const auto step = [&](const Double2& from, const Double2& to) {
+            Double2 result;
+            for (int c = 0; c < 2; ++c)
+              result[c] = std::max(std::abs(to[c] - from[c]) + sign * 2 * error.uv[c], 0.0) *
+                          std::exp2(sign > 0 ? driver_.detail_above : -driver_.detail_below);
+            return result;
+          };
+          shader.uv_right = step(uv(left, row), uv(left + 1, row));
+          shader.uv_down = step(uv(column, top), uv(column, top + 1));
+          by_detail = larger(by_detail, change(here));
+        }
+    shader.uv_right = uv_right, shader.uv_down = uv_down;
+    bound += by_uv + by_texel + by_detail;
+  }
+  const MerlPoint<double> bins = table_error(shader, here, driver_.atan_ulp);
+  for (const auto member : {&MerlPoint<double>::u, &MerlPoint<double>::v, &MerlPoint<double>::w}) {
+    Double3 by_bin(0);
+    for (const double sign : {-1.0, 1.0}) {
+      shader.moved = {0, 0, 0};
+      shader.moved.*member = sign * bins.*member;
+      by_bin = larger(by_bin, change(here));
+    }
+    bound += by_bin;
+  }
+  shader.moved = {0, 0, 0};
+
+  // Float arithmetic of the formulas: terms are positive, so errors are in proportion to the sum.
+  const auto [shine, glossiness] = highlights(shader, here);
+  const double lights = static_cast<double>(scene_.point_lights.size() + scene_.direction_lights.size());
+  bound += absolute(centre) * ((40 + lights) * u);
+  bound += absolute(shine) * ((16 + (driver_.power_ulp + 6) * glossiness) * u);
+  return {centre, bound};
+}
+
+double ColourBound::depth(std::size_t object, std::uint32_t triangle, int x, int y) const {
+  const Setup setup = set_up(object, triangle);
+  const std::array<double, 3> weight = setup.planes.at(x + 0.5, y + 0.5);
+  double z = 0;
+  for (std::size_t i = 0; i < 3; ++i) z += weight[i] * setup.z_clip[i];
+  return z * 0.5 + 0.5;
+}
+
+double ColourBound::depth_error(std::size_t object, std::uint32_t triangle, int pixel_x, int pixel_y) const {
+  const Setup setup = set_up(object, triangle);
+  const double x = pixel_x + 0.5, y = pixel_y + 0.5;
+  Double3 z(0), h(0);
+  for (std::size_t i = 0; i < 3; ++i) z += setup.planes.l[i] * setup.z_clip[i], h += setup.planes.l[i];
+  const double w = 1 / (h.x * x + h.y * y + h.z);
+  const double shift = 1.0 / 256 + (setup.homogeneous_error.x + std::max(x, y) * setup.homogeneous_error.y) / w;
+  // z lies in [0, 1] on the screen, and its plane is anchored at the origin like any other.
+  return 0.5 * (driver_.plane_ulp * u * (1 + std::abs(z.x) * x + std::abs(z.y) * y) +
+                shift * (std::abs(z.x) + std::abs(z.y)));
+}
+
+} // namespace refraster
