@@ -119,7 +119,7 @@ struct ColourBound::Setup {
   WindowTriangle planes;
   std::array<double, 3> z_clip{}, w_clip{};
   std::array<Varyings, 3> corner;
-  Double2 homogeneous_error{0}; // of x w or y w, and of w, in pixels and 1
+  Double3 homogeneous_error{0}; // of x w or y w, in pixels; of z in clip space; and of w
   Varyings corner_error;        // of what a float vertex stage makes of each attribute
   bool clipped = false;
 };
@@ -154,7 +154,8 @@ ColourBound::Setup ColourBound::set_up(std::size_t object, std::uint32_t triangl
     // And three more for the division and the viewport, of coordinates up to the size of the image.
     setup.homogeneous_error.x =
         std::max(setup.homogeneous_error.x, half * (std::max(x, y) + w) + 6 * u * half * std::abs(clip.w));
-    setup.homogeneous_error.y = std::max(setup.homogeneous_error.y, w);
+    setup.homogeneous_error.y = std::max(setup.homogeneous_error.y, clip_error(2));
+    setup.homogeneous_error.z = std::max(setup.homogeneous_error.z, w);
     const auto v = place.vertex[i];
     setup.clipped |= (geometry_.window[v].outcode != 0);
     Varyings& corner = setup.corner[i];
@@ -204,7 +205,7 @@ AllowedColour ColourBound::at(std::size_t object, std::uint32_t triangle, int pi
   const double w = 1 / h.value;
 
   // Corners that are snapped here and rounded there: the same as another sample, so far away at most.
-  const double shift = 0.5 / 256 + (setup.homogeneous_error.x + std::max(x, y) * setup.homogeneous_error.y) / w;
+  const double shift = 0.5 / 256 + (setup.homogeneous_error.x + std::max(x, y) * setup.homogeneous_error.z) / w;
 
   Varyings here{Double3(0), Double3(0), Double2(0)}, error = here;
   std::array<Plane, varying_components> planes{};
@@ -271,13 +272,13 @@ AllowedColour ColourBound::at(std::size_t object, std::uint32_t triangle, int pi
     const auto uv = [&](int px, int py) { return shifted(px - pixel_x, py - pixel_y).uv; };
     for (int row = top; row <= top + 1; ++row)
       for (int column = left; column <= left + 1; ++column)
-        for (const double sign : {-1.0, 1.0}) {
+        for (int k = 0; k <= 4; ++k) { // steps, since a colour may rise and fall along a mip chain
+          const double moved = std::lerp(-driver_.detail_below, driver_.detail_above, k / 4.0);
           // A difference of two values, each of them off by its error; then the logarithm.
           const auto step = [&](const Double2& from, const Double2& to) {
             Double2 result;
             for (int c = 0; c < 2; ++c)
-              result[c] = std::max(std::abs(to[c] - from[c]) + sign * 2 * error.uv[c], 0.0) *
-                          std::exp2(sign > 0 ? driver_.detail_above : -driver_.detail_below);
+              result[c] = std::max(std::abs(to[c] - from[c]) + (k - 2) * error.uv[c], 0.0) * std::exp2(moved);
             return result;
           };
           shader.uv_right = step(uv(left, row), uv(left + 1, row));
@@ -321,9 +322,10 @@ double ColourBound::depth_error(std::size_t object, std::uint32_t triangle, int 
   Double3 z(0), h(0);
   for (std::size_t i = 0; i < 3; ++i) z += setup.planes.l[i] * setup.z_clip[i], h += setup.planes.l[i];
   const double w = 1 / (h.x * x + h.y * y + h.z);
-  const double shift = 1.0 / 256 + (setup.homogeneous_error.x + std::max(x, y) * setup.homogeneous_error.y) / w;
+  const double shift = 1.0 / 256 + (setup.homogeneous_error.x + std::max(x, y) * setup.homogeneous_error.z) / w;
   // z lies in [0, 1] on the screen, and its plane is anchored at the origin like any other.
-  return 0.5 * (driver_.plane_ulp * u * (1 + std::abs(z.x) * x + std::abs(z.y) * y) +
+  const double corner_error = (setup.homogeneous_error.y + setup.homogeneous_error.z) / w;
+  return 0.5 * (corner_error + driver_.plane_ulp * u * (1 + std::abs(z.x) * x + std::abs(z.y) * y) +
                 shift * (std::abs(z.x) + std::abs(z.y)));
 }
 

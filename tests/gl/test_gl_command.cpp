@@ -1,0 +1,213 @@
+// refraster gl, as a user runs it; and compare, which must find what is wrong with a shader.
+
+#include "tests/cli/program.h"
+#include "tests/io/malformed_inputs.h"
+
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+using namespace refraster;
+
+namespace {
+
+/// A variable of the environment, as long as this lives.
+class Environment {
+public:
+  Environment(const char* name, const std::string& value) : name_(name) {
+    if (const char* const old = std::getenv(name)) before_ = old;
+    had_ = std::getenv(name) != nullptr;
+    setenv(name, value.c_str(), 1);
+  }
+  ~Environment() {
+    if (had_) setenv(name_, before_.c_str(), 1);
+    else unsetenv(name_);
+  }
+  Environment(const Environment&) = delete;
+  Environment& operator=(const Environment&) = delete;
+
+private:
+  const char* name_;
+  std::string before_;
+  bool had_ = false;
+};
+
+/// A stretched ball; `material` has its fragment function, its shaders and its material.
+std::string scene_with(const std::string& material) {
+  return R"({"scene": {
+  "camera": {"position": "0 0 5"}, "background": "0.1 0.2 0.3",
+  "point_lights": [{"position": "-3 4 5", "radiance": "1 1 1", "constant": 1, "linear": 0, "quadratic": 0}],
+  "direction_lights": [{"direction": "0 -1 -0.2", "radiance": "0.2 0.25 0.3"}],
+  "objects": [{"mesh": {"sphere": {"segments": 48, "rings": 24}}, "name": "ball", "position": "0 0 0",
+    "rotate_x": 10, "rotate_y": 25, "rotate_z": 0, "scale": "1.6 1 0.7", )" +
+         material + "}]\n}}\n";
+}
+
+const std::string plastic =
+    R"("material": {"ka": "0.05 0.05 0.05", "kd": "0.6 0.3 0.2", "ks": "0.5 0.5 0.5", "glossiness": 40})";
+const std::string lecture_shaders = std::string(REFRASTER_SOURCE_DIR) + "/scenes/lecture/shader/";
+
+/// What `compare` says of our image of scene.json and OpenGL's: allowed is what the filters of 8-bit images and edges
+/// of a lattice step cost, an off-by-one anywhere and three pixels of anything.
+Finished compared(const TemporaryFolder& folder, const std::string& scene) {
+  save_text(folder / "scene.json", scene);
+  const Finished ours = run_program(folder.path, {"render", "scene.json", "-o", "ours.png", "--size", "320x240", "-q"});
+  REQUIRE_MESSAGE(ours.exit_code == 0, ours.err);
+  const Finished theirs =
+      run_program(folder.path, {"gl", "scene.json", "-o", "gl.png", "--size", "320x240", "--renderer", "llvmpipe"});
+  REQUIRE_MESSAGE(theirs.exit_code == 0, theirs.err);
+  return run_program(folder.path, {"compare", "ours.png", "gl.png", "--max-abs", "1", "--max-count", "3"});
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, from.size(), to);
+}
+
+bool holds(const std::string& text, const std::string& words) {
+  return text.find(words) != std::string::npos;
+}
+
+} // namespace
+
+TEST_CASE("render and gl agree where nothing is wrong") {
+  const TemporaryFolder folder;
+  for (const char* const function : {"phong", "blinn_phong"}) {
+    const Finished found =
+        compared(folder, scene_with("\"fragment_function\": \"" + std::string(function) + "\", " + plastic));
+    CHECK_MESSAGE(found.exit_code == 0, found.out);
+  }
+}
+
+TEST_CASE("compare finds Phong where Blinn-Phong is asked for") {
+  const TemporaryFolder folder;
+  const Finished found =
+      compared(folder, scene_with(R"("fragment_function": "blinn_phong", "fragment_shader_file_path": ")" +
+                                  lecture_shaders + "phong_fs.glsl\", " + plastic));
+  CHECK_MESSAGE(found.exit_code == 1, found.out);
+}
+
+TEST_CASE("compare finds normals that are transformed like positions, on an object that is stretched") {
+  const TemporaryFolder folder;
+  const std::string right = text_of(lecture_shaders + "vertex.glsl");
+  save_text(folder / "vertex.glsl", replaced(right, "mat3(transpose(inverse(model)))", "mat3(model)"));
+  const Finished found = compared(
+      folder, scene_with(R"("fragment_function": "phong", "vertex_shader_file_path": "vertex.glsl", )" + plastic));
+  CHECK_MESSAGE(found.exit_code == 1, found.out);
+  save_text(folder / "vertex.glsl", right);
+  const Finished none = compared(
+      folder, scene_with(R"("fragment_function": "phong", "vertex_shader_file_path": "vertex.glsl", )" + plastic));
+  CHECK_MESSAGE(none.exit_code == 0, none.out);
+}
+
+TEST_CASE("compare finds a measured BRDF that is cut off at phi_d = 0 instead of going on at pi") {
+  const TemporaryFolder folder;
+  REQUIRE(run_program(folder.path, {"merl", "synth", "brass-like", "-o", "brass.binary"}).exit_code == 0);
+  const std::string scene = scene_with(R"("fragment_function": "merl", "fragment_shader_file_path": "merl_fs.glsl",
+    "material": {"brdf_file_path": "brass.binary"})");
+  const std::string right = text_of(std::string(REFRASTER_SOURCE_DIR) + "/tests/gl/merl_fs.glsl");
+  save_text(folder / "merl_fs.glsl", right);
+  const Finished none = compared(folder, scene);
+  CHECK_MESSAGE(none.exit_code == 0, none.out);
+  save_text(folder / "merl_fs.glsl", replaced(right, "if (phi_d < 0.0) phi_d += pi;", "phi_d = max(phi_d, 0.0);"));
+  const Finished found = compared(folder, scene);
+  CHECK_MESSAGE(found.exit_code == 1, found.out);
+}
+
+TEST_CASE("a line for each object says whose shaders draw it") {
+  const TemporaryFolder folder;
+  save_text(folder / "scene.json", scene_with(R"("fragment_function": "phong", )" + plastic));
+  const Finished run =
+      run_program(folder.path, {"gl", "scene.json", "-o", "gl.png", "--size", "32x24", "--renderer", "llvmpipe"});
+  CHECK(run.exit_code == 0);
+  CHECK(run.out == "gl.png\n");
+  CHECK(run.err ==
+        "ball: vertex shader ours (the scene names none), fragment shader of phong ours (the scene names none)\n");
+}
+
+TEST_CASE("an error in a shader is bad input, told with file and line") {
+  const TemporaryFolder folder;
+  save_text(folder / "fs.glsl",
+            "#version 330 core\nout vec4 FragColor;\nvoid main() { FragColor = vec4(colour, 1.0); }\n");
+  save_text(folder / "scene.json",
+            scene_with(R"("fragment_function": "phong", "fragment_shader_file_path": "fs.glsl", )" + plastic));
+  const Finished run = run_program(folder.path, {"gl", "scene.json", "-o", "gl.png", "--renderer", "llvmpipe"});
+  CHECK(run.exit_code == 3);
+  CHECK_MESSAGE(holds(run.err, "fs.glsl:3:"), run.err);
+  CHECK_MESSAGE(holds(run.err, "`colour' undeclared"), run.err);
+  CHECK_FALSE(std::filesystem::exists(folder / "gl.png"));
+}
+
+TEST_CASE("a scene that is not there is bad input") {
+  const TemporaryFolder folder;
+  const Finished run = run_program(folder.path, {"gl", "nowhere.json", "-o", "gl.png"});
+  CHECK(run.exit_code == 3);
+  CHECK_MESSAGE(holds(run.err, "nowhere.json"), run.err);
+}
+
+TEST_CASE("an unknown renderer is wrong usage, and the message names those there are") {
+  const TemporaryFolder folder;
+  const Finished run = run_program(folder.path, {"gl", "scene.json", "--renderer", "voodoo"});
+  CHECK(run.exit_code == 2);
+  CHECK_MESSAGE(holds(run.err, "found \"voodoo\", expected one of default, llvmpipe, softpipe"), run.err);
+}
+
+TEST_CASE("file names must end in a format that holds what is asked for") {
+  const TemporaryFolder folder;
+  CHECK(run_program(folder.path, {"gl", "scene.json", "-o", "gl.exr"}).exit_code == 2);
+  CHECK(run_program(folder.path, {"gl", "scene.json", "--float", "gl.png"}).exit_code == 2);
+  CHECK(run_program(folder.path, {"gl", "scene.json", "--depth", "gl.hdr"}).exit_code == 2);
+  CHECK(run_program(folder.path, {"gl", "scene.json", "-o", "nowhere/gl.png"}).exit_code == 4);
+}
+
+TEST_CASE("without an EGL library gl says what to install, and everything else works") {
+  const TemporaryFolder folder;
+  save_text(folder / "scene.json", scene_with(R"("fragment_function": "phong", )" + plastic));
+  std::filesystem::create_directory(folder / "libraries");
+  save_text(folder / "libraries/libEGL.so.1", "not a library");
+  const Environment path("LD_LIBRARY_PATH", folder / "libraries");
+  const Finished run = run_program(folder.path, {"gl", "scene.json", "-o", "gl.png"});
+  CHECK(run.exit_code == 5);
+  CHECK_MESSAGE(holds(run.err, "no EGL library"), run.err);
+  CHECK_MESSAGE(holds(run.err, "libegl1 and libgl1-mesa-dri"), run.err);
+  CHECK(run_program(folder.path, {"render", "scene.json", "-o", "ours.png", "--size", "16x12"}).exit_code == 0);
+}
+
+TEST_CASE("without a driver gl says what to install") {
+  const TemporaryFolder folder;
+  save_text(folder / "scene.json", scene_with(R"("fragment_function": "phong", )" + plastic));
+  const Environment none("__EGL_VENDOR_LIBRARY_DIRS", folder.path); // glvnd finds no vendor there
+  const Finished run = run_program(folder.path, {"gl", "scene.json", "-o", "gl.png"});
+  CHECK(run.exit_code == 5);
+  CHECK_MESSAGE(holds(run.err, "libgl1-mesa-dri"), run.err);
+}
+
+TEST_CASE("times of frames and the driver's words are on standard output as JSON, and nothing else is") {
+  const TemporaryFolder folder;
+  save_text(folder / "scene.json", scene_with(R"("fragment_function": "phong", )" + plastic));
+  const Finished run = run_program(
+      folder.path, {"gl", "scene.json", "--frames", "3", "--json", "-", "--size", "64x48", "--renderer", "softpipe"});
+  CHECK(run.exit_code == 0);
+  CHECK(run.out.front() == '{');
+  for (const char* const words : {"\"renderer\": \"softpipe\"", "\"frames\": 3", "\"frame_ms\": {",
+                                  "\"median\": ", "\"cpu_ms\": {", "\"samples_passed\": "})
+    CHECK_MESSAGE(holds(run.out, words), words);
+  CHECK(files_in(folder) == std::vector<std::string>{"scene.json"});
+}
+
+TEST_CASE("depth is that of render") {
+  const TemporaryFolder folder;
+  save_text(folder / "scene.json", scene_with(R"("fragment_function": "phong", )" + plastic));
+  REQUIRE(run_program(folder.path, {"gl", "scene.json", "--depth", "gl.pfm", "--float", "gl.exr", "--size", "160x120",
+                                    "--renderer", "llvmpipe"})
+              .exit_code == 0);
+  REQUIRE(run_program(folder.path, {"render", "scene.json", "-o", "ours.exr", "--aov", "depth", "--size", "160x120"})
+              .exit_code == 0);
+  // Window depth is interpolated from 24-bit corners: 2^-24, and the slope of the ball's side times the half lattice
+  // step of our snapping. Three pixels may lie on an edge.
+  const Finished found =
+      run_program(folder.path, {"compare", "ours.depth.exr", "gl.pfm", "--max-abs", "1e-4", "--max-count", "3"});
+  CHECK_MESSAGE(found.exit_code == 0, found.out);
+}
