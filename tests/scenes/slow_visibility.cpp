@@ -1,9 +1,12 @@
 #include "tests/scenes/slow_visibility.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <tuple>
+#include <utility>
 
 namespace refraster::slow {
 namespace {
@@ -32,10 +35,15 @@ Axes rotation_scale(const Object& object) {
 struct Corner {
   Vec window;      // x, y, w
   Real factor = 1; // clip = point * factor
-  Real z = 0, w = 0;
+  Real x = 0, y = 0, z = 0, w = 0;
   Vec position, normal;
   Real u = 0, v = 0;
 };
+
+/// The order that makes pieces the same whatever corner of a triangle comes first.
+bool before(const Corner& a, const Corner& b) {
+  return std::tie(a.x, a.y, a.w, a.z) < std::tie(b.x, b.y, b.w, b.z);
+}
 
 class Viewer {
 public:
@@ -44,9 +52,10 @@ public:
     right_ = unit(cross(vec(camera.up), back_));
     up_ = cross(back_, right_);
     cotangent_ = 1 / std::tan(static_cast<Real>(camera.fov_y_degrees) * std::numbers::pi_v<Real> / 360);
-    const Real near = camera.near, far = camera.far;
-    z_scale_ = (far + near) / (near - far);
-    z_offset_ = 2 * far * near / (near - far);
+    near_ = camera.near;
+    const Real far = camera.far;
+    z_scale_ = (far + near_) / (near_ - far);
+    z_offset_ = 2 * far * near_ / (near_ - far);
   }
 
   /// Fills what the position decides.
@@ -54,9 +63,8 @@ public:
     const Vec from_eye = corner.position - eye_;
     const Real depth = -dot(from_eye, back_);
     const Real x = cotangent_ * dot(from_eye, right_) * height_ / width_, y = cotangent_ * dot(from_eye, up_);
-    corner.z = -z_scale_ * depth + z_offset_;
-    corner.w = depth;
-    corner.window = {(x + depth) * width_ / 2, (depth - y) * height_ / 2, depth};
+    corner.x = x, corner.y = y, corner.z = -z_scale_ * depth + z_offset_, corner.w = depth;
+    corner.window = window_of(corner);
     if (depth <= 0) return;
     const Real subpixels = 256, band = 65536;
     const Real px = corner.window.x / depth, py = corner.window.y / depth;
@@ -66,8 +74,23 @@ public:
     corner.factor = 1 / depth;
   }
 
+  /// Where the edge from a corner in front of the eye to one behind ends: at half the distance of the near plane, or of
+  /// the corner, should that be nearer. Not snapped.
+  Corner cut(const Corner& front, const Corner& back) const {
+    const Real w = std::min(near_, front.w) / 2, s = (w - back.w) / (front.w - back.w), t = 1 - s;
+    Corner corner;
+    corner.x = front.x * s + back.x * t, corner.y = front.y * s + back.y * t;
+    corner.z = front.z * s + back.z * t, corner.w = w;
+    corner.position = front.position * s + back.position * t, corner.normal = front.normal * s + back.normal * t;
+    corner.u = front.u * s + back.u * t, corner.v = front.v * s + back.v * t;
+    corner.window = window_of(corner);
+    return corner;
+  }
+
 private:
-  Real width_, height_, cotangent_, z_scale_, z_offset_;
+  Vec window_of(const Corner& c) const { return {(c.x + c.w) * width_ / 2, (c.w - c.y) * height_ / 2, c.w}; }
+
+  Real width_, height_, near_, cotangent_, z_scale_, z_offset_;
   Vec eye_, back_, right_, up_;
 };
 
@@ -157,6 +180,25 @@ void look(const Object& object, const std::array<const Corner*, 3>& c, const Pla
   candidate = {depth, doubtful || !(length(normal) > 0), seen};
 }
 
+/// A polygon of 0, 3 or 4 corners.
+std::vector<Corner> part_in_front(const std::array<const Corner*, 3>& triangle, const Viewer& viewer) {
+  std::array<const Corner*, 3> c = triangle;
+  bool odd = false;
+  for (const auto& [i, j] : {std::pair{0, 1}, {1, 2}, {0, 1}}) {
+    if (!before(*c[static_cast<std::size_t>(j)], *c[static_cast<std::size_t>(i)])) continue;
+    std::swap(c[static_cast<std::size_t>(i)], c[static_cast<std::size_t>(j)]);
+    odd = !odd;
+  }
+  std::vector<Corner> polygon;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Corner &here = *c[k], &next = *c[(k + 1) % 3];
+    if (here.w > 0) polygon.push_back(here);
+    if ((here.w > 0) != (next.w > 0)) polygon.push_back(here.w > 0 ? viewer.cut(here, next) : viewer.cut(next, here));
+  }
+  if (odd) std::reverse(polygon.begin() + (polygon.empty() ? 0 : 1), polygon.end()); // the winding as submitted
+  return polygon;
+}
+
 } // namespace
 
 std::vector<std::optional<Seen>> seen_at(const Scene& scene, int width, int height, std::span<const Pixel> pixels) {
@@ -164,15 +206,23 @@ std::vector<std::optional<Seen>> seen_at(const Scene& scene, int width, int heig
   std::vector<Candidate> candidates(pixels.size());
   for (const Object& object : scene.objects) {
     const std::vector<Corner> corners = corners_of(object, viewer);
-    for (const auto& triangle : object.mesh->triangles) {
-      const std::array<const Corner*, 3> c = {&corners[triangle[0]], &corners[triangle[1]], &corners[triangle[2]]};
+    const auto draw = [&](const std::array<const Corner*, 3>& c) {
       const Vec e0 = cross(c[1]->window, c[2]->window), e1 = cross(c[2]->window, c[0]->window),
                 e2 = cross(c[0]->window, c[1]->window);
       const Real determinant = dot(c[0]->window, e0);
-      if (determinant == 0) continue;
-      if (object.cull == Cull::back && determinant > 0) continue; // clockwise in the image, with y down
+      if (determinant == 0) return;
+      if (object.cull == Cull::back && determinant > 0) return; // clockwise in the image, with y down
       const Planes planes = {{e0 * (1 / determinant), e1 * (1 / determinant), e2 * (1 / determinant)}};
       for (std::size_t i = 0; i < pixels.size(); ++i) look(object, c, planes, pixels[i], candidates[i]);
+    };
+    for (const auto& triangle : object.mesh->triangles) {
+      const std::array<const Corner*, 3> c = {&corners[triangle[0]], &corners[triangle[1]], &corners[triangle[2]]};
+      if (c[0]->w > 0 && c[1]->w > 0 && c[2]->w > 0) {
+        draw(c);
+        continue;
+      }
+      const std::vector<Corner> part = part_in_front(c, viewer);
+      for (std::size_t k = 1; k + 1 < part.size(); ++k) draw({&part[0], &part[k], &part[k + 1]});
     }
   }
   std::vector<std::optional<Seen>> result;
