@@ -82,9 +82,9 @@ void write_aov(const FrameContext& context, const VisibleTile& visible, std::spa
         put(0, [&](int lane) { return triangle(lane).object + 1; });
         break;
       case Aov::uv: {
-        const Barycentric<T> at = barycentrics<Derivatives::no>(data).at;
+        const PacketBarycentrics<T> at = barycentrics<Derivatives::no>(data);
         for (int c = 0; c < 2; ++c) {
-          const T fraction = data.uv(c, at.b1, at.b2);
+          const T fraction = interpolated_uv(data, c, at);
           put(c, [&](int lane) { return fraction[lane] + triangle(lane).uv_whole[static_cast<std::size_t>(c)]; });
         }
         break;

@@ -58,7 +58,7 @@ public:
       for (std::size_t k = 0; k < 3; ++k)
         clip[k] =
             clip_position(geometry_.transforms[ref.object], scene_.objects[ref.object].mesh->positions[corners[k]]);
-      const auto set_up = set_up_projective({v0, v1, v2}, clip, image_width_, image_height_);
+      const auto set_up = set_up_projective({v0, v1, v2}, clip, {image_width_, image_height_, scene_.camera.near});
       if (!set_up) return Fate::degenerate;
       if (cull_back && set_up->facing == Facing::back) return Fate::culled;
       projective = *set_up;
@@ -109,7 +109,10 @@ public:
              lines[2].most(x0, y0, x1, y1) >= 0;
     };
     if (projective) {
-      each([&](std::size_t tile) { return lines_touch(projective->line, tile); });
+      each([&](std::size_t tile) {
+        return lines_touch(projective->piece[0].line, tile) ||
+               (projective->pieces == 2 && lines_touch(projective->piece[1].line, tile));
+      });
     } else if (p.right - p.left < 1 || p.bottom - p.top < 1 || (p.right - p.left) * (p.bottom - p.top) < 2) {
       each([](std::size_t) { return true; });
     } else {

@@ -50,11 +50,6 @@ public:
   T interpolated(Attribute attribute, int c, const T& b1, const T& b2) const {
     return value(static_cast<int>(attribute) + c) + changed(attribute, c, b1, b2);
   }
-  /// Texture coordinate c, kept within the range of the corners': where an edge has the coordinate 0, rounding would
-  /// else show the last texel beside the first. NaN stays NaN.
-  T uv(int c, const T& b1, const T& b2) const {
-    return minimum(value(most_uv + c), maximum(value(least_uv + c), interpolated(Attribute::uv, c, b1, b2)));
-  }
   /// How an attribute changes when the weights change by b1, b2.
   T changed(Attribute attribute, int c, const T& b1, const T& b2) const {
     const int at = static_cast<int>(attribute) + c, n = components(attribute);
@@ -135,13 +130,19 @@ template <class T>
     const auto l = static_cast<std::size_t>(lane);
     const auto& t = *packet.triangle[l];
     std::array<double, 3> value{}, a{}, b{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (t.projective) {
-        const ProjectiveLine& line = t.projective->line[k];
-        const double weight = t.projective->weight[k];
-        value[k] = static_cast<double>(line.at(packet.x[l], packet.y[l])) * weight;
-        a[k] = static_cast<double>(line.a) * weight, b[k] = static_cast<double>(line.b) * weight;
-      } else {
+    if (t.projective) {
+      // By way of the piece's vertices to the corners: sums of what is not negative.
+      const ProjectivePiece& piece = t.projective->piece_at(packet.x[l], packet.y[l]);
+      for (std::size_t v = 0; v < 3; ++v) {
+        const ProjectiveLine& line = piece.line[v];
+        for (std::size_t k = 0; k < 3; ++k) {
+          const double weight = piece.weight[v] * piece.share[v][k];
+          value[k] += static_cast<double>(line.at(packet.x[l], packet.y[l])) * weight;
+          a[k] += static_cast<double>(line.a) * weight, b[k] += static_cast<double>(line.b) * weight;
+        }
+      }
+    } else {
+      for (std::size_t k = 0; k < 3; ++k) {
         a[k] = t.line[3 * k], b[k] = t.line[3 * k + 1];
         value[k] = a[k] * packet.x[l] + (b[k] * packet.y[l] + t.line[3 * k + 2]);
       }
@@ -171,6 +172,7 @@ struct Barycentric {
 template <class T>
 struct PacketBarycentrics {
   Barycentric<T> at, right, down;
+  MaskOf<T> inside; // the sample lies in the triangle, by signs that no rounding has touched
 };
 
 template <Derivatives derivatives, class T, Triangles triangles>
@@ -184,8 +186,9 @@ PacketBarycentrics<T> barycentrics(const PacketData<T, triangles>& data) {
   const std::array<T, 3> weight{data.value(0), data.value(1), data.value(2)};
   const auto weighted = [&](const std::array<T, 3>& values, std::size_t k) { return values[k] * weight[k]; };
   PacketBarycentrics<T> result;
-  const T mu1 = weighted(lines.value, 1), mu2 = weighted(lines.value, 2);
-  const T reciprocal = T(1) / (weighted(lines.value, 0) + mu1 + mu2);
+  const T mu0 = weighted(lines.value, 0), mu1 = weighted(lines.value, 1), mu2 = weighted(lines.value, 2);
+  result.inside = minimum(mu0, minimum(mu1, mu2)) >= T(0);
+  const T reciprocal = T(1) / (mu0 + mu1 + mu2);
   result.at = {mu1 * reciprocal, mu2 * reciprocal};
   if constexpr (derivatives == Derivatives::yes) {
     const auto change = [&](const auto& step) -> Barycentric<T> {
@@ -197,6 +200,14 @@ PacketBarycentrics<T> barycentrics(const PacketData<T, triangles>& data) {
     result.down = change(lines.down);
   }
   return result;
+}
+
+/// Texture coordinate c; in the triangle kept within the range of its corners': where an edge has the coordinate 0,
+/// rounding would else show the last texel beside the first. NaN stays NaN.
+template <class T, Triangles triangles>
+T interpolated_uv(const PacketData<T, triangles>& data, int c, const PacketBarycentrics<T>& at) {
+  const T uv = data.interpolated(Attribute::uv, c, at.at.b1, at.at.b2);
+  return select(at.inside, minimum(data.value(most_uv + c), maximum(data.value(least_uv + c), uv)), uv);
 }
 
 template <class T, Triangles triangles>

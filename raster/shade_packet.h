@@ -42,7 +42,7 @@ Vec3<T> shading_normal(const Scene& scene, const Geometry& geometry, const Packe
 template <class T, Triangles triangles>
 Rgb<T> texture_colour(const Material& material, const PacketData<T, triangles>& data, const PacketBarycentrics<T>& at,
                       const UndefinedTally<T>& tally) {
-  const auto uv = [&](int c) { return data.uv(c, at.at.b1, at.at.b2); };
+  const auto uv = [&](int c) { return interpolated_uv(data, c, at); };
   const Vec2<T> point(uv(0), uv(1));
   const auto finite = [](const T& x) { return magnitude(x) <= T(std::numeric_limits<RealOf<T>>::max()); };
   tally.note(Undefined::bad_uv, !(finite(point.x) & finite(point.y)));

@@ -129,15 +129,17 @@ void TileVisibility::draw_rows(const SnappedTriangle& triangle, std::int32_t pla
 }
 
 void TileVisibility::draw(const ProjectiveTriangle& triangle, std::int32_t place) {
+  for (int piece = 0; piece < triangle.pieces; ++piece) draw(triangle.piece[static_cast<std::size_t>(piece)], place);
+}
+
+void TileVisibility::draw(const ProjectivePiece& piece, std::int32_t place) {
   for (std::size_t s = 0; s < samples_.size(); ++s)
     for (int y = 0; y < tile_.height; ++y)
       for (int x = 0; x < tile_.width; ++x) {
         const std::int32_t x_sample = (tile_.x + x) * subpixels + samples_[s].x;
         const std::int32_t y_sample = (tile_.y + y) * subpixels + samples_[s].y;
-        if (!(triangle.line[0].covers(x_sample, y_sample) && triangle.line[1].covers(x_sample, y_sample) &&
-              triangle.line[2].covers(x_sample, y_sample)))
-          continue;
-        const double z = triangle.depth(x_sample, y_sample);
+        if (!piece.covers(x_sample, y_sample)) continue;
+        const double z = piece.depth(x_sample, y_sample);
         const std::size_t at = index(static_cast<int>(s), x, y);
         if (z >= -1 && z < depth_[at]) {
           depth_[at] = z;

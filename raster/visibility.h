@@ -47,6 +47,7 @@ private:
   template <Coverage coverage>
   void draw_rows(const SnappedTriangle& triangle, std::int32_t place, const Span& span);
   void draw(const ProjectiveTriangle& triangle, std::int32_t place);
+  void draw(const ProjectivePiece& piece, std::int32_t place);
 
   std::size_t rows_, stride_;
   std::vector<double> depth_;

@@ -62,18 +62,17 @@ inline std::optional<RayHit> ray_hit(const RationalVec3& direction, const Ration
   return RayHit{{direction[0] / sum, direction[1] / sum, direction[2] / sum}, meets(*weight)};
 }
 
-/// A triangle as the pixel rules define it: corners in front of the eye and within the guard band stand on the lattice
-/// of subpixels where window_vertex puts them, with their own w; the others where their clip coordinates say.
+/// A triangle in front of the eye as the pixel rules define it: corners within the guard band stand on the lattice of
+/// subpixels where window_vertex puts them, with their own w; those beyond it where their clip coordinates say.
 class ExactTriangle {
 public:
   struct At {
     RationalVec3 share; // of each corner: attribute f is the sum of share_k f_k; they add up to 1
     Rational depth;     // z / w
     Meets how = Meets::outside;
-    Rational snapped; // how strongly the place of this point depends on the corners that were snapped: see shift()
   };
 
-  /// Nothing is assumed of the corners but that they are finite.
+  /// w > 0 at every corner.
   ExactTriangle(const std::array<Double4, 3>& clip, int width, int height) {
     for (std::size_t k = 0; k < 3; ++k) {
       const WindowVertex v = window_vertex(clip[k], width, height);
@@ -97,7 +96,6 @@ public:
     for (std::size_t k = 0; k < 3; ++k) {
       mu[k] = is_snapped_[k] ? Rational((*lambda)[k] / w_[k]) : (*lambda)[k];
       sum += mu[k], z += mu[k] * z_[k], w += mu[k] * w_[k];
-      if (is_snapped_[k]) result.snapped += abs((*lambda)[k]);
     }
     if (sum == 0 || w == 0) return std::nullopt;
     for (std::size_t k = 0; k < 3; ++k) result.share[k] = mu[k] / sum;

@@ -252,8 +252,7 @@ TEST_CASE("C7: a corner stands within half of 1/256 pixel of its place") {
   });
 }
 
-TEST_CASE("C8: every sample of a pixel is covered once, also one on the pixel's border; equal colours resolve to that "
-          "colour") {
+TEST_CASE("C8: every sample of a pixel is covered once, also on its border; equal colours resolve to that colour") {
   Random random(8);
   for (const int samples : {2, 4, 8, 16})
     for (const SamplePlace& place : sample_pattern(samples)) {

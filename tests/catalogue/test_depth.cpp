@@ -84,8 +84,7 @@ TEST_CASE("Z2: of coplanar duplicates the first is seen everywhere, in whatever 
   });
 }
 
-TEST_CASE("Z3: coplanar surfaces in different triangles: the first is seen where their depths are equal, else the same "
-          "one always") {
+TEST_CASE("Z3: of coplanar surfaces in different triangles the first is seen, or the same one in every run") {
   // Facing the eye, all corners have one depth, and so has every sample.
   WindowScene window(16);
   const auto at = [&](double x, double y, double w) { return window.place(x, y, w); };

@@ -255,8 +255,7 @@ TEST_CASE_TEMPLATE("S11: a base that rounding has made negative gives 0", F, dou
   }
 }
 
-TEST_CASE("S12: float output keeps what is above 1 and below 0; levels clamp; NaN is 0, infinity the largest number, "
-          "both counted") {
+TEST_CASE("S12: float images keep values outside 0 to 1, levels clamp; NaN and infinity are made finite and counted") {
   constexpr double infinite = std::numeric_limits<double>::infinity(),
                    not_a_number = std::numeric_limits<double>::quiet_NaN();
   constexpr float largest = std::numeric_limits<float>::max();

@@ -151,7 +151,7 @@ TEST_CASE("64-bit and projective set-up name the same samples") {
     const Corners corners = random_triangle(random);
     const auto v = window(corners);
     const auto narrow = set_up_snapped(v);
-    const auto wide = set_up_projective(v, {}, 16, 16); // clip coordinates matter to unsnapped vertices only
+    const auto wide = set_up_projective(v, {}, {16, 16, 1}); // clip coordinates matter to unsnapped vertices only
     REQUIRE(narrow.has_value() == wide.has_value());
     if (!narrow) continue;
     CHECK(narrow->facing == wide->facing);

@@ -19,25 +19,25 @@ struct SignedCoverage {
   SignedCoverage() : front(width * height, 0), back(width * height, 0) {}
 
   void add(const AnyTriangle& triangle, SamplePlace sample) {
-    std::visit(
-        [&](const auto& t) {
-          auto& count = t.facing == Facing::front ? front : back;
-          constexpr int tile = 12; // divides both sides
-          for (int ty = 0; ty < height; ty += tile)
-            for (int tx = 0; tx < width; tx += tile) {
-              const auto place = [&](int pixel, int offset) { return pixel * subpixels + offset; };
-              bool misses = false;
-              for (const auto& line : t.line)
-                misses |= line.most(place(tx, sample.x), place(ty, sample.y), place(tx + tile - 1, sample.x),
-                                    place(ty + tile - 1, sample.y)) < 0;
-              if (misses) continue;
-              for (int y = ty; y < ty + tile; ++y)
-                for (int x = tx; x < tx + tile; ++x)
-                  if (triangle.covers(place(x, sample.x), place(y, sample.y)))
-                    ++count[static_cast<std::size_t>(y * width + x)];
+    triangle.for_each_part([&](const auto& lines, Facing facing) {
+      auto& count = facing == Facing::front ? front : back;
+      constexpr int tile = 12; // divides both sides
+      for (int ty = 0; ty < height; ty += tile)
+        for (int tx = 0; tx < width; tx += tile) {
+          const auto place = [&](int pixel, int offset) { return pixel * subpixels + offset; };
+          bool misses = false;
+          for (const auto& line : lines)
+            misses |= line.most(place(tx, sample.x), place(ty, sample.y), place(tx + tile - 1, sample.x),
+                                place(ty + tile - 1, sample.y)) < 0;
+          if (misses) continue;
+          for (int y = ty; y < ty + tile; ++y)
+            for (int x = tx; x < tx + tile; ++x) {
+              const std::int32_t sx = place(x, sample.x), sy = place(y, sample.y);
+              if (lines[0].covers(sx, sy) && lines[1].covers(sx, sy) && lines[2].covers(sx, sy))
+                ++count[static_cast<std::size_t>(y * width + x)];
             }
-        },
-        triangle.set_up);
+        }
+    });
   }
 };
 

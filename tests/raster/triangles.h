@@ -23,23 +23,36 @@ inline WindowVertex lattice_vertex(std::int32_t x, std::int32_t y, double z = 0,
 struct AnyTriangle {
   std::variant<SnappedTriangle, ProjectiveTriangle> set_up;
 
+  /// body(lines, facing) for each of the triangles that are drawn for this one.
+  template <class Body>
+  void for_each_part(Body&& body) const {
+    if (const auto* snapped = std::get_if<SnappedTriangle>(&set_up)) return body(snapped->line, snapped->facing);
+    const auto& projective = std::get<ProjectiveTriangle>(set_up);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(projective.pieces); ++i)
+      body(projective.piece[i].line, projective.piece[i].facing);
+  }
   bool covers(std::int32_t x, std::int32_t y) const {
-    return std::visit(
-        [&](const auto& t) { return t.line[0].covers(x, y) && t.line[1].covers(x, y) && t.line[2].covers(x, y); },
-        set_up);
+    bool covered = false;
+    for_each_part([&](const auto& line, Facing) {
+      covered |= line[0].covers(x, y) && line[1].covers(x, y) && line[2].covers(x, y);
+    });
+    return covered;
   }
   double depth(std::int32_t x, std::int32_t y) const {
-    return std::visit([&](const auto& t) { return t.depth(x, y); }, set_up);
+    if (const auto* snapped = std::get_if<SnappedTriangle>(&set_up)) return snapped->depth(x, y);
+    return std::get<ProjectiveTriangle>(set_up).piece_at(x, y).depth(x, y);
   }
 };
 
-inline std::optional<AnyTriangle> set_up(const std::array<Double4, 3>& clip, int width, int height) {
+/// Nothing is cut off in front of `near`: by default, nothing that any test looks at.
+inline std::optional<AnyTriangle> set_up(const std::array<Double4, 3>& clip, int width, int height,
+                                         double near = 0x1p-120) {
   std::array<WindowVertex, 3> v;
   for (std::size_t k = 0; k < 3; ++k) v[k] = window_vertex(clip[k], width, height);
   const int any = v[0].outcode | v[1].outcode | v[2].outcode;
   if (any & outcode::not_finite) return std::nullopt;
   if (any & outcode::unsnapped) {
-    if (auto t = set_up_projective(v, clip, width, height)) return AnyTriangle{*t};
+    if (auto t = set_up_projective(v, clip, {width, height, near})) return AnyTriangle{*t};
     return std::nullopt;
   }
   if (auto t = set_up_snapped(v)) return AnyTriangle{*t};

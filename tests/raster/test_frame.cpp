@@ -1,0 +1,254 @@
+// Whole frames: the same bytes however they are computed, which surface a pixel shows, what is counted.
+
+#include "tests/catalogue/window_scene.h"
+#include "tests/determinism/scenes.h"
+
+#include "tests/support/for_all.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <string>
+
+using namespace refraster;
+using namespace refraster::test;
+
+namespace {
+
+const std::vector<Aov> every_aov = {Aov::depth,  Aov::normal,   Aov::position, Aov::uv,
+                                    Aov::albedo, Aov::triangle, Aov::object};
+
+RenderOptions everything(std::string_view rung, int samples) {
+  RenderOptions options;
+  options.width = hashed_width, options.height = hashed_height;
+  options.rung = rung, options.samples = samples;
+  options.threads = 1;
+  options.want_radiance = true;
+  options.aovs = every_aov;
+  return options;
+}
+
+// Bytes, so that a NaN equals itself and -0 is not 0.
+template <class Value>
+bool same_rows(const Image<Value>& part, const Image<Value>& whole, const Crop& crop) {
+  if (part.width != crop.width || part.height != crop.height || part.channels != whole.channels) return false;
+  const auto row_bytes = static_cast<std::size_t>(crop.width * whole.channels) * sizeof(Value);
+  for (int y = 0; y < crop.height; ++y)
+    if (std::memcmp(part.at(0, y), whole.at(crop.x, crop.y + y), row_bytes) != 0) return false;
+  return true;
+}
+
+bool same_images(const Frame& part, const Frame& whole, const Crop& crop) {
+  bool same = same_rows(part.levels, whole.levels, crop) && same_rows(part.radiance, whole.radiance, crop);
+  for (std::size_t i = 0; i < whole.aovs.size(); ++i) same = same && same_rows(part.aovs[i], whole.aovs[i], crop);
+  return same;
+}
+
+constexpr Crop whole_image{0, 0, hashed_width, hashed_height};
+
+bool same_counts(const FrameCounts& a, const FrameCounts& b) {
+  return a.triangles == b.triangles && a.not_finite == b.not_finite && a.outside == b.outside &&
+         a.degenerate == b.degenerate && a.culled == b.culled && a.between_samples == b.between_samples &&
+         a.clipped == b.clipped && a.drawn == b.drawn && a.pixels == b.pixels && a.shaded == b.shaded &&
+         a.fragments == b.fragments && a.undefined.counts == b.undefined.counts;
+}
+
+/// body(scene, options) for each of the hashed scenes with each rung and with 1 and 4 samples.
+template <class Body>
+void for_each_rendering(Body&& body) {
+  for (const HashedScene& hashed : hashed_scenes())
+    for (const std::string_view rung : {"double", "float"})
+      for (const int samples : {1, 4}) {
+        INFO(hashed.name, " ", std::string(rung), ", samples: ", samples);
+        body(hashed.scene, everything(rung, samples));
+      }
+}
+
+} // namespace
+
+TEST_CASE("threads and tile sizes change no byte and no count") {
+  for_each_rendering([](const Scene& scene, RenderOptions options) {
+    const Frame reference = render(scene, options);
+    const auto check = [&](int threads, int tile_size) {
+      CAPTURE(threads);
+      CAPTURE(tile_size);
+      options.threads = threads, options.tile_size = tile_size;
+      const Frame frame = render(scene, options);
+      CHECK(same_images(frame, reference, whole_image));
+      CHECK(same_counts(frame.counts, reference.counts));
+    };
+    for (const int threads : all_threads) check(threads, 64);
+    for (const int tile_size : all_tile_sizes) check(2, tile_size);
+  });
+}
+
+TEST_CASE("a crop has the bytes of the full image") {
+  for_each_rendering([](const Scene& scene, RenderOptions options) {
+    const Frame reference = render(scene, options);
+    for (const Crop& crop : {Crop{0, 0, 1, 1}, Crop{hashed_width - 1, hashed_height - 1, 1, 1}, Crop{13, 7, 101, 53},
+                             Crop{64, 0, 64, hashed_height}}) {
+      CAPTURE(crop.x);
+      options.crop = {crop};
+      options.threads = 2;
+      CHECK(same_images(render(scene, options), reference, crop));
+    }
+  });
+}
+
+TEST_CASE("the nearer surface is seen, and of equal depths the first drawn") {
+  const Double3 red(1, 0, 0), green(0, 1, 0);
+  for (const double second : {1.0, 2.0, 4.0}) {
+    WindowScene window(16);
+    const auto wall = [&](double w) -> std::vector<Float3> {
+      return {window.place(-20, -20, w), window.place(60, -20, w), window.place(-20, 60, w)};
+    };
+    window.add(wall(2), red);
+    window.add(wall(second), green);
+    const Double3 expected = second < 2 ? green : red;
+    const Frame frame = window.frame();
+    for (int y = 0; y < 16; ++y)
+      for (int x = 0; x < 16; ++x)
+        for (int c = 0; c < 3; ++c) REQUIRE(static_cast<double>(frame.radiance.at(x, y)[c]) == expected[c]);
+  }
+}
+
+TEST_CASE("triangles are counted by what became of them") {
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  WindowScene window(16, 1, 8);
+  const auto counts_of = [&](const std::vector<Float3>& corners, Cull cull = Cull::none) {
+    WindowScene one = window;
+    one.add(corners).cull = cull;
+    const Frame frame = one.frame();
+    CHECK(frame.counts.triangles == corners.size() / 3);
+    CHECK(frame.counts.pixels == 256);
+    return frame.counts;
+  };
+  const Float3 a = window.place(2, 2, 2), b = window.place(2, 10, 2), c = window.place(10, 2, 2); // counter-clockwise
+  CHECK(counts_of({a, b, {nan, 0, 0}}).not_finite == 1);
+  CHECK(counts_of({window.place(17, 2, 2), window.place(20, 2, 2), window.place(17, 9, 2)}).outside == 1);
+  CHECK(counts_of({window.place(2, 2, 0.5), window.place(9, 2, 0.5), window.place(2, 9, 0.5)}).outside == 1);
+  CHECK(counts_of({window.place(2, 2, 9), window.place(9, 2, 9), window.place(2, 9, 9)}).outside == 1);
+  CHECK(counts_of({a, b, b}).degenerate == 1);
+  CHECK(counts_of({window.place(2, 2, 2), window.place(6, 6, 2), window.place(10, 10, 2)}).degenerate == 1);
+  CHECK(counts_of({a, b, window.place(2 + 0x1p-12, 6, 2)}).degenerate == 1); // has no area once it is snapped
+  CHECK(counts_of({a, c, b}, Cull::back).culled == 1);
+  CHECK(counts_of({a, b, c}, Cull::back).drawn == 1);
+  CHECK(counts_of({window.place(2.75, 2, 2), window.place(3.25, 2, 2), window.place(3.25, 9, 2)}).between_samples == 1);
+
+  const FrameCounts plain = counts_of({a, b, c});
+  CHECK(plain.drawn == 1);
+  CHECK(plain.clipped == 0);
+  // Corners (2, 2), (2, 10), (10, 2): centres with x + y + 1 < 12 in rows and columns from 2; the long edge faces right
+  // and down, so that it owns none of the centres on it. 7 + 6 + ... + 1 of them.
+  CHECK(plain.shaded == 28);
+  CHECK(plain.fragments == 28);
+  const FrameCounts through_near = counts_of({a, b, window.place(10, 2, 0.5)});
+  CHECK(through_near.drawn == 1);
+  CHECK(through_near.clipped == 1);
+  CHECK(counts_of({a, b, window.place(1 << 20, 2, 2)}).clipped == 1); // beyond the guard band
+
+  const FrameCounts two = counts_of({a, b, c, a, b, window.place(10, 2, 1)});
+  CHECK(two.drawn == 2);
+  CHECK(two.shaded == 28); // however many surfaces lie behind
+  CHECK(two.fragments == 28);
+}
+
+TEST_CASE("a pixel of one sample shows its surface where its centre's ray meets it") {
+  // Without snapping there is no bound to speak of: corners stand on the lattice, exactly.
+  Random random(1);
+  Exact worst = 0;
+  for (int trial = 0; trial < 20; ++trial) {
+    WindowScene window(16);
+    std::vector<Float3> corners;
+    for (int k = 0; k < 3; ++k) {
+      const auto coordinate = [&] { return random.below(24 * 256) / 256.0 - 4; };
+      const double x = coordinate(), y = coordinate();
+      corners.push_back(window.place(x, y, std::exp2(random.below(7) - 1)));
+    }
+    window.add(corners);
+    const Frame frame = window.frame({Aov::object, Aov::position});
+    for (int y = 0; y < 16; ++y)
+      for (int x = 0; x < 16; ++x) {
+        const auto hit =
+            ray_hit(window.centre_ray(x, y), rational(corners[0]), rational(corners[1]), rational(corners[2]));
+        if (!hit || hit->how == Meets::border) continue; // ties: tests/raster/test_coverage.cpp
+        REQUIRE(is_drawn(frame, x, y) == (hit->how == Meets::inside));
+        if (hit->how == Meets::outside) continue;
+        for (std::size_t c = 0; c < 3; ++c) {
+          const Exact expected = exact(hit->point[c]), got(frame.aovs[1].at(x, y)[c]);
+          const Exact error = abs(got - expected), bound = half_float_ulp(expected) + interpolation_bound(Exact(64));
+          REQUIRE(error <= bound);
+          worst = std::max(worst, Exact(error / bound));
+        }
+      }
+  }
+  MESSAGE("largest error: " << worst.convert_to<double>() << " of its bound");
+}
+
+TEST_CASE("samples stand at the standard positions") {
+  // Vulkan 1.3, "Multisampling", table of standard sample locations; in sixteenths of a pixel.
+  const std::vector<std::vector<std::pair<int, int>>> standard = {
+      {{8, 8}},
+      {{12, 12}, {4, 4}},
+      {{6, 2}, {14, 6}, {2, 10}, {10, 14}},
+      {{9, 5}, {7, 11}, {13, 9}, {5, 3}, {3, 13}, {1, 7}, {11, 15}, {15, 1}},
+      {{9, 9},
+       {7, 5},
+       {5, 10},
+       {12, 7},
+       {3, 6},
+       {10, 13},
+       {13, 11},
+       {11, 3},
+       {6, 14},
+       {8, 1},
+       {4, 2},
+       {2, 12},
+       {0, 8},
+       {15, 4},
+       {14, 15},
+       {1, 0}}};
+  for (const auto& positions : standard) {
+    const int samples = static_cast<int>(positions.size());
+    CAPTURE(samples);
+    // A black half plane over white: how much of each pixel it covers, for an edge at every 32nd of a pixel.
+    for (int step = 0; step <= 32; ++step)
+      for (const bool upright : {true, false}) {
+        WindowScene window(8);
+        window.scene.background = Double3(1);
+        const double edge = 3 + step / 32.0;
+        const auto corner = [&](double along, double across) {
+          return upright ? window.place(along, across, 1) : window.place(across, along, 1);
+        };
+        // Left of, or above, the edge: a right or a bottom edge, which owns no sample that lies on it.
+        window.add({corner(edge, -50), corner(edge, 50), corner(-100, -50), corner(edge, 50), corner(-100, 50),
+                    corner(-100, -50)},
+                   Double3(0));
+        const Frame frame = window.frame({}, samples);
+        const auto covered = std::count_if(positions.begin(), positions.end(),
+                                           [&](const auto& p) { return 2 * (upright ? p.first : p.second) < step; });
+        const float* const pixel = upright ? frame.radiance.at(3, 5) : frame.radiance.at(5, 3);
+        REQUIRE(static_cast<double>(pixel[0]) == static_cast<double>(samples - covered) / samples);
+      }
+  }
+}
+
+TEST_CASE("samples of equal colours resolve to that colour, bit for bit") {
+  Random random(2);
+  for (const int samples : {2, 4, 8, 16})
+    for (int trial = 0; trial < 20; ++trial) {
+      const Double3 colour(random.uniform(0, 1), random.uniform(0, 100), random.uniform(0, 1e-3));
+      WindowScene window(8);
+      window.scene.background = colour;
+      for (int i = 0; i < 20; ++i) { // small triangles: most pixels see several of them, and the background
+        const auto corner = [&] { return window.place(random.uniform(-2, 10), random.uniform(-2, 10), 1); };
+        window.add({corner(), corner(), corner()}, colour);
+      }
+      const Frame frame = window.frame({}, samples);
+      CHECK(frame.counts.fragments > 64);
+      for (int i = 0; i < 64; ++i)
+        for (int c = 0; c < 3; ++c) REQUIRE(frame.radiance.at(i % 8, i / 8)[c] == static_cast<float>(colour[c]));
+    }
+}
