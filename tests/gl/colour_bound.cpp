@@ -173,25 +173,182 @@ ColourBound::Setup ColourBound::set_up(std::size_t object, std::uint32_t triangl
 
 namespace {
 
-/// A plane over the window, of f / w or of 1 / w, and what a driver's float makes of it.
+/// A plane over the window, of f / w or of 1 / w, and how far off a driver's float may have it at the pixel.
 struct Plane {
-  double value, along_x, along_y, error;
+  double value, along_x, along_y, error; // at the pixel's centre; by pixel
+};
+
+/// Calls visit(-x), visit(x).
+template <class Visit>
+void both_ways(double x, Visit&& visit) {
+  visit(-x);
+  visit(x);
+}
+
+/// One pixel of one triangle: what changes its colour, cause by cause. To first order the bound is their sum.
+class PixelBound {
+public:
+  PixelBound(const Shader& shader, const DriverTolerances& driver, const Plane& inverse_w,
+             const std::array<Plane, varying_components>& planes, const Varyings& corner_error, double shift,
+             const std::array<int, 2>& place_in_block, double snapped_detail)
+      : shader_(shader), driver_(driver), h_(inverse_w), planes_(planes), shift_(shift),
+        place_in_block_(place_in_block), snapped_detail_(snapped_detail), here_(shifted(0, 0)) {
+    const double w = 1 / h_.value;
+    Varyings corner = corner_error;
+    const auto derivative = [&](int c, double Plane::*along) { // of f = g / h: (g_x - f h_x) / h
+      return (planes_[static_cast<std::size_t>(c)].*along - component(here_, c) * h_.*along) * w;
+    };
+    for (int c = 0; c < varying_components; ++c) {
+      const double f = component(here_, c), e = planes_[static_cast<std::size_t>(c)].error;
+      component(error_, c) =
+          (e + std::abs(f) * h_.error) / (h_.value - h_.error) + 3.5 * u * std::abs(f) + component(corner, c);
+    }
+    shader_.uv_right = {derivative(6, &Plane::along_x), derivative(7, &Plane::along_x)};
+    shader_.uv_down = {derivative(6, &Plane::along_y), derivative(7, &Plane::along_y)};
+    exact_ = shader_.colour(here_);
+  }
+
+  AllowedColour allowed(std::size_t lights) const {
+    return {exact_, by_shift() + by_attributes() + by_texture() + by_table() + by_arithmetic(lights)};
+  }
+
+private:
+  Varyings shifted(double dx, double dy) const {
+    Varyings result{};
+    const double h = h_.value + h_.along_x * dx + h_.along_y * dy;
+    for (int c = 0; c < varying_components; ++c) {
+      const Plane& g = planes_[static_cast<std::size_t>(c)];
+      component(result, c) = (g.value + g.along_x * dx + g.along_y * dy) / h;
+    }
+    return result;
+  }
+  Double3 change(const Shader& shader, const Varyings& at) const { return absolute(shader.colour(at) - exact_); }
+
+  /// Corners that are snapped here and rounded there: the same as another sample nearby. Not at the corners of the box
+  /// alone: a highlight's edge or a light's horizon may run through it.
+  Double3 by_shift() const {
+    Double3 most(0);
+    for (int i = -2; i <= 2; ++i)
+      for (int j = -2; j <= 2; ++j) most = larger(most, change(shader_, shifted(i * shift_ / 2, j * shift_ / 2)));
+    return most;
+  }
+
+  /// Interpolated positions and normals.
+  Double3 by_attributes() const {
+    Double3 sum(0);
+    for (int c = 0; c < 6; ++c) {
+      Double3 most(0);
+      Varyings error = error_;
+      both_ways(component(error, c), [&](double e) {
+        Varyings there = here_;
+        component(there, c) += e;
+        most = larger(most, change(shader_, there));
+      });
+      sum += most;
+    }
+    return sum;
+  }
+
+  Double3 by_texture() const {
+    if (!shader_.material.texture) return Double3(0);
+    Double3 by_uv(0), by_texel(0);
+    both_ways(error_.uv.x, [&](double e_u) {
+      both_ways(error_.uv.y, [&](double e_v) {
+        Varyings there = here_;
+        there.uv += Double2(e_u, e_v);
+        by_uv = larger(by_uv, change(shader_, there));
+      });
+    });
+    both_ways(driver_.texel_error + 4 * u, [&](double e) {
+      Shader moved = shader_;
+      moved.texture_moved = Double3(e);
+      by_texel = larger(by_texel, change(moved, here_));
+    });
+    return by_uv + by_texel + by_detail();
+  }
+
+  /// The level of detail. Derivatives may be differences between any neighbours of the pixel's 2 x 2 block, and one for
+  /// the whole block. Looked at in the corners of the box of by_shift too, where other texels are near.
+  Double3 by_detail() const {
+    Double3 most(0);
+    if (shader_.material.texture_filter != TextureFilter::trilinear) return most;
+    for (const auto& [dx, dy] : {Double2(0, 0), Double2(-1, -1), Double2(-1, 1), Double2(1, -1), Double2(1, 1)}) {
+      const Varyings at = shifted(dx * shift_, dy * shift_);
+      const Rgb<double> ideal = shader_.colour(at);
+      for (const int row : {0, 1})
+        for (const int column : {0, 1})
+          for (int k = 0; k <= 4; ++k) // in steps, since a colour may rise and fall along a mip chain
+            most = larger(most, absolute(with_detail(row, column, k).colour(at) - ideal));
+    }
+    return most;
+  }
+
+  /// With the differences along this row and column of the block, and a level of detail between the least (k = 0) and
+  /// the most (k = 4) that the driver may take.
+  Shader with_detail(int row, int column, int k) const {
+    const double moved =
+        std::exp2(std::lerp(-driver_.detail_below - snapped_detail_, driver_.detail_above + snapped_detail_, k / 4.0));
+    const auto step = [&](const Double2& from, const Double2& to) { // each of the two values is off by its error
+      const auto along = [&](int c) {
+        return std::max(std::abs(to[c] - from[c]) + (k - 2) * error_.uv[c], 0.0) * moved;
+      };
+      return Double2(along(0), along(1));
+    };
+    const auto uv = [&](int x, int y) { return shifted(x - place_in_block_[0], y - place_in_block_[1]).uv; };
+    Shader shader = shader_;
+    shader.uv_right = step(uv(0, row), uv(1, row));
+    shader.uv_down = step(uv(column, 0), uv(column, 1));
+    return shader;
+  }
+
+  /// The point at which a measured BRDF's table is read.
+  Double3 by_table() const {
+    const MerlPoint<double> bins = table_error(shader_, here_, driver_.atan_ulp);
+    Double3 sum(0);
+    for (const auto member : {&MerlPoint<double>::u, &MerlPoint<double>::v, &MerlPoint<double>::w}) {
+      Double3 most(0);
+      both_ways(bins.*member, [&](double e) {
+        Shader moved = shader_;
+        moved.moved.*member = e;
+        most = larger(most, change(moved, here_));
+      });
+      sum += most;
+    }
+    return sum;
+  }
+
+  /// Float arithmetic of the formulas. All terms are positive, so errors are in proportion to the sum.
+  Double3 by_arithmetic(std::size_t lights) const {
+    const auto [shine, glossiness] = highlights(shader_, here_);
+    return absolute(exact_) * ((40 + static_cast<double>(lights)) * u) +
+           absolute(shine) * ((16 + (driver_.power_ulp + 6) * glossiness) * u);
+  }
+
+  Shader shader_;
+  const DriverTolerances& driver_;
+  Plane h_; // 1 / w
+  std::array<Plane, varying_components> planes_;
+  double shift_;                      // of the sample, in pixels, either way
+  std::array<int, 2> place_in_block_; // of the pixel in its 2 x 2 block
+  double snapped_detail_;             // what snapped corners change in the level of detail
+  Varyings here_, error_{};
+  Rgb<double> exact_;
 };
 
 } // namespace
 
 AllowedColour ColourBound::at(std::size_t object, std::uint32_t triangle, int pixel_x, int pixel_y) const {
+  const AllowedColour anything{Double3(0), Double3(infinite)};
   const Setup setup = set_up(object, triangle);
-  if (setup.planes.flat) return {Double3(0), Double3(infinite)};
+  if (setup.planes.flat) return anything;
   const double x = pixel_x + 0.5, y = pixel_y + 0.5;
-  const std::array<Double3, 3>& l = setup.planes.l;
 
   // Anchored at the framebuffer's origin: a0 + a_x x + a_y y, each of the three with errors in proportion to its size.
   const auto plane = [&](auto&& corner_value) {
     Double3 sum(0);
     double most = 0;
     for (std::size_t i = 0; i < 3; ++i) {
-      sum += l[i] * corner_value(i);
+      sum += setup.planes.l[i] * corner_value(i);
       if (!setup.clipped) most = std::max(most, std::abs(corner_value(i) / setup.w_clip[i]));
     }
     const auto value = [&](double px, double py) { return sum.x * px + sum.y * py + sum.z; };
@@ -200,112 +357,34 @@ AllowedColour ColourBound::at(std::size_t object, std::uint32_t triangle, int pi
         for (const double py : {0.0, static_cast<double>(height_)}) most = std::max(most, std::abs(value(px, py)));
     return Plane{value(x, y), sum.x, sum.y, driver_.plane_ulp * u * (most + std::abs(sum.x) * x + std::abs(sum.y) * y)};
   };
-  const Plane h = plane([](std::size_t) { return 1.0; });
-  if (!(h.value > h.error)) return {Double3(0), Double3(infinite)};
-  const double w = 1 / h.value;
-
-  // Corners that are snapped here and rounded there: the same as another sample, so far away at most.
-  const double shift = 0.5 / 256 + (setup.homogeneous_error.x + std::max(x, y) * setup.homogeneous_error.z) / w;
-
-  Varyings here{Double3(0), Double3(0), Double2(0)}, error = here;
+  const Plane inverse_w = plane([](std::size_t) { return 1.0; });
+  if (!(inverse_w.value > inverse_w.error)) return anything;
   std::array<Plane, varying_components> planes{};
-  for (int c = 0; c < varying_components; ++c) {
-    Setup copy = setup;
-    const Plane g = planes[static_cast<std::size_t>(c)] =
-        plane([&](std::size_t i) { return component(copy.corner[i], c); });
-    const double f = g.value * w;
-    component(here, c) = f;
-    component(error, c) = (g.error + std::abs(f) * h.error) / (h.value - h.error) + 3.5 * u * std::abs(f) +
-                          component(copy.corner_error, c);
-  }
-  const auto shifted = [&](double dx, double dy) {
-    Varyings result{};
-    const double h_there = h.value + h.along_x * dx + h.along_y * dy;
-    for (int c = 0; c < varying_components; ++c) {
-      const Plane& g = planes[static_cast<std::size_t>(c)];
-      component(result, c) = (g.value + g.along_x * dx + g.along_y * dy) / h_there;
-    }
-    return result;
-  };
-  // The derivative of f / w by x: (g_x - f h_x) / h.
-  const auto derivative = [&](double Plane::*along) {
-    const auto of = [&](int c) {
-      return (planes[static_cast<std::size_t>(c)].*along - component(here, c) * h.*along) * w;
-    };
-    return Double2(of(6), of(7));
-  };
-  const Double2 uv_right = derivative(&Plane::along_x), uv_down = derivative(&Plane::along_y);
+  for (int c = 0; c < varying_components; ++c)
+    planes[static_cast<std::size_t>(c)] = plane([&](std::size_t i) {
+      Varyings corner = setup.corner[i];
+      return component(corner, c);
+    });
 
-  Shader shader{scene_, scene_.objects[object].material, uv_right, uv_down};
-  const Rgb<double> centre = shader.colour(here);
-  const auto change = [&](const Varyings& there) { return absolute(shader.colour(there) - centre); };
+  // Corners in front of the eye are snapped, each by half a lattice step at most; the sample moves by the weighted sum.
+  // With a corner behind the eye the weights of the others add up to more than 1.
+  double snapped = 0;
+  const std::array<double, 3> weight = setup.planes.at(x, y);
+  for (std::size_t i = 0; i < 3; ++i) snapped += std::max(weight[i] * setup.w_clip[i], 0.0);
+  const Double3& error = setup.homogeneous_error;
+  const double shift = 0.5 / 256 * snapped + (error.x + std::max(x, y) * error.z) * inverse_w.value;
+  // Snapping moves two corners against each other by up to 1/256 pixel both ways: along an altitude so much of every
+  // derivative, in levels.
+  double altitude = infinite;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (setup.w_clip[i] > 0)
+      altitude = std::min(altitude, 1 / setup.w_clip[i] / std::hypot(setup.planes.l[i].x, setup.planes.l[i].y));
+  const double snapped_detail = std::log2(1 + std::numbers::sqrt2 / 256 / altitude);
 
-  Double3 bound(0);
-  Double3 by_shift(0);
-  for (int i = -2; i <= 2; ++i) // not the corners alone: a highlight's edge or a light's horizon may run through
-    for (int j = -2; j <= 2; ++j) by_shift = larger(by_shift, change(shifted(i * shift / 2, j * shift / 2)));
-  bound += by_shift;
-  for (int c = 0; c < 6; ++c) {
-    Double3 by_component(0);
-    for (const double sign : {-1.0, 1.0}) {
-      Varyings there = here;
-      component(there, c) += sign * component(error, c);
-      by_component = larger(by_component, change(there));
-    }
-    bound += by_component;
-  }
-  if (shader.material.texture) {
-    Double3 by_uv(0), by_texel(0), by_detail(0);
-    for (const double s : {-error.uv.x, error.uv.x})
-      for (const double t : {-error.uv.y, error.uv.y}) {
-        Varyings there = here;
-        there.uv += Double2(s, t);
-        by_uv = larger(by_uv, change(there));
-      }
-    for (const double sign : {-1.0, 1.0}) {
-      shader.texture_moved = Double3(sign * (driver_.texel_error + 4 * u));
-      by_texel = larger(by_texel, change(here));
-    }
-    shader.texture_moved = Double3(0);
-    // Derivatives may be differences between any neighbours of the pixel's 2 x 2 block, and for the whole block alike.
-    const int left = pixel_x & ~1, top = pixel_y & ~1;
-    const auto uv = [&](int px, int py) { return shifted(px - pixel_x, py - pixel_y).uv; };
-    for (int row = top; row <= top + 1; ++row)
-      for (int column = left; column <= left + 1; ++column)
-        for (int k = 0; k <= 4; ++k) { // steps, since a colour may rise and fall along a mip chain
-          const double moved = std::lerp(-driver_.detail_below, driver_.detail_above, k / 4.0);
-          // A difference of two values, each of them off by its error; then the logarithm.
-          const auto step = [&](const Double2& from, const Double2& to) {
-            Double2 result;
-            for (int c = 0; c < 2; ++c)
-              result[c] = std::max(std::abs(to[c] - from[c]) + (k - 2) * error.uv[c], 0.0) * std::exp2(moved);
-            return result;
-          };
-          shader.uv_right = step(uv(left, row), uv(left + 1, row));
-          shader.uv_down = step(uv(column, top), uv(column, top + 1));
-          by_detail = larger(by_detail, change(here));
-        }
-    shader.uv_right = uv_right, shader.uv_down = uv_down;
-    bound += by_uv + by_texel + by_detail;
-  }
-  const MerlPoint<double> bins = table_error(shader, here, driver_.atan_ulp);
-  for (const auto member : {&MerlPoint<double>::u, &MerlPoint<double>::v, &MerlPoint<double>::w}) {
-    Double3 by_bin(0);
-    for (const double sign : {-1.0, 1.0}) {
-      shader.moved = {0, 0, 0};
-      shader.moved.*member = sign * bins.*member;
-      by_bin = larger(by_bin, change(here));
-    }
-    bound += by_bin;
-  }
-  shader.moved = {0, 0, 0};
-
-  // Float arithmetic of the formulas: terms are positive, so errors are in proportion to the sum.
-  const auto [shine, glossiness] = highlights(shader, here);
-  const double lights = static_cast<double>(scene_.point_lights.size() + scene_.direction_lights.size());
-  bound += absolute(centre) * ((40 + lights) * u);
-  bound += absolute(shine) * ((16 + (driver_.power_ulp + 6) * glossiness) * u);
-  return {centre, bound};
+  const Shader shader{scene_, scene_.objects[object].material, Double2(0), Double2(0)};
+  const PixelBound pixel(shader, driver_, inverse_w, planes, setup.corner_error, shift, {pixel_x & 1, pixel_y & 1},
+                         snapped_detail);
+  return pixel.allowed(scene_.point_lights.size() + scene_.direction_lights.size());
 }
 
 double ColourBound::depth(std::size_t object, std::uint32_t triangle, int x, int y) const {

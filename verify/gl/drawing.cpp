@@ -4,7 +4,7 @@
 #include "verify/gl/shader_choice.h"
 #include "verify/gl/upload.h"
 
-#include <algorithm>
+#include <cstdio>
 
 namespace refraster {
 namespace {
@@ -38,6 +38,14 @@ void bind_blocks(const GlApi& gl, GLuint program, std::vector<std::string>& warn
                          std::to_string(sizeof(MatricesBlock)) + ": layout (std140), mat4 view, mat4 projection");
     gl.UniformBlockBinding(program, i, matrices_binding);
   }
+}
+
+/// 330 for a driver that says "3.30 …".
+int newest_glsl(const GlApi& gl) {
+  const char* const words = reinterpret_cast<const char*>(gl.GetString(GL_SHADING_LANGUAGE_VERSION));
+  int major = 3, minor = 30;
+  if (words) std::sscanf(words, "%d.%d", &major, &minor);
+  return 100 * major + minor;
 }
 
 /// shared[key], made when it is first asked for.
@@ -96,7 +104,7 @@ GlDrawing::Item GlDrawing::item(const Scene& scene, std::size_t number, const Gl
       return upload_table(gl_, *merl->table, content, merl->lookup);
     });
 
-  const ShaderChoice choice = choose_shaders(scene, object, options.merl_filter);
+  const ShaderChoice choice = choose_shaders(scene, object, options.merl_filter, newest_glsl(gl_));
   shaders_.push_back(choice.why);
   UniformValues values = scene_uniforms(scene);
   values.merge(object_uniforms(object, clip_from_world));

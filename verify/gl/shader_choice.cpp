@@ -4,30 +4,44 @@
 #include "verify/gl/own_glsl.h"
 
 #include <filesystem>
+#include <regex>
 
 namespace refraster {
 namespace {
 
 constexpr std::uint64_t largest_shader_bytes = 1 << 20; // a shader is text that someone wrote
 
+/// Lowers the number after #version to the newest one; words for people where it did.
+std::string lower_version(std::string& text, int newest) {
+  static const std::regex line(R"((^|\n)[ \t]*#[ \t]*version[ \t]+(\d{3})\b)");
+  std::smatch found;
+  if (!std::regex_search(text, found, line) || std::stoi(found[2]) <= newest) return {};
+  const std::string words = " (#version " + found[2].str() + " taken as " + std::to_string(newest) + ")";
+  text.replace(static_cast<std::size_t>(found.position(2)), 3, std::to_string(newest));
+  return words;
+}
+
 /// A stage's text, and in words where it is from.
-std::pair<ShaderText, std::string> choose(const std::string& path, std::string own_text, const std::string& own_name) {
+std::pair<ShaderText, std::string> choose(const std::string& path, std::string own_text, const std::string& own_name,
+                                          int newest_version) {
   std::error_code ignored;
   if (path.empty()) return {{own_name, std::move(own_text)}, "ours (the scene names none)"};
   if (!std::filesystem::exists(path, ignored))
     return {{own_name, std::move(own_text)}, "ours (there is no " + path + ")"};
-  return {{path, read_file(path, "a GLSL file", largest_shader_bytes)}, path};
+  std::string text = read_file(path, "a GLSL file", largest_shader_bytes);
+  const std::string lowered = lower_version(text, newest_version);
+  return {{path, std::move(text)}, path + lowered};
 }
 
 } // namespace
 
-ShaderChoice choose_shaders(const Scene& scene, const Object& object, MerlFilter filter) {
+ShaderChoice choose_shaders(const Scene& scene, const Object& object, MerlFilter filter, int newest_version) {
   const std::string_view model = std::visit([](const auto& m) { return m.name; }, object.material.model);
   const auto [vertex, vertex_from] =
-      choose(object.vertex_shader_path, own_vertex_glsl(GlslDialect::core_330), "our vertex shader");
+      choose(object.vertex_shader_path, own_vertex_glsl(GlslDialect::core_330), "our vertex shader", newest_version);
   const auto [fragment, fragment_from] =
       choose(object.fragment_shader_path, own_fragment_glsl(scene, object.material, filter, GlslDialect::core_330),
-             "our fragment shader of " + std::string(model));
+             "our fragment shader of " + std::string(model), newest_version);
   return {vertex, fragment,
           object.name + ": vertex shader " + vertex_from + ", fragment shader of " + std::string(model) + " " +
               fragment_from};
