@@ -98,7 +98,7 @@ struct Plane {
   };
   Meeting meeting(int x, int y) const {
     Meeting result;
-    int inside = 0;
+    std::size_t inside = 0;
     for (const auto& [sx, sy] : places) {
       const auto hit = at(x, y, sx, sy);
       inside += hit && hit->how == Meets::inside;
@@ -108,7 +108,7 @@ struct Plane {
       result.w_most = std::max(w, result.w_most);
       result.sure = result.sure && hit->how != Meets::border;
     }
-    result.inside = inside == std::size(places);
+    result.inside = inside == static_cast<int>(std::size(places));
     result.sure = result.sure && (result.inside || inside == 0);
     return result;
   }
@@ -253,7 +253,7 @@ TEST_CASE("the depth planes cut where they stand, for triangles of any place") {
   // In units of 2^-53: the planes' own coefficients are good to 4 and z to 8 of |z| + |w| <= 4 far; the depth to 32
   // more. A change of z / w by e moves the cut by e w^2 (far - near) / (2 near far) < e w far.
   long tested = 0, near_cut = 0, far_cut = 0, too_close = 0, wrong = 0;
-  for_all(150, [&](Random& random) {
+  for_all(30, [&](Random& random) {
     const double near = random.magnitude(1e-3, 1), far = near * random.magnitude(2, 1e4);
     WindowScene window(side, near, far);
     std::array<Float3, 3> corners;
@@ -283,7 +283,7 @@ TEST_CASE("the depth planes cut where they stand, for triangles of any place") {
   MESSAGE("pixels: " << tested << ", cut off by the near plane: " << near_cut << ", by the far plane: " << far_cut
                      << ", within the bound of a plane: " << too_close << ", wrong: " << wrong);
   CHECK(wrong == 0);
-  CHECK(near_cut > 100);
-  CHECK(far_cut > 100);
+  CHECK(near_cut > 50);
+  CHECK(far_cut > 50);
   CHECK(too_close < tested / 100);
 }
