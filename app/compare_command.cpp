@@ -5,8 +5,10 @@
 #include "app/output.h"
 #include "io/image_file.h"
 #include "verify/compare_report.h"
-#include "verify/heat_image.h"
+#include "verify/flip.h"
+#include "verify/heat_legend.h"
 #include "verify/image_pair.h"
+#include "verify/limits_file.h"
 
 #include <iostream>
 #include <memory>
@@ -15,17 +17,37 @@ namespace refraster {
 namespace {
 
 struct CompareArguments {
-  std::string a, b, diff, json;
+  std::string a, b, diff, json, limits_file;
   CompareLimits limits;
+  enum class Flip { no, yes } flip = Flip::no;
 };
+
+/// Nothing where it is not defined: for values that are not levels, or not red, green and blue.
+std::optional<double> flip_of(const ImagePair& images) {
+  if (images.unit != CompareUnit::levels || images.a.channels != 3) return std::nullopt;
+  return mean_flip(images.a, images.b);
+}
+
+/// Those of the file, where the command line does not give them.
+CompareLimits all_limits(const CompareArguments& arguments) {
+  CompareLimits limits = arguments.limits;
+  if (arguments.limits_file.empty()) return limits;
+  const CompareLimits kept = read_limits(arguments.limits_file);
+  if (!limits.max_abs) limits.max_abs = kept.max_abs;
+  if (!limits.max_rms) limits.max_rms = kept.max_rms;
+  if (!limits.max_count) limits.max_count = kept.max_count;
+  return limits;
+}
 
 ExitCode run(const CompareArguments& arguments) {
   if (!arguments.diff.empty()) check_writable(arguments.diff);
   if (!arguments.json.empty()) check_writable(arguments.json);
+  const CompareLimits limits = all_limits(arguments);
   const ImagePair images = read_image_pair(arguments.a, arguments.b);
-  const Comparison found = compare(images.a, images.b, images.unit, arguments.limits);
-  if (!arguments.diff.empty()) write_png(arguments.diff, heat_image(images.a, images.b, found));
-  const ComparisonReport report{arguments.a, arguments.b, arguments.limits, found};
+  const Comparison found = compare(images.a, images.b, images.unit, limits);
+  if (!arguments.diff.empty()) write_png(arguments.diff, with_legend(heat_image(images.a, images.b, found), found));
+  const ComparisonReport report{arguments.a, arguments.b, limits, found,
+                                arguments.flip == CompareArguments::Flip::yes ? flip_of(images) : std::nullopt};
   if (!arguments.json.empty()) write_text(arguments.json, comparison_json(report));
   if (arguments.json != standard_output) std::cout << comparison_text(report);
   return found.same ? ExitCode::ok : ExitCode::differ;
@@ -39,7 +61,9 @@ void add_compare(CLI::App& program, Action& chosen) {
   CompareArguments& a = *arguments;
   command.add_option("a", a.a, "image, .png .hdr .pfm or .exr")->required()->type_name("A");
   command.add_option("b", a.b, "image of the same size; differences are b - a")->required()->type_name("B");
-  command.add_option("--diff", a.diff, "write a heat image: black where equal, the lighter the more different")
+  command
+      .add_option("--diff", a.diff,
+                  "write a heat image: black where equal, the lighter the more different; with a legend below")
       ->type_name("FILE.png");
   command.add_option("--json", a.json, "write the numbers as JSON; - is standard output")->type_name("FILE");
   add_parsed_option(command, "--max-abs", a.limits.max_abs, distance_from, "X", "a number >= 0",
@@ -48,6 +72,12 @@ void add_compare(CLI::App& program, Action& chosen) {
                     "largest root mean square difference that is allowed");
   add_parsed_option(command, "--max-count", a.limits.max_count, count_from, "N", "a whole number >= 0",
                     "so many pixels may differ by more than --max-abs, or at all");
+  command.add_flag_callback(
+      "--flip", [&a] { a.flip = CompareArguments::Flip::yes; },
+      "also say how different two 8-bit RGB images look to a person, 0 to 1 (LDR-FLIP); judges nothing");
+  command
+      .add_option("--limits", a.limits_file, "JSON file with max_abs, max_rms, max_count; options above it go first")
+      ->type_name("FILE");
   command.footer("Two 8-bit images are compared in levels, 0 to 255; others in values, where a level is 1/255.\n"
                  "Without a limit, all values must be the same. NaN equals nothing.\n"
                  "Exit code 0: the same within the limits, 1: not, 3: not comparable.");

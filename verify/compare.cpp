@@ -66,6 +66,15 @@ double value_difference(float a, float b) {
   return std::isfinite(difference) ? difference : none;
 }
 
+Image<double> pixel_differences(const Image<float>& a, const Image<float>& b) {
+  Image<double> differences(a.width, a.height, 1);
+  for (int y = 0; y < a.height; ++y)
+    for (int x = 0; x < a.width; ++x)
+      for (int c = 0; c < a.channels; ++c)
+        *differences.at(x, y) = std::max(*differences.at(x, y), value_difference(a.at(x, y)[c], b.at(x, y)[c]));
+  return differences;
+}
+
 Comparison compare(const Image<float>& a, const Image<float>& b, CompareUnit unit, const CompareLimits& limits) {
   assert(a.width == b.width && a.height == b.height && a.channels == b.channels);
   Comparison found;
@@ -75,6 +84,7 @@ Comparison compare(const Image<float>& a, const Image<float>& b, CompareUnit uni
   found.channels = a.channels;
   const auto channels = static_cast<std::size_t>(a.channels);
   const double limit = limits.max_abs.value_or(0);
+  const Image<double> differences = pixel_differences(a, b);
   Sums sums(a.channels);
   Worst worst;
 
@@ -82,13 +92,12 @@ Comparison compare(const Image<float>& a, const Image<float>& b, CompareUnit uni
     for (int x = 0; x < a.width; ++x) {
       const float *pixel_a = a.at(x, y), *pixel_b = b.at(x, y);
       bool equal = true, nan_a = false, nan_b = false;
-      double largest = 0;
+      const double largest = *differences.at(x, y);
       for (std::size_t c = 0; c < channels; ++c) {
         nan_a |= std::isnan(pixel_a[c]);
         nan_b |= std::isnan(pixel_b[c]);
         equal &= same_bits(pixel_a[c], pixel_b[c]);
         const double difference = value_difference(pixel_a[c], pixel_b[c]);
-        largest = std::max(largest, difference);
         if (difference == none) continue;
         sums.add(c, pixel_b[c] < pixel_a[c] ? -difference : difference);
         found.max = std::max(found.max, difference);
@@ -111,6 +120,9 @@ Comparison compare(const Image<float>& a, const Image<float>& b, CompareUnit uni
     found.mean.push_back(sums.signed_by_channel[c] / values);
   }
   found.worst = worst.take();
+  found.clusters = clusters_over(differences, limit);
+  found.cluster_count = found.clusters.size();
+  found.clusters.resize(std::min(found.clusters.size(), clusters_kept));
   found.same = within(found, limits);
   return found;
 }

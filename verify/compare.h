@@ -1,7 +1,7 @@
 #pragma once
 // How far two images are apart, and where.
 
-#include "raster/image.h"
+#include "verify/clusters.h"
 
 #include <cstdint>
 #include <optional>
@@ -38,7 +38,7 @@ struct PixelDifference {
   std::vector<double> a, b; // all channels, in the unit
 };
 
-inline constexpr std::size_t worst_pixels_kept = 10;
+inline constexpr std::size_t worst_pixels_kept = 10, clusters_kept = 10;
 
 /// What compare() found. Differences are b - a, of each channel of each pixel. Two values have no difference if one is
 /// NaN (which equals nothing, itself included) or infinite (which equals only the same infinity): such pixels are
@@ -57,6 +57,8 @@ struct Comparison {
   double psnr_db = 0;                 // 20 log10(full_range / rms); infinity if rms is 0
   std::vector<double> mean;           // of b - a, by channel: shows a bias that no single pixel does
   std::vector<PixelDifference> worst; // at most worst_pixels_kept; the most different first, then row by row
+  std::uint64_t cluster_count = 0;    // of pixels over the limit
+  std::vector<Cluster> clusters;      // at most clusters_kept: those with most pixels
   bool same = false;                  // within the limits; never with an incomparable pixel
 
   std::uint64_t pixels() const { return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height); }
@@ -68,5 +70,8 @@ Comparison compare(const Image<float>& a, const Image<float>& b, CompareUnit uni
 
 /// |b - a|: 0 for the same infinity, infinity where there is no difference.
 double value_difference(float a, float b);
+
+/// Of each pixel, that of the channel that differs most. 1 channel.
+Image<double> pixel_differences(const Image<float>& a, const Image<float>& b);
 
 } // namespace refraster

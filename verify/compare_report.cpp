@@ -87,6 +87,36 @@ std::string worst_table(const std::vector<PixelDifference>& worst) {
   return text;
 }
 
+/// Pixels that stand alone are among the worst pixels, or not worth a line.
+std::string clusters_table(const Comparison& found) {
+  std::string text = line("clusters", format("%llu", static_cast<unsigned long long>(found.cluster_count)) +
+                                          (found.clusters.front().pixels == 1 ? ", each of one pixel" : ""));
+  for (const Cluster& c : found.clusters)
+    if (c.pixels > 1)
+      text +=
+          line("", format("%llu pixels in x %d to %d, y %d to %d; worst at (%d, %d): %s",
+                          static_cast<unsigned long long>(c.pixels), c.x, c.x + c.width - 1, c.y, c.y + c.height - 1,
+                          c.worst_x, c.worst_y, std::isfinite(c.largest) ? number(c.largest).c_str() : "none"));
+  return text;
+}
+
+void write_clusters(JsonWriter& json, const Comparison& found) {
+  json.member("cluster_count", found.cluster_count);
+  json.key("clusters");
+  json.begin_array();
+  for (const Cluster& c : found.clusters) {
+    json.begin_object();
+    json.key("box");
+    json.value(std::vector<int>{c.x, c.y, c.width, c.height});
+    json.member("pixels", c.pixels);
+    json.member("largest", c.largest);
+    json.key("worst");
+    json.value(std::vector<int>{c.worst_x, c.worst_y});
+    json.end_object();
+  }
+  json.end_array();
+}
+
 void write_optional(JsonWriter& json, std::string_view name, const auto& value) {
   json.key(name);
   if (value) json.value(*value);
@@ -118,7 +148,9 @@ std::string comparison_text(const ComparisonReport& report) {
   std::string means;
   for (const double mean : found.mean) means += format("%s%+.3g", means.empty() ? "" : "  ", mean);
   text += line("mean of b - a", means);
+  if (report.mean_flip) text += line("flip", format("%.6f", *report.mean_flip));
   if (!found.worst.empty()) text += worst_table(found.worst);
+  if (found.cluster_count > 0) text += clusters_table(found);
   return text;
 }
 
@@ -152,6 +184,7 @@ std::string comparison_json(const ComparisonReport& report) {
   json.member("rms", found.rms);
   json.member("psnr_db", found.psnr_db);
   json.member("mean", found.mean);
+  write_optional(json, "mean_flip", report.mean_flip);
   json.key("worst");
   json.begin_array();
   for (const PixelDifference& pixel : found.worst) {
@@ -164,6 +197,7 @@ std::string comparison_json(const ComparisonReport& report) {
     json.end_object();
   }
   json.end_array();
+  write_clusters(json, found);
   json.end_object();
   return json.text();
 }

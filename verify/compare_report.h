@@ -12,6 +12,7 @@ struct ComparisonReport {
   std::string file_a, file_b;
   CompareLimits limits;
   Comparison found;
+  std::optional<double> mean_flip = {}; // verify/flip.h, where it was asked for
 };
 
 /// A few aligned lines; the first one is the verdict. Numbers are rounded for reading.

@@ -30,11 +30,11 @@ Rgb8 heat_colour(double t) {
 Image<std::uint8_t> heat_image(const Image<float>& a, const Image<float>& b, const Comparison& found) {
   const double level = full_range(found.unit) / 255;
   const double whole = std::log1p(found.max / level);
+  const Image<double> differences = pixel_differences(a, b);
   Image<std::uint8_t> image(a.width, a.height, 3);
   for (int y = 0; y < a.height; ++y) {
     for (int x = 0; x < a.width; ++x) {
-      double largest = 0;
-      for (int c = 0; c < a.channels; ++c) largest = std::max(largest, value_difference(a.at(x, y)[c], b.at(x, y)[c]));
+      const double largest = *differences.at(x, y);
       if (largest == 0) continue;
       const bool comparable = largest <= found.max;
       const Rgb8 colour =

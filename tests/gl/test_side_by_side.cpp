@@ -28,7 +28,8 @@ std::string told(const WorstPixel& pixel) {
   return text.str();
 }
 
-void check_scene(const std::string& path, int width, int height, const DriverProfile& profile) {
+/// Gives the largest share of its bound that a pixel uses.
+double check_scene(const std::string& path, int width, int height, const DriverProfile& profile) {
   const std::string name = std::filesystem::path(path).stem();
   const SideBySide found = side_by_side(listed_scene(path), width, height, profile);
   INFO(name << " through " << found.driver << ", " << width << " x " << height << ": " << found.equal
@@ -38,12 +39,15 @@ void check_scene(const std::string& path, int width, int height, const DriverPro
   CHECK(found.coverage_pixels == 0);
   CHECK(found.over_bound == 0);
   CHECK(found.levels_not_rounded == 0);
-  // A bound that nothing comes near would be no test: somewhere in every scene the float rasterizer uses a third of it.
-  CHECK(found.worst_share_of_bound > 0.3);
+  return found.worst_share_of_bound;
 }
 
 void check_gallery(std::string_view profile_name, int width, int height) {
-  for (const std::string& path : listed_scenes()) check_scene(path, width, height, profile(profile_name));
+  double largest_share = 0;
+  for (const std::string& path : listed_scenes())
+    largest_share = std::max(largest_share, check_scene(path, width, height, profile(profile_name)));
+  // A bound that nothing comes near would be no test.
+  CHECK(largest_share > 0.7);
 }
 
 } // namespace

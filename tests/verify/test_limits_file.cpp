@@ -1,0 +1,45 @@
+#include "verify/limits_file.h"
+
+#include "io/input_error.h"
+#include "tests/io/malformed_inputs.h"
+
+#include <doctest/doctest.h>
+
+#include <fstream>
+
+using namespace refraster;
+
+namespace {
+
+CompareLimits limits_in(const std::string& text) {
+  const test::TemporaryFolder folder;
+  std::ofstream(folder / "limits.json") << text;
+  return read_limits(folder / "limits.json");
+}
+
+} // namespace
+
+TEST_CASE("limits come from a file, each of them optional") {
+  const CompareLimits all = limits_in(R"({"max_abs": 1.5, "max_rms": 0.25, "max_count": 12 /* edges */})");
+  CHECK(all.max_abs == 1.5);
+  CHECK(all.max_rms == 0.25);
+  CHECK(all.max_count == 12);
+  CHECK_FALSE(limits_in("{}").any());
+}
+
+TEST_CASE("every wrong limit of a file is told by its place") {
+  try {
+    limits_in("{\n\"max_abs\": -1,\n\"max_rms\": \"1\",\n\"max_count\": 1.5,\n\"max\": 3}");
+    FAIL("read");
+  } catch (const InputError& error) {
+    REQUIRE(error.faults().size() == 4);
+    CHECK(error.faults()[0].line == 2);
+    CHECK(error.faults()[0].path == "/max_abs");
+    CHECK(error.faults()[1].line == 3);
+    CHECK(error.faults()[2].line == 4);
+    CHECK(error.faults()[2].expected == "a whole number >= 0");
+    CHECK(error.faults()[3].line == 5);
+    CHECK(error.faults()[3].found == "an unknown key");
+  }
+  CHECK_THROWS_AS(limits_in("[]"), InputError);
+}

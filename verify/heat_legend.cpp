@@ -1,0 +1,97 @@
+#include "verify/heat_legend.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <string_view>
+
+namespace refraster {
+namespace {
+
+constexpr Rgb8 ground = {0x30, 0x30, 0x30}, ink = {0xff, 0xff, 0xff};
+constexpr int margin = 4, bar_height = 8, strip_height = 28;
+constexpr int ramp_width = 200, least_width = ramp_width + 130;
+
+/// Glyphs of 3 x 5 points, a row in three bits, the top row first.
+struct Glyph {
+  char letter;
+  std::uint16_t rows;
+};
+constexpr Glyph glyphs[] = {
+    {'0', 075557}, {'1', 026227}, {'2', 071747}, {'3', 071717}, {'4', 055711}, {'5', 074717}, {'6', 074757},
+    {'7', 071222}, {'8', 075757}, {'9', 075717}, {'.', 000002}, {'-', 000700}, {'e', 007647}, {'+', 002720},
+    {'N', 075555}, {'a', 003557}, {'q', 007571}, {'u', 005557}, {'l', 022223}, {'v', 005552}, {'s', 003626},
+};
+
+class Strip {
+public:
+  Strip(Image<std::uint8_t>& image, int top) : image_(image), top_(top) {}
+
+  void fill(int x, int y, int width, int height, const Rgb8& colour) {
+    for (int j = y; j < y + height; ++j)
+      for (int i = x; i < x + width; ++i)
+        if (i < image_.width && top_ + j < image_.height)
+          std::copy(colour.begin(), colour.end(), image_.at(i, top_ + j));
+  }
+  /// Gives the place after the last letter.
+  int write(int x, int y, std::string_view words) {
+    for (const char letter : words) {
+      const auto* glyph =
+          std::find_if(std::begin(glyphs), std::end(glyphs), [&](const Glyph& g) { return g.letter == letter; });
+      if (glyph != std::end(glyphs))
+        for (int row = 0; row < 5; ++row)
+          for (int column = 0; column < 3; ++column)
+            if (glyph->rows >> (14 - 3 * row - column) & 1) fill(x + column, y + row, 1, 1, ink);
+      x += 4;
+    }
+    return x;
+  }
+
+private:
+  Image<std::uint8_t>& image_;
+  int top_;
+};
+
+std::string short_number(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", x);
+  return text;
+}
+
+} // namespace
+
+double difference_at(double t, const Comparison& found) {
+  const double level = full_range(found.unit) / 255;
+  return level * std::expm1(t * std::log1p(found.max / level));
+}
+
+Image<std::uint8_t> with_legend(const Image<std::uint8_t>& heat, const Comparison& found) {
+  Image<std::uint8_t> image(std::max(heat.width, least_width), heat.height + strip_height, 3);
+  Strip whole(image, 0);
+  whole.fill(0, 0, image.width, image.height, ground);
+  for (int y = 0; y < heat.height; ++y)
+    std::copy_n(heat.at(0, y), 3 * static_cast<std::size_t>(heat.width), image.at(0, y));
+
+  Strip strip(image, heat.height);
+  const int label_y = margin + bar_height + 3;
+  int x = margin;
+  strip.fill(x, margin, 16, bar_height, {0, 0, 0});
+  x = std::max(x + 16, strip.write(x, label_y, "equal")) + 8;
+  if (found.max > 0) {
+    for (int i = 0; i < ramp_width; ++i) strip.fill(x + i, margin, 1, bar_height, heat_colour((i + 0.5) / ramp_width));
+    for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+      const int tick = x + static_cast<int>(std::lround(t * (ramp_width - 1)));
+      strip.fill(tick, margin + bar_height, 1, 2, ink);
+      strip.write(tick, label_y, short_number(difference_at(t, found)));
+    }
+    x += ramp_width + 28;
+  }
+  if (found.incomparable_pixels > 0) {
+    strip.fill(x, margin, 16, bar_height, incomparable_colour);
+    strip.write(x, label_y, "NaN");
+  }
+  return image;
+}
+
+} // namespace refraster
