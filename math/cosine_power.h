@@ -74,8 +74,11 @@ template <Lanes T>
 T cosine_power(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& gap, double s) {
   using F = RealOf<T>;
   if (s == 0) return T(1);
-  const T cosine = dot(a, b);
-  const T q = minimum(T(F(0.5)) * squared_length(gap), T(F(0.25))); // more only where a or b is not unit
+  const T half_square = T(F(0.5)) * squared_length(gap);
+  T cosine = dot(a, b);
+  // 1 - q is the better cosine down to 1/2: the lengths of a and b, which are not quite 1, enter by q instead of 1 - q.
+  if constexpr (sizeof(F) == 8) cosine = select(cosine > T(F(0.5)), T(1) - half_square, cosine);
+  const T q = minimum(half_square, T(F(0.25))); // more only where a or b is not unit
   const MaskOf<T> is_near = cosine > T(F(0.75));
   const T smallest(std::numeric_limits<F>::min());
   const auto [m, k] = binary(maximum(cosine, smallest), F(sqrt_half));

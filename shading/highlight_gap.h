@@ -1,19 +1,15 @@
 #pragma once
 // The short vector across a highlight: r - v of Phong, h - n of Blinn-Phong, not spoilt by rounding r or h first.
 //
-// cosine_power needs a - b only, and is as exact as that. Where a is the result of a formula it is rounded by about
-// u = 2^-53 a component, so that in a highlight of width x = sqrt(2 / s) the power is off by 0.9 u / x of its peak:
-// nothing for a glossiness s of 100, but 500 units in the last place for a million. Computed in one go from what was
-// given, each component of a - b has an error of a few u of |a - b|, however short that is.
+// cosine_power needs a - b, and is as exact as that. Where a is the result of a formula each of its components is
+// rounded by up to u = 2^-53 or so, and in a highlight of width x = sqrt(2 / s) that moves the power by 0.9 u / x of
+// its peak: little for a glossiness s of 10, but 500 units in the last place for a million. Computed in one go from
+// what was given, each component of a - b has an error of a few u of |a - b|, however short that is.
 
 #include "math/cosine_power.h"
 #include "math/twofold.h"
 
 namespace refraster {
-
-/// Up to this glossiness the plain difference is good to 4 units in the last place of the peak (docs/precision.md), and
-/// a third cheaper.
-inline constexpr double plain_glossiness = 128;
 
 /// The numbers that promise so much. Float is content with the error of its inputs, bounds have their own.
 template <class T>
@@ -32,6 +28,8 @@ Twofold<T> wide_dot(const Vec3<T>& a, const Vec3<T>& b) {
 /// r - v with r = 2 (n.l) n - l.
 template <class T>
 struct MirrorGap {
+  /// Up to this glossiness r - v with rounded r is good enough for 4 units in the last place of the peak, and cheaper.
+  static constexpr double plain_glossiness = 8;
   Vec3<T> n, l, v;
 
   [[gnu::noinline]] Vec3<T> operator()() const {
@@ -50,6 +48,7 @@ struct MirrorGap {
 /// across the gap, so that its length changes by the square of that; and by the division. h may be rounded.
 template <class T>
 struct HalfGap {
+  static constexpr double plain_glossiness = 64; // likewise: h is rounded less than r
   Vec3<T> n, l, v, h;
 
   [[gnu::noinline]] Vec3<T> operator()() const {

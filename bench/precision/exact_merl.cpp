@@ -111,7 +111,8 @@ bool complete(const Block& b) {
 } // namespace
 
 Exactly exact_merl(const MerlPlace& place, const MerlTable& table, MerlLookup lookup, int channel) {
-  const auto& [lit, at, moved] = place;
+  const ExactLit& lit = place.lit;
+  const ExactPoint &at = place.at, &moved = place.moved;
   const Exact n_l = inner(lit.n, lit.l);
   if (n_l <= 0 || inner(lit.n, lit.v) <= 0) return {0, inner_magnitude(lit.n, lit.l) * lit.radiance};
   const auto radiance = [&](const Exact& f, const Exact& terms) -> Exactly {
@@ -135,8 +136,9 @@ Exactly exact_merl(const MerlPlace& place, const MerlTable& table, MerlLookup lo
   const Exact value = logarithmic ? positive_part(of_logarithm(here)) : here;
   const auto slope = [&](const Exact& there) { return Exact(abs(Exact(there - here)) / step); };
   // What is interpolated, and a change of it by its own terms.
-  const Exact terms = abs(here) + slope(mean(around, u + step, v, w)) * moved.u +
-                      slope(mean(around, u, v + step, w)) * moved.v + slope(mean(around, u, v, w + step)) * moved.w;
+  const Exact terms = abs(here) + slope(mean(around, u + step, v, w)) * (at.u + moved.u) +
+                      slope(mean(around, u, v + step, w)) * (at.v + moved.v) +
+                      slope(mean(around, u, v, w + step)) * (at.w + moved.w);
   if (!logarithmic) return radiance(value, terms);
   const Exact per_g = (of_logarithm(here) + MerlTable::log_epsilon) * log(Exact(2));
   return radiance(value, value + per_g * terms);

@@ -41,9 +41,9 @@ struct MerlPlace {
 };
 MerlPlace exact_merl_place(const Inputs& in);
 
-/// f <n.l> C in one channel. Its terms: (f + |df/du| du + |df/dv| dv + |df/dw| dw) sum |n_i l_i| C with du, dv, dw from
-/// `moved`: how much f is moved by rounding the inputs, in units of that rounding. Where logarithms g are interpolated,
-/// f + |df/dg| (g + |dg/du| du + ...) stands in the brackets.
+/// f <n.l> C in one channel. Its terms: (f + |df/du| (u + du) + |df/dv| (v + dv) + |df/dw| (w + dw)) sum |n_i l_i| C
+/// with du, dv, dw from `moved`: what becomes of rounding the directions and the coordinates. Where logarithms g are
+/// interpolated, f + |df/dg| (g + |dg/du| (u + du) + ...) stands in the brackets.
 Exactly exact_merl(const MerlPlace& place, const MerlTable& table, MerlLookup lookup, int channel);
 
 } // namespace refraster::precision

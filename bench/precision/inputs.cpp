@@ -58,7 +58,8 @@ SurfacePair plane_pair(Engine& random) {
   return {n, i, leaning()};
 }
 
-/// The half vector within three radii of the highlight from the normal: there the power is about exp(-x^2), x in [0, 3].
+/// The half vector within three radii of the highlight from the normal: there the power is about exp(-x^2), x in [0,
+/// 3].
 Inputs in_highlight(Engine& random, double least_decade, double most_decade) {
   Inputs in = ordinary_surface(random);
   in.glossiness = random_scale(random, least_decade, most_decade);

@@ -51,8 +51,8 @@ struct Lit {
 template <class F>
 Lit<F> lit(const Inputs& in) {
   const Rgb<F> texture = as<F>(Double3(in.texture));
-  if (in.path == Path::directions) return {{Vec3<F>(F(0)), as<F>(in.n), as<F>(in.v), texture, nullptr},
-                                           {as<F>(in.l), as<F>(Double3(in.radiance))}};
+  if (in.path == Path::directions)
+    return {{Vec3<F>(F(0)), as<F>(in.n), as<F>(in.v), texture, nullptr}, {as<F>(in.l), as<F>(Double3(in.radiance))}};
   const Vec3<F> position = as<F>(in.position);
   const Fragment<F> at{position, normalize(as<F>(in.normal)), normalize(as<F>(in.eye) - position), texture, nullptr};
   return {at, in.path == Path::point_light ? arriving(in.point, at) : arriving(in.direction, at)};

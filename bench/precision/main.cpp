@@ -1,13 +1,52 @@
-#include "bench/precision/measure.h"
-#include <cstdio>
-#include <cstdlib>
-using namespace refraster::precision;
+// refraster_precision: measures how exact the numbers are, and writes docs/precision.md.
+
+#include "bench/precision/page.h"
+#include "bench/precision/plot.h"
+
+#include <CLI/CLI.hpp>
+
+#include <exception>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+namespace {
+
+std::string contents(const std::string& path) {
+  std::ifstream file(path);
+  std::ostringstream text;
+  if (!(text << file.rdbuf())) throw std::runtime_error(path + ": cannot be read");
+  return text.str();
+}
+
+void write(const std::string& path, const std::string& text) {
+  std::ofstream file(path);
+  if (!(file << text).flush()) throw std::runtime_error(path + ": cannot be written");
+}
+
+} // namespace
+
 int main(int argc, char** argv) {
-  const int n = argc > 1 ? std::atoi(argv[1]) : 1000;
-  for (const auto& r : measure_functions(n))
-    std::printf("%-14s %-36s %8.3g %8.3g | %8.3g %8.3g  bounds %g %g | %g %g\n", std::string(r.function).c_str(), std::string(r.inputs).c_str(), r.double_ulp.max, r.double_ulp.mostly, r.float_ulp.max, r.float_ulp.mostly, r.double_bound.max, r.double_bound.mostly, r.float_bound.max, r.float_bound.mostly);
-  for (const auto& r : measure_coordinates(n))
-    std::printf("%-3s %-10s %-14s double %8.3g %8.3g float %8.3g %8.3g\n", std::string(r.bound.coordinate).c_str(), std::string(r.bound.method).c_str(), std::string(r.bound.inputs).c_str(), r.double_bins.max, r.double_bins.mostly, r.float_bins.max, r.float_bins.mostly);
-  for (const auto& r : measure_shading(n))
-    std::printf("%-20s %-16s dT %7.3g %7.3g fT %7.3g %7.3g | dR %7.3g %7.3g fR %7.3g %7.3g | f-d %8.2g %8.2g other %g %g\n", std::string(r.bound.model).c_str(), std::string(r.bound.inputs).c_str(), r.double_terms.max, r.double_terms.mostly, r.float_terms.max, r.float_terms.mostly, r.double_result.max, r.double_result.mostly, r.float_result.max, r.float_result.mostly, r.float_from_double.max, r.float_from_double.mostly, r.double_other_bin, r.float_other_bin);
+  using namespace refraster::precision;
+  CLI::App app("Measures every elementary function and fragment function against 60 digits.");
+  int trials = 20000;
+  std::string page, plot;
+  bool bounds = false;
+  app.add_option("--trials", trials, "inputs in each row")->check(CLI::PositiveNumber)->capture_default_str();
+  app.add_option("--update", page, "the page whose tables to replace: docs/precision.md")->type_name("FILE");
+  app.add_option("--plot", plot, "the picture to write: docs/images/precision_acos.svg")->type_name("FILE");
+  app.add_flag("--bounds", bounds, "print the rows of shading/precision_bounds.h");
+  CLI11_PARSE(app, argc, argv);
+
+  try {
+    if (!plot.empty()) write(plot, highlight_plot(measure_highlight(1000)));
+    if (page.empty() && !bounds) return 0;
+    const Measurements measured = {measure_functions(trials), measure_shading(trials), measure_coordinates(trials)};
+    if (bounds) std::cout << suggested_bounds(measured);
+    if (!page.empty()) write(page, updated_page(contents(page), measured));
+  } catch (const std::exception& error) {
+    std::cerr << "refraster_precision: " << error.what() << '\n';
+    return 4;
+  }
+  return 0;
 }

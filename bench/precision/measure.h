@@ -33,4 +33,12 @@ struct CoordinateRow {
 };
 std::vector<CoordinateRow> measure_coordinates(int trials);
 
+/// In float: |error| of u in bins against the angle from the normal to the half vector, by the arc cosine and by the
+/// closed form; the largest and the median of many pairs at each angle.
+struct HighlightPoint {
+  double angle; // radians
+  double acos_max, acos_median, closed_max, closed_median;
+};
+std::vector<HighlightPoint> measure_highlight(int pairs_each);
+
 } // namespace refraster::precision

@@ -2,9 +2,20 @@
 #include "bench/precision/exact_shading.h"
 #include "bench/precision/measure.h"
 
+#include "tests/shading/directions.h"
+
+#include <algorithm>
+
 namespace refraster::precision {
 
 namespace {
+
+/// An azimuth is the less defined the closer h is to n and i to h. On the sphere an error of it is a distance.
+constexpr std::string_view sphere = "w sin θh sin θd";
+Exact sines(const ExactPoint& at) {
+  const Exact theta_h = Exact(at.u * at.u / 8100) * exact_pi() / 2, theta_d = at.v * exact_pi() / 180;
+  return sin(theta_h) * sin(theta_d);
+}
 
 struct Column {
   std::string_view coordinate, method;
@@ -25,9 +36,16 @@ void add_all(std::vector<Column>& columns, const Inputs& in, Errors Column::*err
     if (column.coordinate == "u") error = abs(Exact(at.u - exactly.u));
     if (column.coordinate == "v") error = abs(Exact(at.v - exactly.v));
     if (column.coordinate == "w") error = distance_around(Exact(at.w), exactly.w);
+    if (column.coordinate == sphere) error = distance_around(Exact(at.w), exactly.w) * sines(exactly);
     (column.*errors).add(error, describe);
   }
 }
+
+// theta_h and theta_d are computed in the same way for all three methods.
+constexpr std::pair<std::string_view, std::string_view> measured[] = {
+    {"u", "closed"},   {"u", "acos"},  {"v", "closed"},    {"v", "acos"},        {"w", "closed"},
+    {"w", "rotation"}, {"w", "frame"}, {sphere, "closed"}, {sphere, "rotation"}, {sphere, "frame"},
+};
 
 CoordinateBound bound_of(const Column& column, std::string_view inputs) {
   for (const CoordinateBound& bound : coordinate_bounds)
@@ -41,12 +59,8 @@ std::vector<CoordinateRow> measure_coordinates(int trials) {
   std::vector<CoordinateRow> rows;
   for (const std::string_view name : {"uniform", "specular", "retro", "grazing", "plane"}) {
     const Family& inputs = family(merl_families(), name);
-    // theta_h and theta_d are computed in the same way for all three methods.
     std::vector<Column> columns;
-    for (const auto& [coordinate, method] :
-         {std::pair("u", "closed"), {"u", "acos"}, {"v", "closed"}, {"v", "acos"}, {"w", "closed"}, {"w", "rotation"},
-          {"w", "frame"}})
-      columns.push_back({coordinate, method, {}, {}});
+    for (const auto& [coordinate, method] : measured) columns.push_back({coordinate, method, {}, {}});
     std::mt19937_64 random_double(1), random_float(2);
     for (int k = 0; k < trials; ++k) {
       add_all<double>(columns, held<double>(inputs.make(random_double, 0)), &Column::in_double);
@@ -59,6 +73,31 @@ std::vector<CoordinateRow> measure_coordinates(int trials) {
     return std::pair(a.bound.coordinate, a.bound.method) < std::pair(b.bound.coordinate, b.bound.method);
   });
   return rows;
+}
+
+std::vector<HighlightPoint> measure_highlight(int pairs_each) {
+  std::vector<HighlightPoint> points;
+  std::mt19937_64 random(1);
+  constexpr double least = -8, steps_per_decade = 10; // 1e-8 to 1 radian
+  for (int step = 0; step <= static_cast<int>(-least * steps_per_decade); ++step) {
+    const double angle = std::pow(10, least + step / steps_per_decade);
+    std::vector<double> acos_errors, closed_errors;
+    while (static_cast<int>(acos_errors.size()) < pairs_each) {
+      const Double3 normal = random_direction(random), half = turned(normal, angle, random);
+      const Double3 light = random_direction_above(normal, random), eye = mirrored(light, half);
+      if (dot(normal, light) < 0.1 || dot(normal, eye) < 0.1) continue;
+      const auto n = normalize(Float3(normal)), i = normalize(Float3(light)), o = normalize(Float3(eye));
+      const Exact u = exact_merl_point(exact(n), exact(i), exact(o)).u;
+      const auto off = [&](float computed) { return Exact(abs(Exact(computed - u))).convert_to<double>(); };
+      acos_errors.push_back(off(merl_point_by_arc_cosines(n, i, o).u));
+      closed_errors.push_back(off(merl_point(half_difference(MerlAngles::closed, n, i, o)).u));
+    }
+    std::sort(acos_errors.begin(), acos_errors.end());
+    std::sort(closed_errors.begin(), closed_errors.end());
+    const std::size_t middle = acos_errors.size() / 2;
+    points.push_back({angle, acos_errors.back(), acos_errors[middle], closed_errors.back(), closed_errors[middle]});
+  }
+  return points;
 }
 
 } // namespace refraster::precision

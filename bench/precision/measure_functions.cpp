@@ -158,7 +158,8 @@ std::vector<FunctionRow> measure_functions(int trials) {
     return both("cosine_power", inputs, cosine_power_bound<double>(), cosine_power_bound<float>(), trials,
                 [=]<class F>(F, Random& random) { return highlight_trial<F>(random, least, most); });
   };
-  const auto vectors = [&](auto function, auto inputs, UlpBound of_double, UlpBound of_float, double range, auto trial) {
+  const auto vectors = [&](auto function, auto inputs, UlpBound of_double, UlpBound of_float, double range,
+                           auto trial) {
     return both(function, inputs, of_double, of_float, trials, [=]<class F>(F, Random& random) {
       return trial(some_vector<F>(random, range * (sizeof(F) == 4 ? 30 : 300)), random);
     });
@@ -178,18 +179,16 @@ std::vector<FunctionRow> measure_functions(int trials) {
       log2_bounds("near 1",
                   []<class F>(F, Random& r) { return log2_trial(F(1 + r.sign() * r.magnitude(epsilon_of<F>, 0.5))); }),
       exp2_bounds("-4 to 4", []<class F>(F, Random& r) { return exp2_trial(F(r.uniform(-4, 4))); }),
-      exp2_bounds("whole range",
-                  []<class F>(F, Random& r) {
-                    return exp2_trial(F(r.uniform(lowest_power<F>, highest_power<F> - 1e-3)));
-                  }),
+      exp2_bounds(
+          "whole range",
+          []<class F>(F, Random& r) { return exp2_trial(F(r.uniform(lowest_power<F>, highest_power<F> - 1e-3))); }),
       power_bounds("cosines, exponents 0.1 to 1e4",
                    []<class F>(F, Random& r) {
                      const double s = r.magnitude(0.1, 1e4);
                      return power_trial(F(std::exp2(r.uniform(lowest_power<F>, 0) / s)), s);
                    }),
-      power_bounds(
-          "any base, exponents 1e-3 to 1e3",
-          []<class F>(F, Random& r) { return power_trial(positive_finite<F>(r), r.magnitude(1e-3, 1e3)); }),
+      power_bounds("any base, exponents 1e-3 to 1e3",
+                   []<class F>(F, Random& r) { return power_trial(positive_finite<F>(r), r.magnitude(1e-3, 1e3)); }),
       power_bounds("bases next to 1, exponents to 1e17",
                    []<class F>(F, Random& r) {
                      const double distance = r.magnitude(epsilon_of<F>, 1e-3);
@@ -205,12 +204,12 @@ std::vector<FunctionRow> measure_functions(int trials) {
                      if (std::abs(atan2(y, x)) < 4 * std::numeric_limits<F>::min()) return {0, ""}; // 2 ulp there
                      return atan2_trial(y, x);
                    }),
-      of_degrees("sin_degrees", sin_degrees_error, trials, sin_degrees, [](const Exact& x) { return Exact(sin(x)); },
-                 180),
-      of_degrees("cos_degrees", cos_degrees_error, trials, cos_degrees, [](const Exact& x) { return Exact(cos(x)); },
-                 90),
-      of_degrees("tan_degrees", tan_degrees_error, trials, tan_degrees, [](const Exact& x) { return Exact(tan(x)); },
-                 90),
+      of_degrees(
+          "sin_degrees", sin_degrees_error, trials, sin_degrees, [](const Exact& x) { return Exact(sin(x)); }, 180),
+      of_degrees(
+          "cos_degrees", cos_degrees_error, trials, cos_degrees, [](const Exact& x) { return Exact(cos(x)); }, 90),
+      of_degrees(
+          "tan_degrees", tan_degrees_error, trials, tan_degrees, [](const Exact& x) { return Exact(tan(x)); }, 90),
       vectors("length", "ordinary", length_error<double>, length_error<float>, 0, length_of),
       vectors("length", "every magnitude", length_error<double>, length_error<float>, 1, length_of),
       vectors("normalize", "ordinary", normalize_error<double>, normalize_error<float>, 0, unit_of),

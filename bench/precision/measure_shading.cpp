@@ -4,6 +4,7 @@
 #include "shading/merl_synthesis.h"
 #include "shading/models.h"
 
+#include <algorithm>
 #include <memory>
 
 namespace refraster::precision {
@@ -25,11 +26,11 @@ F radiance(const Model& model, const Inputs& in, int channel) {
 struct ModelErrors {
   Errors terms, result;
 
-  template <class F>
-  void add(F computed, const Exactly& exactly, const std::string& input) {
+  template <class F, class Describe>
+  void add(F computed, const Exactly& exactly, const Describe& describe) {
     const Exact error = abs(Exact(computed) - exactly.value);
-    terms.add(Exact(error / ulp_at<F>(exactly.terms)), [&] { return input; });
-    result.add(Exact(error / ulp_at<F>(exactly.value)), [&] { return input; });
+    terms.add(Exact(error / ulp_at<F>(exactly.terms)), describe);
+    result.add(Exact(error / ulp_at<F>(exactly.value)), describe);
   }
 };
 
@@ -42,8 +43,8 @@ PrecisionBound bound_of(std::string_view model, std::string_view inputs) {
 
 /// Radiance of float beside that of double, on one scene: each rounds the inputs for itself.
 template <class Model>
-double float_from_double(const Model& in_double, const Model& in_float, const Inputs& of_double,
-                         const Inputs& of_float, int channel) {
+double float_from_double(const Model& in_double, const Model& in_float, const Inputs& of_double, const Inputs& of_float,
+                         int channel) {
   const double arriving = lit<double>(of_double).light.radiance.x;
   const double apart = radiance<double>(in_double, of_double, channel) -
                        static_cast<double>(radiance<float>(in_float, of_float, channel));
@@ -63,7 +64,7 @@ ShadingRow measure_phong(const Family& inputs, Exactly (*exactly)(const Inputs&)
   Errors apart;
   const auto once = [&]<class F>(ModelErrors& errors, std::mt19937_64& random) {
     const Inputs in = held<F>(inputs.make(random, decades<F>));
-    errors.add(radiance<F>(model_of<Model>(in), in, 0), exactly(in), text(in, Glossiness::used));
+    errors.add(radiance<F>(model_of<Model>(in), in, 0), exactly(in), [&] { return text(in, Glossiness::used); });
   };
   std::mt19937_64 random_double(1), random_float(2);
   for (int k = 0; k < trials; ++k) {
@@ -76,20 +77,24 @@ ShadingRow measure_phong(const Family& inputs, Exactly (*exactly)(const Inputs&)
     apart.add(float_from_double(model_of<Model>(of_double), model_of<Model>(of_float), of_double, of_float, 0),
               [&] { return text(of_float, Glossiness::used); });
   }
-  return {bound_of(Model::name, inputs.name),
-          in_double.terms.summary(),
-          in_float.terms.summary(),
-          in_double.result.summary(),
-          in_float.result.summary(),
-          apart.summary()};
+  return {bound_of(Model::name, inputs.name), in_double.terms.summary(), in_float.terms.summary(),
+          in_double.result.summary(),         in_float.result.summary(), apart.summary()};
 }
 
 // --- MERL
 
-/// Whether a point lies so close to the border of two bins that rounding decides which of them it is in.
-bool other_bin(const Exactly& exactly, double computed) {
-  // Neighbouring samples of the table differ by far more than this, rounding by far less.
-  return abs(Exact(exactly.value - computed)) > 1e-4 * exactly.value + 1e-9;
+/// Whether rounding decides which bin a point lies in: `nearest` then reads the neighbouring sample, which says nothing
+/// about last places. Such inputs are counted and left out.
+template <class F>
+bool other_bin(const MerlPlace& place, const Inputs& in) {
+  const Lit<F> there = lit<F>(in);
+  const MerlPoint<F> at =
+      merl_point(half_difference(MerlAngles::closed, there.at.normal, there.light.direction, there.at.to_eye));
+  const auto bin = [](const auto& x, int last) {
+    return std::clamp(static_cast<int>(floor(Exact(x)).template convert_to<double>()), 0, last);
+  };
+  return bin(at.u, 89) != bin(place.at.u, 89) || bin(at.v, 89) != bin(place.at.v, 89) ||
+         bin(at.w, 179) != bin(place.at.w, 179);
 }
 
 struct Lookup {
@@ -103,12 +108,15 @@ template <class F>
 void add_all(std::vector<Lookup>& lookups, const std::shared_ptr<const MerlTable>& table, const Inputs& in, int channel,
              ModelErrors Lookup::*errors, int Lookup::*other) {
   const MerlPlace place = exact_merl_place(in);
-  const std::string input = text(in, Glossiness::unused);
+  const bool border = other_bin<F>(place, in);
   for (Lookup& one : lookups) {
+    if (one.lookup == MerlLookup::nearest && border) {
+      ++(one.*other);
+      continue;
+    }
     const F computed = radiance<F>(Merl{table, one.lookup, MerlAngles::closed}, in, channel);
     const Exactly exactly = exact_merl(place, *table, one.lookup, channel);
-    if (one.lookup == MerlLookup::nearest && other_bin(exactly, static_cast<double>(computed))) ++(one.*other);
-    else (one.*errors).add(computed, exactly, input);
+    (one.*errors).add(computed, exactly, [&] { return text(in, Glossiness::unused); });
   }
 }
 

@@ -1,0 +1,169 @@
+#include "bench/precision/page.h"
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <initializer_list>
+#include <stdexcept>
+
+namespace refraster::precision {
+
+namespace {
+
+/// One after the other. (Sums of literals and temporary strings make GCC 12 warn of an overlap that is none.)
+std::string joined(std::initializer_list<std::string_view> parts) {
+  std::string all;
+  for (const std::string_view part : parts) all += part;
+  return all;
+}
+
+/// Two digits: "0.57", "180", "5.8e5".
+std::string number(double x) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.1e", x);
+  const double rounded = std::strtod(buffer, nullptr), size = std::abs(rounded);
+  if (rounded == 0 || (size >= 1e-3 && size < 1e5)) {
+    std::snprintf(buffer, sizeof buffer, "%g", rounded);
+    return buffer;
+  }
+  std::snprintf(buffer, sizeof buffer, "%.2g", rounded);
+  std::string text = buffer;
+  for (const std::string_view sign : {"e+0", "e+", "e-0"})
+    if (const std::size_t at = text.find(sign); at != std::string::npos)
+      return text.replace(at, sign.size(), sign == "e-0" ? "e-" : "e");
+  return text;
+}
+
+std::string measured(const Error& error) {
+  return joined({number(error.max), " (", number(error.mostly), ")"});
+}
+
+template <class Bound>
+std::string cell(const Error& error, const Bound& bound) {
+  return joined({measured(error), " ", bound_text(bound), " | "});
+}
+
+std::string functions_table(const std::vector<FunctionRow>& rows) {
+  std::string table = "| function | arguments | double | float |\n|---|---|---|---|\n";
+  for (const FunctionRow& row : rows)
+    table += row_name(row.function, row.inputs) + " " + cell(row.double_ulp, row.double_bound) +
+             (row.has_float ? cell(row.float_ulp, row.float_bound) : "— |") + "\n";
+  return table;
+}
+
+std::string shading_table(const std::vector<ShadingRow>& rows) {
+  std::string table =
+      "| function | inputs | double, ulp of the terms | float, ulp of the terms | double, ulp of the result "
+      "| float, ulp of the result | float − double |\n|---|---|---|---|---|---|---|\n";
+  for (const ShadingRow& row : rows) {
+    table += row_name(row.bound.model, row.bound.inputs) + " " + cell(row.double_terms, row.bound.double_terms) +
+             cell(row.float_terms, row.bound.float_terms) + cell(row.double_result, row.bound.double_result) +
+             cell(row.float_result, row.bound.float_result) + measured(row.float_from_double) + " ≤ " +
+             number(row.bound.float_from_double) + " |\n";
+  }
+  return table;
+}
+
+/// What `nearest` read from a neighbouring bin.
+std::string borders_table(const std::vector<ShadingRow>& rows) {
+  std::string table = "| inputs | double | float |\n|---|---|---|\n";
+  for (const ShadingRow& row : rows)
+    if (row.bound.model == "merl nearest")
+      table += joined({"| ", row.bound.inputs, " | ", number(100 * row.double_other_bin), " % | ",
+                       number(100 * row.float_other_bin), " % |\n"});
+  return table;
+}
+
+std::string coordinates_table(const std::vector<CoordinateRow>& rows) {
+  std::string table = "| coordinate | inputs | double, bins | float, bins |\n|---|---|---|---|\n";
+  for (const CoordinateRow& row : rows)
+    table += row_name(joined({row.bound.coordinate, " ", row.bound.method}), row.bound.inputs) + " " +
+             cell(row.double_bins, row.bound.double_bins) + cell(row.float_bins, row.bound.float_bins) + "\n";
+  return table;
+}
+
+std::string worst_line(std::string_view what, std::string_view inputs, const char* kind, const Error& error) {
+  return joined({what, ", ", inputs, ", ", kind, ": ", number(error.max), " at ", error.worst, "\n"});
+}
+
+std::string worst_inputs(const Measurements& all) {
+  std::string text = "```\n";
+  for (const FunctionRow& row : all.functions) {
+    text += worst_line(row.function, row.inputs, "double", row.double_ulp);
+    if (row.has_float) text += worst_line(row.function, row.inputs, "float", row.float_ulp);
+  }
+  for (const CoordinateRow& row : all.coordinates) {
+    const std::string name = joined({row.bound.coordinate, " ", row.bound.method});
+    text += worst_line(name, row.bound.inputs, "double", row.double_bins);
+    text += worst_line(name, row.bound.inputs, "float", row.float_bins);
+  }
+  for (const ShadingRow& row : all.shading) {
+    const auto add = [&](const char* kind, const Error& error) {
+      text += worst_line(row.bound.model, row.bound.inputs, kind, error);
+    };
+    add("double, terms", row.double_terms);
+    add("float, terms", row.float_terms);
+    add("double, result", row.double_result);
+    add("float, result", row.float_result);
+    add("float - double", row.float_from_double);
+  }
+  return text + "```\n";
+}
+
+void replace_part(std::string& page, const std::string& name, const std::string& by) {
+  const std::string begin = joined({"<!-- refraster_precision ", name, " -->\n"}), end = "<!-- end -->\n";
+  const std::size_t from = page.find(begin);
+  const std::size_t to = from == std::string::npos ? from : page.find(end, from);
+  if (to == std::string::npos) throw std::runtime_error("the page has no part \"" + name + '"');
+  page.replace(from + begin.size(), to - from - begin.size(), by);
+}
+
+double with_margin(double x) {
+  if (!(x > 0) || !std::isfinite(x)) return x;
+  const double unit = std::pow(10, std::floor(std::log10(1.25 * x)) - 1);
+  return std::ceil(1.25 * x / unit - 1e-9) * unit;
+}
+
+std::string braces(const Error& error) {
+  return joined({"{", number(with_margin(error.max)), ", ", number(with_margin(error.mostly)), "}"});
+}
+std::string quoted(std::string_view text) {
+  return joined({"\"", text, "\""});
+}
+
+} // namespace
+
+std::string bound_text(double max, double mostly) {
+  return joined({"≤ ", number(max), " (", number(mostly), ")"});
+}
+
+std::string row_name(std::string_view what, std::string_view inputs) {
+  return joined({"| ", what, " | ", inputs, " |"});
+}
+
+std::string updated_page(std::string page, const Measurements& measured) {
+  std::vector<ShadingRow> phong, merl;
+  for (const ShadingRow& row : measured.shading) (row.bound.model.starts_with("merl") ? merl : phong).push_back(row);
+  replace_part(page, "functions", functions_table(measured.functions));
+  replace_part(page, "phong", shading_table(phong));
+  replace_part(page, "merl", shading_table(merl));
+  replace_part(page, "borders", borders_table(merl));
+  replace_part(page, "coordinates", coordinates_table(measured.coordinates));
+  replace_part(page, "worst", worst_inputs(measured));
+  return page;
+}
+
+std::string suggested_bounds(const Measurements& measured) {
+  std::string text;
+  for (const ShadingRow& row : measured.shading)
+    text += joined({"    {", quoted(row.bound.model), ", ", quoted(row.bound.inputs), ", ", braces(row.double_terms),
+                    ", ", braces(row.float_terms), ", ", braces(row.double_result), ", ", braces(row.float_result),
+                    ", ", number(with_margin(row.float_from_double.max)), "},\n"});
+  text += '\n';
+  for (const CoordinateRow& row : measured.coordinates)
+    text += joined({"    {", quoted(row.bound.coordinate), ", ", quoted(row.bound.method), ", ",
+                    quoted(row.bound.inputs), ", ", braces(row.double_bins), ", ", braces(row.float_bins), "},\n"});
+  return text;
+}
+
+} // namespace refraster::precision
