@@ -108,7 +108,7 @@ struct Plane {
       result.w_most = std::max(w, result.w_most);
       result.sure = result.sure && hit->how != Meets::border;
     }
-    result.inside = inside == static_cast<int>(std::size(places));
+    result.inside = inside == std::size(places);
     result.sure = result.sure && (result.inside || inside == 0);
     return result;
   }
