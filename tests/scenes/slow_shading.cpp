@@ -19,7 +19,7 @@ int wrapped(Real cell, int n) {
 Vec texel(const TextureLevel& level, Real x, Real y) {
   const auto at = 3 * (static_cast<std::size_t>(wrapped(y, level.height)) * static_cast<std::size_t>(level.width) +
                        static_cast<std::size_t>(wrapped(x, level.width)));
-  return {level.rgb[at], level.rgb[at + 1], level.rgb[at + 2]};
+  return {real(level.rgb[at]), real(level.rgb[at + 1]), real(level.rgb[at + 2])};
 }
 
 Vec bilinear(const TextureLevel& level, Real u, Real v) {
@@ -33,10 +33,10 @@ Vec trilinear(const Texture& texture, const Seen& at) {
   const TextureLevel& image = texture.levels[0];
   const Real right = std::hypot(at.u_right * image.width, at.v_right * image.height);
   const Real down = std::hypot(at.u_down * image.width, at.v_down * image.height);
-  const auto last = static_cast<Real>(texture.levels.size() - 1);
+  const auto last = real(texture.levels.size() - 1);
   const Real detail = std::clamp(std::log2(std::max(right, down)), Real(0), last);
   const auto lower = static_cast<std::size_t>(detail), upper = std::min(lower + 1, texture.levels.size() - 1);
-  const Real share = detail - static_cast<Real>(lower);
+  const Real share = detail - real(lower);
   return bilinear(texture.levels[lower], at.u, at.v) * (1 - share) +
          bilinear(texture.levels[upper], at.u, at.v) * share;
 }
@@ -45,7 +45,7 @@ Vec texture_colour(const Material& material, const Seen& at) {
   if (!material.texture) return {1, 1, 1};
   const Texture& texture = *material.texture;
   const TextureLevel& image = texture.levels[0];
-  const Real scale = 1 / static_cast<Real>(texture.full_scale);
+  const Real scale = 1 / real(texture.full_scale);
   switch (material.texture_filter) {
   case TextureFilter::nearest:
     return texel(image, std::floor(at.u * image.width), std::floor(at.v * image.height)) * scale;
@@ -135,7 +135,7 @@ std::vector<Arriving> lights_at(const Scene& scene, Vec position) {
   for (const PointLight& light : scene.point_lights) {
     const Vec way = vec(light.position) - position;
     const Real d = length(way);
-    const Real divisor = light.constant + light.linear * d + light.quadratic * d * d;
+    const Real divisor = real(light.constant) + real(light.linear) * d + real(light.quadratic) * d * d;
     lights.push_back({unit(way), vec(light.radiance) * (divisor > 0 ? 1 / divisor : 1)});
   }
   for (const DirectionLight& light : scene.direction_lights)
@@ -159,7 +159,7 @@ std::optional<Shaded> shaded_by(const auto& model, const Scene& scene, const See
     const Real n_l = dot(seen.normal, light.direction);
     const Real cosine = std::max(highlight_cosine(model, seen.normal, light.direction, to_eye), Real(0));
     const bool cut = model.specular_gate == SpecularGate::cut_below_horizon && !(n_l > 0);
-    const Real highlight = cut ? 0 : std::pow(cosine, static_cast<Real>(model.glossiness));
+    const Real highlight = cut ? 0 : std::pow(cosine, real(model.glossiness));
     const Vec diffuse = vec(model.kd) * std::max(n_l, Real(0)), specular = vec(model.ks) * highlight;
     result.radiance = result.radiance + (diffuse * texture + specular) * light.radiance;
     result.magnitude = result.magnitude + (diffuse + specular) * light.radiance;

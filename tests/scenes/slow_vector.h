@@ -6,6 +6,9 @@
 namespace refraster::slow {
 
 using Real = long double;
+constexpr Real real(auto x) {
+  return static_cast<Real>(x);
+}
 
 struct Vec {
   Real x = 0, y = 0, z = 0;
@@ -37,7 +40,7 @@ inline Vec unit(Vec a) {
 
 template <class GlmVector>
 Vec vec(const GlmVector& v) {
-  return {static_cast<Real>(v.x), static_cast<Real>(v.y), static_cast<Real>(v.z)};
+  return {real(v.x), real(v.y), real(v.z)};
 }
 
 } // namespace refraster::slow

@@ -22,7 +22,7 @@ Axes operator*(const Axes& m, const Axes& n) {
 }
 
 Axes rotation_scale(const Object& object) {
-  const auto angle = [](double degrees) { return static_cast<Real>(degrees) * std::numbers::pi_v<Real> / 180; };
+  const auto angle = [](double degrees) { return real(degrees) * std::numbers::pi_v<Real> / 180; };
   const Real a = angle(object.rotate_degrees.x), b = angle(object.rotate_degrees.y), c = angle(object.rotate_degrees.z);
   const Axes rx = {{1, 0, 0}, {0, std::cos(a), std::sin(a)}, {0, -std::sin(a), std::cos(a)}};
   const Axes ry = {{std::cos(b), 0, -std::sin(b)}, {0, 1, 0}, {std::sin(b), 0, std::cos(b)}};
@@ -51,9 +51,9 @@ public:
     back_ = unit(eye_ - vec(camera.target));
     right_ = unit(cross(vec(camera.up), back_));
     up_ = cross(back_, right_);
-    cotangent_ = 1 / std::tan(static_cast<Real>(camera.fov_y_degrees) * std::numbers::pi_v<Real> / 360);
-    near_ = camera.near;
-    const Real far = camera.far;
+    cotangent_ = 1 / std::tan(real(camera.fov_y_degrees) * std::numbers::pi_v<Real> / 360);
+    near_ = real(camera.near);
+    const Real far = real(camera.far);
     z_scale_ = (far + near_) / (near_ - far);
     z_offset_ = 2 * far * near_ / (near_ - far);
   }
@@ -106,7 +106,7 @@ std::vector<Corner> corners_of(const Object& object, const Viewer& viewer) {
     Corner& corner = corners[i];
     corner.position = model * vec(mesh.positions[i]) + vec(object.position);
     corner.normal = normals * vec(mesh.normals[i]);
-    if (!mesh.uvs.empty()) corner.u = mesh.uvs[i].x, corner.v = mesh.uvs[i].y;
+    if (!mesh.uvs.empty()) corner.u = real(mesh.uvs[i].x), corner.v = real(mesh.uvs[i].y);
     viewer.place(corner);
   }
   return corners;

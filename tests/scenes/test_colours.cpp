@@ -53,7 +53,7 @@ void check_colours(const std::vector<std::string>& paths) {
     std::size_t judged = 0, on_objects = 0;
     for (std::size_t i = 0; i < pixels.size(); ++i) {
       if (!seen[i]) continue;
-      const auto [x, y] = pixels[i];
+      const int x = pixels[i].x, y = pixels[i].y;
       CAPTURE(x);
       CAPTURE(y);
       const float object = seen[i]->object ? static_cast<float>(seen[i]->object - scene.objects.data() + 1) : 0.0f;
@@ -69,7 +69,7 @@ void check_colours(const std::vector<std::string>& paths) {
       for (std::size_t c = 0; c < 3; ++c) {
         CAPTURE(c);
         const slow::Real error = error_share * size[c];
-        CHECK(std::abs(static_cast<slow::Real>(frame.radiance.at(x, y)[c]) - expected[c]) <= error);
+        CHECK(std::abs(slow::real(frame.radiance.at(x, y)[c]) - expected[c]) <= error);
         if (const auto level = level_of_value(expected[c], error)) CHECK(int{frame.levels.at(x, y)[c]} == *level);
       }
     }
