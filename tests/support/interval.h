@@ -250,8 +250,9 @@ inline Interval power(Interval x, double s) {
 /// As the plain function, for whatever vectors the boxes hold: near a = b by |a - b|^2 / 2, else by the dot product.
 inline Interval cosine_power(const Vec3<Interval>& a, const Vec3<Interval>& b, double s) {
   if (s == 0) return {1.0};
-  const Interval cosine = dot(a, b);
-  const Interval q = minimum(Interval(0.5) * squared_length(a - b), Interval(0.25));
+  const Interval half_square = Interval(0.5) * squared_length(a - b), dotted = dot(a, b);
+  const Interval cosine = select(dotted > Interval(0.5), Interval(1.0) - half_square, dotted); // as for double
+  const Interval q = minimum(half_square, Interval(0.25));
   // Twice the error of small_power, as in of_rising.
   const auto plain = [s](const OnePlus<double>& base) {
     const double r = small_power(base, s);
