@@ -201,11 +201,11 @@ std::vector<HashedScene> hashed_scenes() {
   scenes.push_back({"texture-trilinear", textured(TextureFilter::trilinear)});
   scenes.push_back({"small-triangles", with(lit(), {object(shared(sphere_mesh(300, 150)), {}, {20, 0, 20}, Double3(0.9),
                                                            glossy<Phong>({1, 1, 1}, {}, 1))})});
-  scenes.push_back({"thrown-triangles", thrown(2000)});
+  scenes.push_back({"thrown-triangles", thrown(400)});
   scenes.push_back({"extremes", extremes()});
   scenes.push_back({"many-lights", many_lights()});
   for (const int samples : {2, 4, 8, 16})
-    scenes.push_back({"samples-" + std::to_string(samples), thrown(300), samples});
+    scenes.push_back({"samples-" + std::to_string(samples), thrown(100), samples});
   return scenes;
 }
 
