@@ -22,6 +22,11 @@ public:
   }
   int below(int n) { return static_cast<int>(bits() % static_cast<std::uint64_t>(n)); }
   double uniform(double lo, double hi) { return lo + (hi - lo) * static_cast<double>(bits() >> 11) * 0x1p-53; }
+  /// In [-1, 1]^3. Drawn one after the other: compilers do not agree on the order in which they compute arguments.
+  Double3 in_cube() {
+    const double x = uniform(-1, 1), y = uniform(-1, 1), z = uniform(-1, 1);
+    return {x, y, z};
+  }
 
 private:
   std::uint64_t state_;
@@ -110,14 +115,13 @@ Scene thrown(int triangles) {
   for (int i = 0; i < triangles; ++i) {
     const auto first = static_cast<std::uint32_t>(mesh.positions.size());
     const double size = 0.01 * static_cast<double>(1 << random.below(12)); // up to 20
-    const auto spread = [&](double reach) {
-      return Double3(random.uniform(-reach, reach), random.uniform(-reach, reach), random.uniform(-reach, reach));
-    };
+    const auto spread = [&](double reach) { return reach * random.in_cube(); };
     const Double3 centre = spread(4);
     for (int k = 0; k < 3; ++k) {
       mesh.positions.emplace_back(centre + spread(size));
       mesh.normals.emplace_back(spread(1));
-      mesh.uvs.emplace_back(static_cast<float>(random.uniform(-3, 3)), static_cast<float>(random.uniform(-3, 3)));
+      const Double3 uv = 3.0 * random.in_cube();
+      mesh.uvs.emplace_back(uv.x, uv.y);
     }
     mesh.triangles.push_back({first, first + 1, first + 2});
   }
@@ -167,9 +171,9 @@ Scene many_lights() {
   Random random(3);
   Scene scene = lit();
   for (int i = 0; i < 100; ++i) {
-    const auto any = [&] { return Double3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)); };
-    scene.point_lights.push_back({4.0 * any(), Double3(0.1) + 0.05 * any(), 1, 0, 0.3});
-    scene.direction_lights.push_back({any() - Double3(0, 2, 0), Double3(0.01)});
+    const Double3 position = 4.0 * random.in_cube(), tint = random.in_cube(), direction = random.in_cube();
+    scene.point_lights.push_back({position, Double3(0.1) + 0.05 * tint, 1, 0, 0.3});
+    scene.direction_lights.push_back({direction - Double3(0, 2, 0), Double3(0.01)});
   }
   return with(scene, {object(shared(torus_mesh(20, 10, 0.4)), {}, {70, 0, 10}, Double3(1),
                              glossy<Phong>({0.5, 0.5, 0.5}, {0.5, 0.5, 0.5}, 8))});
