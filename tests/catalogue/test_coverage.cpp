@@ -260,7 +260,8 @@ TEST_CASE("C8: every sample of a pixel is covered once, also on its border; equa
       CHECK(not_once(jittered_grid(90, 90, 1, random), 90, 90, place) == 0);
     }
   // #12 and #15 of 16 lie on the left and the top border of their pixel: an edge along it, seen from both sides.
-  for (const auto& [number, x, y] : {std::tuple(12, 0, 128), std::tuple(15, 16, 0)}) {
+  for (const auto& border : {std::tuple(12, 0, 128), std::tuple(15, 16, 0)}) {
+    const int number = std::get<0>(border), x = std::get<1>(border), y = std::get<2>(border);
     const SamplePlace place = sample_pattern(16)[static_cast<std::size_t>(number)];
     CHECK(place.x == x);
     CHECK(place.y == y);
@@ -329,7 +330,8 @@ TEST_CASE("C10: derivatives are the plane's own: no neighbour is asked, and none
   const WindowScene window(16, 0.25, 64);
   const auto on_plane = [&](double x, double y) { return window.place(x, y, 8 / (y - 8)); };
   const Frame whole = seen({on_plane(-8, 16), on_plane(24, 16), on_plane(8, 8.5)}, {});
-  for (const auto& [px, py] : {std::pair(8, 15), std::pair(7, 11), std::pair(0, 15), std::pair(15, 15)}) {
+  for (const auto& pixel : {std::pair(8, 15), std::pair(7, 11), std::pair(0, 15), std::pair(15, 15)}) {
+    const int px = pixel.first, py = pixel.second;
     CAPTURE(px);
     CAPTURE(py);
     REQUIRE(is_drawn(whole, px, py));

@@ -67,11 +67,12 @@ TEST_CASE("every row of the catalogue has a test of its name, and docs/extremes.
     }
   CHECK(tested.size() == rows);
   CHECK(documented.size() == rows);
-  for (const auto& [row, names] : documented) {
+  for (const auto& documented_row : documented) {
+    const std::string& row = documented_row.first;
     CAPTURE(row);
     const auto in_sources = tested.find(row);
     REQUIRE(in_sources != tested.end());
-    CHECK(names == in_sources->second);
+    CHECK(documented_row.second == in_sources->second);
   }
   MESSAGE("rows of the catalogue: " << rows);
 }

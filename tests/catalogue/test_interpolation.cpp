@@ -276,8 +276,8 @@ TEST_CASE("I6: a texture coordinate of 1e7 is taken as the float it is, and repe
 
 TEST_CASE_TEMPLATE("I7: at texel borders the texel is the floor of the exact coordinate, and -1e-9 is in the last one",
                    F, double, float) {
-  for (const auto& [width, height] :
-       {std::pair(1, 1), std::pair(3, 5), std::pair(4, 2), std::pair(7, 1), std::pair(640, 480)}) {
+  for (const auto& size : {std::pair(1, 1), std::pair(3, 5), std::pair(4, 2), std::pair(7, 1), std::pair(640, 480)}) {
+    const int width = size.first, height = size.second;
     CAPTURE(width);
     const auto texture = index_texture(width, height);
     std::vector<double> coordinates = {0,     -0.0, 1,      -1,       2,     0.5,    -0.5,
