@@ -1,5 +1,6 @@
 #include "bench/precision/page.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -40,14 +41,14 @@ std::string measured(const Error& error) {
 
 template <class Bound>
 std::string cell(const Error& error, const Bound& bound) {
-  return joined({measured(error), " ", bound_text(bound), " | "});
+  return joined({" ", measured(error), " ", bound_text(bound), " |"});
 }
 
 std::string functions_table(const std::vector<FunctionRow>& rows) {
   std::string table = "| function | arguments | double | float |\n|---|---|---|---|\n";
   for (const FunctionRow& row : rows)
-    table += row_name(row.function, row.inputs) + " " + cell(row.double_ulp, row.double_bound) +
-             (row.has_float ? cell(row.float_ulp, row.float_bound) : "— |") + "\n";
+    table += row_name(row.function, row.inputs) + cell(row.double_ulp, row.double_bound) +
+             (row.has_float ? cell(row.float_ulp, row.float_bound) : " — |") + "\n";
   return table;
 }
 
@@ -56,10 +57,10 @@ std::string shading_table(const std::vector<ShadingRow>& rows) {
       "| function | inputs | double, ulp of the terms | float, ulp of the terms | double, ulp of the result "
       "| float, ulp of the result | float − double |\n|---|---|---|---|---|---|---|\n";
   for (const ShadingRow& row : rows) {
-    table += row_name(row.bound.model, row.bound.inputs) + " " + cell(row.double_terms, row.bound.double_terms) +
+    table += row_name(row.bound.model, row.bound.inputs) + cell(row.double_terms, row.bound.double_terms) +
              cell(row.float_terms, row.bound.float_terms) + cell(row.double_result, row.bound.double_result) +
-             cell(row.float_result, row.bound.float_result) + measured(row.float_from_double) + " ≤ " +
-             number(row.bound.float_from_double) + " |\n";
+             cell(row.float_result, row.bound.float_result) +
+             joined({" ", measured(row.float_from_double), " ≤ ", number(row.bound.float_from_double), " |\n"});
   }
   return table;
 }
@@ -77,8 +78,33 @@ std::string borders_table(const std::vector<ShadingRow>& rows) {
 std::string coordinates_table(const std::vector<CoordinateRow>& rows) {
   std::string table = "| coordinate | inputs | double, bins | float, bins |\n|---|---|---|---|\n";
   for (const CoordinateRow& row : rows)
-    table += row_name(joined({row.bound.coordinate, " ", row.bound.method}), row.bound.inputs) + " " +
+    table += row_name(joined({row.bound.coordinate, " ", row.bound.method}), row.bound.inputs) +
              cell(row.double_bins, row.bound.double_bins) + cell(row.float_bins, row.bound.float_bins) + "\n";
+  return table;
+}
+
+/// What the constants promise of the goals.
+std::string goals_table() {
+  const auto bound = [](std::string_view model) {
+    return *std::find_if(std::begin(precision_bounds), std::end(precision_bounds),
+                         [&](const PrecisionBound& one) { return one.model == model && one.inputs == "ordinary"; });
+  };
+  const auto bins = [](std::string_view coordinate, std::string_view inputs) {
+    return std::find_if(std::begin(coordinate_bounds), std::end(coordinate_bounds),
+                        [&](const CoordinateBound& one) {
+                          return one.coordinate == coordinate && one.method == "closed" && one.inputs == inputs;
+                        })
+        ->float_bins.max;
+  };
+  std::string table = "| ordinary inputs | double, ulp of the terms | double, ulp of the result | float − double |\n"
+                      "|---|---|---|---|\n";
+  for (const std::string_view model : {"phong", "blinn_phong", "merl trilinear"})
+    table += joined({"| ", model, " | ≤ ", number(bound(model).double_terms.max), " | ≤ ",
+                     number(bound(model).double_result.max), " | ≤ ", number(bound(model).float_from_double), " |\n"});
+  table += "\n| float, bins | directions anywhere above the surface | specular |\n|---|---|---|\n";
+  for (const std::string_view coordinate : {"u", "v", "w sin θh sin θd"})
+    table += joined({"| ", coordinate, " | ≤ ", number(bins(coordinate, "uniform")), " | ≤ ",
+                     number(bins(coordinate, "specular")), " |\n"});
   return table;
 }
 
@@ -98,14 +124,8 @@ std::string worst_inputs(const Measurements& all) {
     text += worst_line(name, row.bound.inputs, "float", row.float_bins);
   }
   for (const ShadingRow& row : all.shading) {
-    const auto add = [&](const char* kind, const Error& error) {
-      text += worst_line(row.bound.model, row.bound.inputs, kind, error);
-    };
-    add("double, terms", row.double_terms);
-    add("float, terms", row.float_terms);
-    add("double, result", row.double_result);
-    add("float, result", row.float_result);
-    add("float - double", row.float_from_double);
+    text += worst_line(row.bound.model, row.bound.inputs, "double", row.double_terms);
+    text += worst_line(row.bound.model, row.bound.inputs, "float", row.float_terms);
   }
   return text + "```\n";
 }
@@ -144,6 +164,7 @@ std::string row_name(std::string_view what, std::string_view inputs) {
 std::string updated_page(std::string page, const Measurements& measured) {
   std::vector<ShadingRow> phong, merl;
   for (const ShadingRow& row : measured.shading) (row.bound.model.starts_with("merl") ? merl : phong).push_back(row);
+  replace_part(page, "goals", goals_table());
   replace_part(page, "functions", functions_table(measured.functions));
   replace_part(page, "phong", shading_table(phong));
   replace_part(page, "merl", shading_table(merl));

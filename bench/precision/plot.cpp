@@ -82,7 +82,7 @@ std::string highlight_plot(std::span<const HighlightPoint> points) {
   svg += label(x_axis.a, 24, "start", "#333", "MERL coordinate u in float: largest (solid) and median (dashed) error");
   svg += label(x_axis(first_bin) + 6, y_axis(-6.8) + 4, "start", "#666", "first bin ends");
   svg += label(x_axis(-6.9), y_axis(-0.95), "start", "#d55e00", "acos(n·h)");
-  svg += label(x_axis(-7.8), y_axis(-3.5), "start", "#0072b2", "closed form: atan2(|n × s|, n·s)");
+  svg += label(x_axis(-7.8), y_axis(-4.4), "start", "#0072b2", "closed form: atan2(|n × s|, n·s)");
   return svg + "</svg>\n";
 }
 
