@@ -27,6 +27,13 @@ void add(FrameCounts& sum, const FrameCounts& part) {
   sum.undefined += part.undefined;
 }
 
+void add(TileSeconds& sum, const TileSeconds& part) {
+  sum.visibility += part.visibility;
+  sum.surfaces += part.surfaces;
+  sum.shading += part.shading;
+  sum.resolve += part.resolve;
+}
+
 bool cancelled(const RenderOptions& options) {
   return options.cancel && options.cancel->load(std::memory_order_relaxed);
 }
@@ -37,6 +44,7 @@ void shade_tiles(const FrameContext& context, const TileGrid& grid, std::span<co
                  Frame& frame) {
   const auto tiles = static_cast<std::ptrdiff_t>(grid.tiles());
   std::vector<FrameCounts> counts(static_cast<std::size_t>(threads));
+  std::vector<TileSeconds> seconds(static_cast<std::size_t>(threads));
   std::atomic<std::ptrdiff_t> done{0};
 #pragma omp parallel num_threads(threads)
   {
@@ -49,14 +57,17 @@ void shade_tiles(const FrameContext& context, const TileGrid& grid, std::span<co
       const auto index = static_cast<std::size_t>(i);
       const Crop tile = grid.tile(index);
       const std::span<const std::uint32_t> triangles = context.bins.of(index);
+      const auto start = Clock::now();
       visibility.decide(context.scene, context.geometry, context.bins, triangles, tile, samples);
-      shader->shade(context, {tile, triangles, visibility}, frame, counts[thread]);
+      seconds[thread].visibility += seconds_since(start);
+      shader->shade(context, {tile, triangles, visibility}, frame, {counts[thread], seconds[thread]});
       const std::ptrdiff_t now_done = ++done;
       if (thread == 0 && context.options.progress)
         context.options.progress(static_cast<double>(now_done) / static_cast<double>(tiles));
     }
   }
   for (const FrameCounts& part : counts) add(frame.counts, part);
+  for (const TileSeconds& part : seconds) add(frame.tile_seconds, part);
 }
 
 } // namespace

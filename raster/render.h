@@ -56,6 +56,15 @@ struct StageSeconds {
   double transform = 0, bin = 0, tiles = 0, total = 0;
 };
 
+/// What the tiles' time was spent on: seconds of each thread, added up.
+struct TileSeconds {
+  double visibility = 0; // coverage and depth
+  double surfaces = 0;   // listing what is visible, and setting it up for interpolation
+  double shading = 0;    // interpolation and fragment functions
+  double resolve = 0;    // averaging samples, writing pixels
+  double sum() const { return visibility + surfaces + shading + resolve; }
+};
+
 /// What a frame met. The same for every thread count and tile size.
 struct FrameCounts {
   std::uint64_t triangles = 0;       // in the scene
@@ -79,6 +88,7 @@ struct Frame {
   std::vector<Image<float>> aovs; // in the order of RenderOptions::aovs
   FrameCounts counts;
   StageSeconds seconds;
+  TileSeconds tile_seconds;
   int threads = 0; // used
   bool cancelled = false;
 };

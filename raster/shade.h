@@ -28,13 +28,20 @@ struct VisibleTile {
   const TileVisibility& visibility;
 };
 
+/// What a thread counts and times, tile after tile.
+struct TileMeasures {
+  FrameCounts& counts;
+  TileSeconds& seconds;
+};
+
 /// Shades tiles one after the other. Holds scratch memory: one for each thread.
 class TileShader {
 public:
   virtual ~TileShader() = default;
   /// Shades each fragment of the tile once, resolves the samples, and writes the tile's pixels to the images that
-  /// `frame` holds; adds to `counts`. Values are finite.
-  virtual void shade(const FrameContext& context, const VisibleTile& visible, Frame& frame, FrameCounts& counts) = 0;
+  /// `frame` holds; adds to `measures`. Values are finite.
+  virtual void shade(const FrameContext& context, const VisibleTile& visible, Frame& frame,
+                     const TileMeasures& measures) = 0;
 };
 
 /// For a rung by its name; null if there is none of that name.

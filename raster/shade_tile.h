@@ -6,6 +6,8 @@
 #include "raster/shade.h"
 #include "raster/shade_packet.h"
 
+#include <chrono>
+#include <utility>
 #include <variant>
 
 namespace refraster {
@@ -13,10 +15,18 @@ namespace refraster {
 template <class T>
 class TileShaderOf final : public TileShader {
 public:
-  void shade(const FrameContext& context, const VisibleTile& visible, Frame& frame, FrameCounts& counts) override {
+  void shade(const FrameContext& context, const VisibleTile& visible, Frame& frame,
+             const TileMeasures& measures) override {
+    FrameCounts& counts = measures.counts;
+    auto now = std::chrono::steady_clock::now();
+    const auto lap = [&now](double& sum) {
+      const auto before = std::exchange(now, std::chrono::steady_clock::now());
+      sum += std::chrono::duration<double>(now - before).count();
+    };
     list_runs(visible.visibility, visible.tile, context.options.samples, runs_);
     const std::uint32_t fragments =
         surfaces_.collect(context.scene, context.geometry, context.bins, visible.triangles, runs_);
+    lap(measures.seconds.surfaces);
     colours_.resize(fragments);
     for (const auto& group : surfaces_.groups()) {
       const Material& material = context.scene.objects[group.object].material;
@@ -25,9 +35,11 @@ public:
       counts.lane_slots += (group.fragments + lanes - 1) / lanes * lanes;
     }
     counts.fragments += fragments;
+    lap(measures.seconds.shading);
     resolver_.resolve(context, visible.tile, runs_, colours_, frame, counts);
     for (std::size_t i = 0; i < context.options.aovs.size(); ++i)
       write_aov(context, visible, runs_, context.options.aovs[i], frame.aovs[i]);
+    lap(measures.seconds.resolve);
   }
 
 private:
