@@ -58,9 +58,7 @@ void write_aov(const FrameContext& context, const VisibleTile& visible, std::spa
           pixel(x, y)[channel] = static_cast<float>(value(lane));
         }
       };
-      const auto triangle = [&](int lane) -> const Triangle& {
-        return *packet.triangle[static_cast<std::size_t>(lane)];
-      };
+      const auto triangle = [&](int lane) -> const Triangle& { return packet.triangle(lane); };
       const auto put3 = [&](const Vec3<T>& v) {
         for (int c = 0; c < 3; ++c) put(c, [&](int lane) { return v[c][lane]; });
       };
@@ -85,7 +83,10 @@ void write_aov(const FrameContext& context, const VisibleTile& visible, std::spa
         const PacketBarycentrics<T> at = barycentrics<Derivatives::no>(data);
         for (int c = 0; c < 2; ++c) {
           const T fraction = interpolated_uv(data, c, at);
-          put(c, [&](int lane) { return fraction[lane] + triangle(lane).uv_whole[static_cast<std::size_t>(c)]; });
+          put(c, [&](int lane) {
+            return fraction[lane] +
+                   whole_repeats(context.scene, context.geometry, triangle(lane).number)[static_cast<std::size_t>(c)];
+          });
         }
         break;
       }

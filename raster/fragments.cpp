@@ -56,6 +56,7 @@ template <class Real>
 std::uint32_t TileSurfaces<Real>::collect(const Scene& scene, const Geometry& geometry, const Bins& bins,
                                           std::span<const std::uint32_t> triangles, std::span<FragmentRun> runs) {
   surfaces_.clear();
+  large_lines_.clear();
   groups_.clear();
   group_of_surface_.clear();
   runs_of_surface_.clear();
@@ -64,8 +65,8 @@ std::uint32_t TileSurfaces<Real>::collect(const Scene& scene, const Geometry& ge
     std::int32_t& surface = surface_of_[static_cast<std::size_t>(run.place)];
     if (surface < 0) {
       surface = static_cast<std::int32_t>(surfaces_.size());
-      surfaces_.push_back(
-          surface_triangle<Real>(scene, geometry, bins, triangles[static_cast<std::size_t>(run.place)]));
+      set_up_surface<Real>(scene, geometry, bins, triangles[static_cast<std::size_t>(run.place)],
+                           surfaces_.emplace_back(), large_lines_);
       group_of_surface_.push_back(static_cast<std::uint32_t>(group_of(surfaces_.back().object)));
       runs_of_surface_.push_back(0);
     }

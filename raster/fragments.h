@@ -4,8 +4,11 @@
 #include "raster/surface.h"
 #include "raster/visibility.h"
 
+#include <algorithm>
 #include <cstdint>
+#include <deque>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace refraster {
@@ -42,12 +45,13 @@ public:
 
   std::span<const Group> groups() const { return groups_; }
   std::span<const FragmentRun> sorted() const { return sorted_; } // `place` is the surface's
-  const SurfaceTriangle<Real>& surface(std::int32_t place) const { return surfaces_[static_cast<std::size_t>(place)]; }
+  const SurfaceTriangle<Real>* surfaces() const { return surfaces_.data(); }
 
 private:
   std::size_t group_of(std::uint32_t object);
 
   std::vector<SurfaceTriangle<Real>> surfaces_;
+  std::deque<LargeLines> large_lines_;
   std::vector<std::int32_t> surface_of_; // for each place in the tile's list; -1: not visible
   std::vector<std::uint32_t> group_of_surface_, runs_of_surface_;
   std::vector<std::uint32_t> next_; // per surface: where its next run goes in sorted_
@@ -58,14 +62,48 @@ private:
 extern template class TileSurfaces<double>;
 extern template class TileSurfaces<float>;
 
+/// Whether a packet's fragments lie in one triangle: its data are then broadcast to all lanes, else read for each.
+enum class Triangles { one, many };
+
 /// As many fragments as T has lanes, of one material.
 template <class T>
 struct Packet {
   static constexpr int lanes = NumberTraits<T>::lanes;
   using Real = RealOf<T>;
-  std::array<const SurfaceTriangle<Real>*, lanes> triangle;
-  std::array<std::int32_t, lanes> x, y; // pixel centres, subpixels of the window
-  int count = 0;                        // lanes in use; the others repeat the last one
+  using Ints = VectorOf<std::int32_t, lanes>;
+
+  const SurfaceTriangle<Real>* surfaces = nullptr; // the tile's
+  Ints surface{};                                  // which of them each lane sees
+  Ints x{}, y{};                                   // pixel centres, subpixels of the window
+  int count = 0;                                   // lanes in use; the others repeat the last one
+  Triangles triangles = Triangles::one;
+  LineKind lines = LineKind::wrapped; // the greatest of all lanes
+
+  const SurfaceTriangle<Real>& triangle(int lane) const { return surfaces[surface[lane]]; }
+
+  /// Puts `pixels` neighbours, x_first and on, into the lanes from `count` on. The lanes after them repeat the last.
+  void append(std::int32_t place, std::int32_t x_first, std::int32_t y_all, int pixels) {
+    const LineKind kind = surfaces[place].kind();
+    if (count == 0) triangles = Triangles::one, lines = kind;
+    else {
+      if (surface[count - 1] != place) triangles = Triangles::many;
+      lines = std::max(lines, kind);
+    }
+    const Ints after = lane_numbers() - count; // 0 in the first new lane
+    const Ints clamped = after < pixels - 1 ? after : pixels - 1 - Ints{};
+    surface = after < 0 ? surface : place - Ints{};
+    x = after < 0 ? x : x_first + clamped * subpixels;
+    y = after < 0 ? y : y_all - Ints{};
+    count += pixels;
+  }
+
+private:
+  static Ints lane_numbers() {
+    return [&]<int... I>(std::integer_sequence<int, I...>) {
+      return Ints{I...};
+    }
+    (std::make_integer_sequence<int, lanes>{});
+  }
 };
 
 /// Calls body(packet, number of its first fragment) for all fragments of a group, in order. Formulas are total, so that
@@ -75,37 +113,24 @@ void for_each_packet(const TileSurfaces<RealOf<T>>& surfaces, const typename Til
                      const Crop& tile, Body&& body) {
   constexpr int lanes = NumberTraits<T>::lanes;
   Packet<T> packet;
+  packet.surfaces = surfaces.surfaces();
   std::uint32_t first = 0;
   const std::span<const FragmentRun> runs = surfaces.sorted().subspan(group.begin_run, group.end_run - group.begin_run);
   for (const FragmentRun& run : runs) {
-    const SurfaceTriangle<RealOf<T>>* const triangle = &surfaces.surface(run.place);
     const std::int32_t left = (tile.x + run.x) * subpixels + subpixels / 2;
     const std::int32_t y = (tile.y + run.y) * subpixels + subpixels / 2;
     for (int done = 0; done < run.length;) {
       if (packet.count == 0) first = run.first_fragment + static_cast<std::uint32_t>(done);
       const int here = std::min(run.length - done, lanes - packet.count);
-      for (int i = 0; i < here; ++i) {
-        const auto lane = static_cast<std::size_t>(packet.count + i);
-        packet.triangle[lane] = triangle;
-        packet.x[lane] = left + (done + i) * subpixels;
-        packet.y[lane] = y;
-      }
+      packet.append(run.place, left + done * subpixels, y, here);
       done += here;
-      packet.count += here;
       if (packet.count == lanes) {
-        body(packet, first);
+        body(std::as_const(packet), first);
         packet.count = 0;
       }
     }
   }
-  if (packet.count == 0) return;
-  const auto last = static_cast<std::size_t>(packet.count - 1);
-  for (std::size_t lane = last + 1; lane < static_cast<std::size_t>(lanes); ++lane) {
-    packet.triangle[lane] = packet.triangle[last];
-    packet.x[lane] = packet.x[last];
-    packet.y[lane] = packet.y[last];
-  }
-  body(packet, first);
+  if (packet.count > 0) body(std::as_const(packet), first);
 }
 
 } // namespace refraster

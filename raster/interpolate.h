@@ -1,16 +1,36 @@
 #pragma once
 // Perspective-correct interpolation of a packet of fragments. Here the rung begins.
 
+#include "math/rows.h"
 #include "raster/fragments.h"
 
-#include <algorithm>
 #include <array>
-#include <cstring>
+#include <bit>
+#include <type_traits>
 
 namespace refraster {
 
-/// Whether a packet's fragments lie in one triangle: its data are then broadcast to all lanes, else gathered.
-enum class Triangles { one, many };
+/// f(x, y) of integers x and y in double, as many lanes at a time as a register of doubles holds; each lane of the
+/// result rounded once.
+template <class T, class Function>
+T computed_in_double(const Function& f, const typename Packet<T>::Ints& x, const typename Packet<T>::Ints& y) {
+  constexpr int lanes = NumberTraits<T>::lanes;
+  constexpr int part_lanes = std::min(lanes, NumberTraits<Native<double>>::lanes);
+  using Part = Wide<double, part_lanes>;
+  const auto part = [&](auto first) {
+    const auto lanes_of = [&](const auto& ints) {
+      return [&]<int... I>(std::integer_sequence<int, I...>) {
+        return Part(
+            __builtin_convertvector(__builtin_shufflevector(ints, ints, (first() + I)...), typename Part::Lanes));
+      }
+      (std::make_integer_sequence<int, part_lanes>{});
+    };
+    return Wide<RealOf<T>, part_lanes>(
+        __builtin_convertvector(f(lanes_of(x), lanes_of(y)).v, VectorOf<RealOf<T>, part_lanes>));
+  };
+  if constexpr (part_lanes == lanes) return part(std::integral_constant<int, 0>{});
+  else return joined(part(std::integral_constant<int, 0>{}), part(std::integral_constant<int, part_lanes>{}));
+}
 
 /// The numbers of a packet's triangles, each in its lane.
 template <class T, Triangles triangles>
@@ -18,71 +38,43 @@ class PacketData {
 public:
   static constexpr int lanes = NumberTraits<T>::lanes;
   using Real = RealOf<T>;
-  // Line values are exact in double. Float packets have twice as many lanes as a register of doubles: they go by parts.
-  static constexpr int part_lanes = std::min(lanes, NumberTraits<Native<double>>::lanes);
-  static constexpr int parts = lanes / part_lanes;
-  using Exact = Wide<double, part_lanes>;
+  using Row = std::array<T, 4>;
+  using Ints = typename Packet<T>::Ints;
 
-  explicit PacketData(const Packet<T>& packet) : packet_(packet), base_(packet.triangle[0]) {
+  explicit PacketData(const Packet<T>& packet) : packet_(packet) {
     if constexpr (triangles == Triangles::many)
-      for (int lane = 0; lane < lanes; ++lane)
-        step_[lane] = static_cast<std::int32_t>(packet.triangle[static_cast<std::size_t>(lane)] - base_);
+      for (int lane = 0; lane < lanes; ++lane) at_[static_cast<std::size_t>(lane)] = &packet.triangle(lane);
+    else at_[0] = &packet.triangle(0);
   }
 
-  T value(int i) const {
-    const Real* const at = base_->value.data() + i;
-    if constexpr (triangles == Triangles::one) return T(*at);
-    else return gather<Real, lanes>(at, step_ * static_cast<std::int32_t>(sizeof *base_ / sizeof(Real)));
-  }
-  /// Coefficient i of the lines, of the lanes in a part.
-  Exact line(int i, int part) const {
-    const double* const at = base_->line.data() + i;
-    if constexpr (triangles == Triangles::one) return Exact(*at);
-    else
-      return gather<double, part_lanes>(at, part_of(step_, part) *
-                                                static_cast<std::int32_t>(sizeof *base_ / sizeof(double)));
-  }
-  /// The pixel centres of the lanes in a part.
-  Exact x(int part) const { return in_double(packet_.x.data() + part * part_lanes); }
-  Exact y(int part) const { return in_double(packet_.y.data() + part * part_lanes); }
-
-  /// Component c of an attribute, with weights b1, b2 of the corners that are not the anchor.
-  T interpolated(Attribute attribute, int c, const T& b1, const T& b2) const {
-    return value(static_cast<int>(attribute) + c) + changed(attribute, c, b1, b2);
-  }
-  /// How an attribute changes when the weights change by b1, b2.
-  T changed(Attribute attribute, int c, const T& b1, const T& b2) const {
-    const int at = static_cast<int>(attribute) + c, n = components(attribute);
-    return b1 * value(at + n) + b2 * value(at + 2 * n);
-  }
-
-  /// The parts put together, each lane rounded once.
-  static T rounded(const std::array<Exact, parts>& exact) {
-    const auto narrow = [](const Exact& e) {
-      return Wide<Real, part_lanes>(__builtin_convertvector(e.v, VectorOf<Real, part_lanes>));
+  /// A row of SurfaceTriangle.
+  Row row(int r) const {
+    const auto place = [&](int lane) {
+      return at_[static_cast<std::size_t>(lane)]->row[static_cast<std::size_t>(r)].data();
     };
-    if constexpr (parts == 1) return narrow(exact[0]);
-    else return joined(narrow(exact[0]), narrow(exact[1]));
+    if constexpr (triangles == Triangles::many) return gather_rows<Real, lanes>(place);
+    else return {T(place(0)[0]), T(place(0)[1]), T(place(0)[2]), T(place(0)[3])};
+  }
+  /// a, b, c of a wrapped line.
+  std::array<Ints, 3> line(int k) const {
+    const auto place = [&](int lane) {
+      return &at_[static_cast<std::size_t>(lane)]->line[static_cast<std::size_t>(k)];
+    };
+    if constexpr (triangles == Triangles::many) {
+      // Only moved about, never computed with: any bits are good floats.
+      const auto bits =
+          gather_rows<float, lanes>([&](int lane) { return reinterpret_cast<const float*>(place(lane)); });
+      return {std::bit_cast<Ints>(bits[0]), std::bit_cast<Ints>(bits[1]), std::bit_cast<Ints>(bits[2])};
+    } else {
+      return {place(0)->a - Ints{}, place(0)->b - Ints{}, place(0)->c - Ints{}};
+    }
   }
 
   const Packet<T>& packet() const { return packet_; }
 
 private:
-  using PartInts = VectorOf<std::int32_t, part_lanes>;
-  static PartInts part_of(const VectorOf<std::int32_t, lanes>& ints, int part) {
-    PartInts result;
-    std::memcpy(&result, reinterpret_cast<const std::int32_t*>(&ints) + part * part_lanes, sizeof result);
-    return result;
-  }
-  static Exact in_double(const std::int32_t* ints) {
-    PartInts part;
-    std::memcpy(&part, ints, sizeof part);
-    return __builtin_convertvector(part, typename Exact::Lanes);
-  }
-
   const Packet<T>& packet_;
-  const SurfaceTriangle<Real>* base_;
-  VectorOf<std::int32_t, lanes> step_{};
+  std::array<const SurfaceTriangle<Real>*, triangles == Triangles::many ? lanes : 1> at_;
 };
 
 /// Whether changes by one pixel are asked for.
@@ -97,61 +89,86 @@ struct LineValues {
 
 template <Derivatives derivatives, class T, Triangles triangles>
 LineValues<T> line_values(const PacketData<T, triangles>& data) {
-  using Data = PacketData<T, triangles>;
-  using Parts = std::array<typename Data::Exact, Data::parts>;
+  using Ints = typename Packet<T>::Ints;
+  using Unsigned = VectorOf<std::uint32_t, NumberTraits<T>::lanes>; // which may overflow
+  const auto rounded = [](const Unsigned& bits) {
+    return T(__builtin_convertvector(std::bit_cast<Ints>(bits), typename T::Lanes));
+  };
   LineValues<T> lines;
+  const auto x = std::bit_cast<Unsigned>(data.packet().x), y = std::bit_cast<Unsigned>(data.packet().y);
   for (int k = 0; k < 3; ++k) {
-    Parts value, right, down;
-    for (int part = 0; part < Data::parts; ++part) {
-      const auto p = static_cast<std::size_t>(part);
-      const auto a = data.line(3 * k, part), b = data.line(3 * k + 1, part);
-      value[p] = a * data.x(part) + (b * data.y(part) + data.line(3 * k + 2, part));
-      if constexpr (derivatives == Derivatives::yes) {
-        right[p] = a * typename Data::Exact(subpixels);
-        down[p] = b * typename Data::Exact(subpixels);
-      }
-    }
+    const std::array<Ints, 3> line = data.line(k);
+    const auto a = std::bit_cast<Unsigned>(line[0]), b = std::bit_cast<Unsigned>(line[1]);
     const auto i = static_cast<std::size_t>(k);
-    lines.value[i] = Data::rounded(value);
+    lines.value[i] = rounded(a * x + b * y + std::bit_cast<Unsigned>(line[2]));
     if constexpr (derivatives == Derivatives::yes) {
-      lines.right[i] = Data::rounded(right);
-      lines.down[i] = Data::rounded(down);
+      lines.right[i] = rounded(a * subpixels);
+      lines.down[i] = rounded(b * subpixels);
     }
   }
   return lines;
 }
 
-/// The same where a triangle of the packet is projective: lane by lane. Kept out of line: few packets come here.
+/// The same for a packet that lies in one large triangle: in double, exact, and then rounded once.
+template <Derivatives derivatives, class T>
+LineValues<T> large_line_values(const Packet<T>& packet) {
+  const std::array<SnappedLine, 3>& line = packet.triangle(0).large->line;
+  LineValues<T> lines;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto a = static_cast<double>(line[k].a), b = static_cast<double>(line[k].b),
+               c = static_cast<double>(line[k].c);
+    lines.value[k] = computed_in_double<T>(
+        [&](const auto& x, const auto& y) {
+          using Part = std::decay_t<decltype(x)>;
+          return Part(a) * x + (Part(b) * y + Part(c));
+        },
+        packet.x, packet.y);
+    if constexpr (derivatives == Derivatives::yes) {
+      lines.right[k] = as<T>(a * subpixels);
+      lines.down[k] = as<T>(b * subpixels);
+    }
+  }
+  return lines;
+}
+
+/// The same for any other packet: lane by lane. Kept out of line: few packets come here.
 template <class T>
-[[gnu::noinline]] LineValues<T> projective_line_values(const Packet<T>& packet) {
+[[gnu::noinline]] LineValues<T> mixed_line_values(const Packet<T>& packet) {
   using Real = RealOf<T>;
   LineValues<T> lines;
   for (int lane = 0; lane < NumberTraits<T>::lanes; ++lane) {
-    const auto l = static_cast<std::size_t>(lane);
-    const auto& t = *packet.triangle[l];
+    const auto& t = packet.triangle(lane);
+    const std::int32_t x = packet.x[lane], y = packet.y[lane];
     std::array<double, 3> value{}, a{}, b{};
-    if (t.projective) {
+    double scale = 1;
+    if (t.kind() == LineKind::projective) {
       // By way of the piece's vertices to the corners: sums of what is not negative.
-      const ProjectivePiece& piece = t.projective->piece_at(packet.x[l], packet.y[l]);
+      const ProjectivePiece& piece = t.projective->piece_at(x, y);
       for (std::size_t v = 0; v < 3; ++v) {
         const ProjectiveLine& line = piece.line[v];
         for (std::size_t k = 0; k < 3; ++k) {
           const double weight = piece.weight[v] * piece.share[v][k];
-          value[k] += static_cast<double>(line.at(packet.x[l], packet.y[l])) * weight;
+          value[k] += static_cast<double>(line.at(x, y)) * weight;
           a[k] += static_cast<double>(line.a) * weight, b[k] += static_cast<double>(line.b) * weight;
         }
       }
+      // The sizes of projective lines differ without bound: bring the largest value near 1 before T rounds it.
+      scale = reciprocal_binade(maximum(magnitude(value[0]), maximum(magnitude(value[1]), magnitude(value[2]))));
     } else {
       for (std::size_t k = 0; k < 3; ++k) {
-        a[k] = t.line[3 * k], b[k] = t.line[3 * k + 1];
-        value[k] = a[k] * packet.x[l] + (b[k] * packet.y[l] + t.line[3 * k + 2]);
+        const WrappedLine& wrapped = t.line[k];
+        // Modulo 2^32 where the triangle is small enough for that.
+        const auto at = [&]() -> std::int64_t {
+          if (t.large) return t.large->line[k].at(x, y);
+          return static_cast<std::int32_t>(static_cast<std::uint32_t>(wrapped.a) * static_cast<std::uint32_t>(x) +
+                                           static_cast<std::uint32_t>(wrapped.b) * static_cast<std::uint32_t>(y) +
+                                           static_cast<std::uint32_t>(wrapped.c));
+        };
+        value[k] = static_cast<double>(at());
+        a[k] = static_cast<double>(t.large ? t.large->line[k].a : wrapped.a);
+        b[k] = static_cast<double>(t.large ? t.large->line[k].b : wrapped.b);
       }
     }
-    // The sizes of projective lines differ without bound: bring the largest value near 1 before T rounds it.
-    const double scale =
-        t.projective
-            ? reciprocal_binade(maximum(magnitude(value[0]), maximum(magnitude(value[1]), magnitude(value[2]))))
-            : 1;
     for (std::size_t k = 0; k < 3; ++k) {
       lines.value[k].set(lane, static_cast<Real>(value[k] * scale));
       lines.right[k].set(lane, static_cast<Real>(a[k] * scale * subpixels));
@@ -177,14 +194,16 @@ struct PacketBarycentrics {
 
 template <Derivatives derivatives, class T, Triangles triangles>
 PacketBarycentrics<T> barycentrics(const PacketData<T, triangles>& data) {
-  bool any_projective = false;
-  for (const auto* t : data.packet().triangle) {
-    any_projective |= t->projective != nullptr;
-    if constexpr (triangles == Triangles::one) break;
-  }
-  const LineValues<T> lines = any_projective ? projective_line_values(data.packet()) : line_values<derivatives>(data);
-  const std::array<T, 3> weight{data.value(0), data.value(1), data.value(2)};
-  const auto weighted = [&](const std::array<T, 3>& values, std::size_t k) { return values[k] * weight[k]; };
+  const auto values = [&]() -> LineValues<T> {
+    if (data.packet().lines == LineKind::wrapped) [[likely]]
+      return line_values<derivatives>(data);
+    if (triangles == Triangles::one && data.packet().lines == LineKind::large)
+      return large_line_values<derivatives>(data.packet());
+    return mixed_line_values(data.packet());
+  };
+  const LineValues<T> lines = values();
+  const std::array<T, 3> weight{data.row(0)[3], data.row(1)[3], data.row(2)[3]};
+  const auto weighted = [&](const std::array<T, 3>& of, std::size_t k) { return of[k] * weight[k]; };
   PacketBarycentrics<T> result;
   const T mu0 = weighted(lines.value, 0), mu1 = weighted(lines.value, 1), mu2 = weighted(lines.value, 2);
   result.inside = minimum(mu0, minimum(mu1, mu2)) >= T(0);
@@ -202,18 +221,31 @@ PacketBarycentrics<T> barycentrics(const PacketData<T, triangles>& data) {
   return result;
 }
 
+/// How a component changes when the weights change by `by`.
+template <class T>
+T changed(const std::array<T, 4>& row, const Barycentric<T>& by) {
+  return by.b1 * row[1] + by.b2 * row[2];
+}
+
+/// Component c of an attribute.
+template <class T, Triangles triangles>
+T interpolated(const PacketData<T, triangles>& data, Attribute attribute, int c, const Barycentric<T>& at) {
+  const std::array<T, 4> row = data.row(static_cast<int>(attribute) + c);
+  return row[0] + changed(row, at);
+}
+
 /// Texture coordinate c; in the triangle kept within the range of its corners': where an edge has the coordinate 0,
 /// rounding would else show the last texel beside the first. NaN stays NaN.
 template <class T, Triangles triangles>
 T interpolated_uv(const PacketData<T, triangles>& data, int c, const PacketBarycentrics<T>& at) {
-  const T uv = data.interpolated(Attribute::uv, c, at.at.b1, at.at.b2);
-  return select(at.inside, minimum(data.value(most_uv + c), maximum(data.value(least_uv + c), uv)), uv);
+  const T uv = interpolated(data, Attribute::uv, c, at.at);
+  return select(at.inside, minimum(data.row(most_uv_row + c)[3], maximum(data.row(least_uv_row + c)[3], uv)), uv);
 }
 
 template <class T, Triangles triangles>
 Vec3<T> interpolated3(const PacketData<T, triangles>& data, Attribute attribute, const Barycentric<T>& at) {
-  return {data.interpolated(attribute, 0, at.b1, at.b2), data.interpolated(attribute, 1, at.b1, at.b2),
-          data.interpolated(attribute, 2, at.b1, at.b2)};
+  return {interpolated(data, attribute, 0, at), interpolated(data, attribute, 1, at),
+          interpolated(data, attribute, 2, at)};
 }
 
 } // namespace refraster

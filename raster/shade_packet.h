@@ -29,7 +29,7 @@ Vec3<T> shading_normal(const Scene& scene, const Geometry& geometry, const Packe
   tally.note(Undefined::zero_normal, zero);
   Vec3<T> own;
   for (int lane = 0; lane < NumberTraits<T>::lanes; ++lane) {
-    const Double3 n = face_normal(scene, geometry, packet.triangle[static_cast<std::size_t>(lane)]->number);
+    const Double3 n = face_normal(scene, geometry, packet.triangle(lane).number);
     const Double3 scaled = n * reciprocal_binade(n);
     own.x.set(lane, static_cast<RealOf<T>>(scaled.x));
     own.y.set(lane, static_cast<RealOf<T>>(scaled.y));
@@ -49,7 +49,8 @@ Rgb<T> texture_colour(const Material& material, const PacketData<T, triangles>& 
   Vec2<T> right(T(0)), down(T(0));
   if (material.texture_filter == TextureFilter::trilinear) {
     const auto change = [&](const Barycentric<T>& by) {
-      return Vec2<T>(data.changed(Attribute::uv, 0, by.b1, by.b2), data.changed(Attribute::uv, 1, by.b1, by.b2));
+      const int first = static_cast<int>(Attribute::uv);
+      return Vec2<T>(changed(data.row(first), by), changed(data.row(first + 1), by));
     };
     right = change(at.right);
     down = change(at.down);

@@ -52,8 +52,7 @@ private:
                    const Group& group, FrameCounts& counts) {
     for_each_packet<T>(surfaces_, group, tile, [&](const Packet<T>& packet, std::uint32_t first) {
       const UndefinedTally<T> tally(counts.undefined, first_lanes<Real, NumberTraits<T>::lanes>(packet.count));
-      const auto same = [&](const auto* triangle) { return triangle == packet.triangle[0]; };
-      const Rgb<T> rgb = std::all_of(packet.triangle.begin(), packet.triangle.end(), same)
+      const Rgb<T> rgb = packet.triangles == Triangles::one
                              ? shaded(context, material, model, PacketData<T, Triangles::one>(packet), tally)
                              : shaded(context, material, model, PacketData<T, Triangles::many>(packet), tally);
       colours_.store(first, packet.count, rgb);

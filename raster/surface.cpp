@@ -1,97 +1,189 @@
 #include "raster/surface.h"
 
+#include "math/rows.h"
 #include "math/twofold.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstring>
 
 namespace refraster {
 
 namespace {
+
 // Line values lie between 1 and 2^52: above this no product of value and weight is subnormal, so that scaling by a
 // power of two, as in a packet that holds a projective triangle, changes no digit.
 template <class Real>
 constexpr double least_weight = sizeof(Real) == 4 ? 0x1p-70 : 0x1p-900;
+
+// Which submitted vertex stands at each place: in the order of set_up_snapped, by x and then y. Keys hold both, and the
+// corner's number, so that no branch is needed: the order of corners is as good as random.
+std::array<std::uint8_t, 3> sorted_corners(const std::array<WindowVertex, 3>& v) {
+  constexpr std::int64_t bias = std::int64_t{1} << 25; // both in [-2^24, 2^24]
+  const auto key = [&](std::size_t k) {
+    return (v[k].x + bias) << 32 | (v[k].y + bias) << 2 | static_cast<std::int64_t>(k);
+  };
+  const std::int64_t k0 = key(0), k1 = key(1), k2 = key(2);
+  const std::int64_t low = std::min(k0, k1), high = std::max(k0, k1), most = std::max(high, k2);
+  const std::int64_t middle = std::max(low, std::min(high, k2)), least = std::min(low, k2);
+  const auto corner = [](std::int64_t k) { return static_cast<std::uint8_t>(k & 3); };
+  return {corner(least), corner(middle), corner(most)};
+}
+
+// The lines of set_up_snapped, and the triangle's area, twice: > 0.
+struct AreaAndLines {
+  std::int64_t area = 0;
+  std::array<SnappedLine, 3> line;
+};
+AreaAndLines lines_between(const WindowVertex& p0, const WindowVertex& p1, const WindowVertex& p2) {
+  AreaAndLines result;
+  const std::int64_t area =
+      static_cast<std::int64_t>(p1.x - p0.x) * (p2.y - p0.y) - static_cast<std::int64_t>(p2.x - p0.x) * (p1.y - p0.y);
+  const int sign = area > 0 ? 1 : -1;
+  const auto line = [sign](const WindowVertex& p, const WindowVertex& q) {
+    SnappedLine l{sign * (p.y - q.y), sign * (q.x - p.x), 0};
+    l.c = -(l.a * p.x + l.b * p.y);
+    return l;
+  };
+  return {sign * area, {line(p1, p2), line(p2, p0), line(p0, p1)}};
+}
+
+// At a pixel's centre a line is at most the area, plus what it changes by from a covered sample to the centre, half a
+// pixel away.
+bool wraps(const AreaAndLines& t) {
+  constexpr std::int64_t most_area = std::int64_t{1} << 30, most_slope = std::int64_t{1} << 21;
+  const auto gentle = [](const SnappedLine& l) {
+    return std::max(l.a, -l.a) <= most_slope && std::max(l.b, -l.b) <= most_slope;
+  };
+  return t.area <= most_area && gentle(t.line[0]) && gentle(t.line[1]) && gentle(t.line[2]);
+}
+
+// Position and normal, six numbers one after the other, as four and two lanes.
+static_assert(sizeof(WorldVertex) == 6 * sizeof(double) && offsetof(WorldVertex, normal) == 3 * sizeof(double));
+struct Corner {
+  Wide<double, 4> first; // position, normal.x
+  Wide<double, 2> last;  // normal.y, normal.z
+
+  explicit Corner(const WorldVertex& v)
+      : first(rows::load<double, 4>(&v.position.x)), last(rows::load<double, 2>(&v.normal.y)) {}
+  Corner(const Wide<double, 4>& first_lanes, const Wide<double, 2>& last_lanes)
+      : first(first_lanes), last(last_lanes) {}
+  friend Corner operator-(const Corner& a, const Corner& b) { return {a.first - b.first, a.last - b.last}; }
+};
+
+// Normals count by their direction only. A power of two, common to the corners, keeps differences of huge ones in the
+// range of a float rung, and tiny ones above its end; normals of ordinary size stay as they are.
+double normal_scale(const WorldVertex& v0, const WorldVertex& v1, const WorldVertex& v2) {
+  const auto size = [](const Double3& n) { return maximum(magnitude(n.x), maximum(magnitude(n.y), magnitude(n.z))); };
+  const double s0 = size(v0.normal), s1 = size(v1.normal), s2 = size(v2.normal);
+  constexpr double ordinary = 1 << 20;
+  const auto is_ordinary = [](double s) { return s >= 1 / ordinary && s <= ordinary; };
+  if (is_ordinary(s0) && is_ordinary(s1) && is_ordinary(s2)) return 1;
+  return minimum(reciprocal_binade(s0), minimum(reciprocal_binade(s1), reciprocal_binade(s2)));
+}
+
+template <class Real, int N>
+Wide<Real, N> narrowed(const Wide<double, N>& x) {
+  return __builtin_convertvector(x.v, VectorOf<Real, N>);
+}
+
+// Rows 0 to 5: the corners' positions and normals, differences taken in double before they are rounded.
+template <class Real>
+void set_rows(const std::array<const WorldVertex*, 3>& world, const std::array<double, 3>& weight,
+              SurfaceTriangle<Real>& t) {
+  Corner c0(*world[0]), c1(*world[1]), c2(*world[2]);
+  const double scale = normal_scale(*world[0], *world[1], *world[2]);
+  if (scale != 1) [[unlikely]] {
+    Wide<double, 4> first(1.0);
+    first.set(3, scale);
+    for (Corner* c : {&c0, &c1, &c2}) c->first *= first, c->last *= Wide<double, 2>(scale);
+  }
+  const Corner d1 = c1 - c0, d2 = c2 - c0;
+  Wide<Real, 4> fourth(Real(0));
+  for (int k = 0; k < 3; ++k) fourth.set(k, static_cast<Real>(weight[static_cast<std::size_t>(k)]));
+  const auto first =
+      transposed<Real, 4>({narrowed<Real>(c0.first), narrowed<Real>(d1.first), narrowed<Real>(d2.first), fourth});
+  for (std::size_t r = 0; r < 4; ++r) std::memcpy(t.row[r].data(), &first[r].v, sizeof first[r].v);
+  const auto f0 = narrowed<Real>(c0.last), f1 = narrowed<Real>(d1.last), f2 = narrowed<Real>(d2.last);
+  t.row[4] = {f0[0], f1[0], f2[0], Real(0)};
+  t.row[5] = {f0[1], f1[1], f2[1], Real(0)};
+}
+
+// Component c of the corners' texture coordinates, without whole repeats.
+struct UvComponent {
+  std::array<double, 3> value;
+  double whole = 0;
+};
+UvComponent uv_component(const Mesh& mesh, const std::array<std::uint32_t, 3>& vertices, int c) {
+  UvComponent uv;
+  for (std::size_t k = 0; k < 3; ++k) uv.value[k] = static_cast<double>(mesh.uvs[vertices[k]][c]);
+  const double least = std::min({uv.value[0], uv.value[1], uv.value[2]});
+  uv.whole = magnitude(least) < 1e300 ? std::floor(least) : 0; // only a finite uv has whole repeats
+  // Exact: uv is a float and the difference of two doubles this close to it. Small negative ones stay as they are.
+  if (least > -1 && least < 1) uv.whole = 0;
+  for (double& value : uv.value) value -= uv.whole;
+  return uv;
+}
+
 } // namespace
 
 template <class Real>
-SurfaceTriangle<Real> surface_triangle(const Scene& scene, const Geometry& geometry, const Bins& bins,
-                                       std::uint32_t number) {
+void set_up_surface(const Scene& scene, const Geometry& geometry, const Bins& bins, std::uint32_t number,
+                    SurfaceTriangle<Real>& t, std::deque<LargeLines>& large) {
   const TriangleRef ref = triangle_ref(scene, geometry, number);
   const std::array<WindowVertex, 3> v = window_corners(geometry, ref);
-  SurfaceTriangle<Real> t;
   t.object = ref.object;
   t.number = number;
 
   std::array<std::uint8_t, 3> corner{};
-  if ((v[0].outcode | v[1].outcode | v[2].outcode) & outcode::unsnapped) {
+  std::array<double, 3> weight{1, 1, 1}; // projective: line values bring their weights
+  if ((v[0].outcode | v[1].outcode | v[2].outcode) & outcode::unsnapped) [[unlikely]] {
     t.projective = &bins.projective_triangle(number);
-    std::fill_n(t.value.begin(), 3, Real(1)); // line_values applies the projective weights before it rounds
     corner = t.projective->corner;
   } else {
-    const SnappedTriangle set_up = *set_up_snapped(v);
-    const std::array<double, 3> weight = perspective_weights(v, set_up.corner);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const SnappedLine& line = set_up.line[k];
-      t.line[3 * k] = static_cast<double>(line.a);
-      t.line[3 * k + 1] = static_cast<double>(line.b);
-      t.line[3 * k + 2] = static_cast<double>(line.c);
-      t.value[k] = static_cast<Real>(weight[k] < least_weight<Real> ? 0 : weight[k]);
+    corner = sorted_corners(v);
+    const AreaAndLines set_up = lines_between(v[corner[0]], v[corner[1]], v[corner[2]]);
+    weight = perspective_weights(v, corner);
+    for (double& w : weight) w = w < least_weight<Real> ? 0 : w;
+    if (wraps(set_up)) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const SnappedLine& l = set_up.line[k];
+        t.line[k] = {static_cast<std::int32_t>(l.a), static_cast<std::int32_t>(l.b), static_cast<std::int32_t>(l.c)};
+      }
+    } else {
+      t.large = &large.emplace_back(set_up.line);
     }
-    corner = set_up.corner;
   }
 
-  // corner_value(k, c): component c at the triangle's corner k, in double; differences are taken before they are
-  // rounded.
-  const auto anchored = [&](Attribute attribute, auto&& corner_value) {
-    const int n = components(attribute);
-    Real* const at = &t.value[static_cast<std::size_t>(attribute)];
-    for (int c = 0; c < n; ++c) {
-      const double anchor = corner_value(0, c);
-      at[c] = static_cast<Real>(anchor);
-      at[n + c] = static_cast<Real>(corner_value(1, c) - anchor);
-      at[2 * n + c] = static_cast<Real>(corner_value(2, c) - anchor);
-    }
-  };
-  const auto world = [&](int k) -> const WorldVertex& {
-    return geometry.world[ref.vertex[corner[static_cast<std::size_t>(k)]]];
-  };
-  anchored(Attribute::position, [&](int k, int c) { return world(k).position[c]; });
-  // Normals count by their direction only. A power of two, common to the corners, keeps differences of huge ones in the
-  // range of a float rung, and tiny ones above its end.
-  const Double3 sizes(reciprocal_binade(world(0).normal), reciprocal_binade(world(1).normal),
-                      reciprocal_binade(world(2).normal));
-  const double normal_scale = minimum(sizes.x, minimum(sizes.y, sizes.z));
-  anchored(Attribute::normal, [&](int k, int c) { return world(k).normal[c] * normal_scale; });
+  const auto world = [&](std::size_t k) { return &geometry.world[ref.vertex[corner[k]]]; };
+  set_rows<Real>({world(0), world(1), world(2)}, weight, t);
 
   const Mesh& mesh = *scene.objects[ref.object].mesh;
-  if (mesh.uvs.empty()) {
-    std::fill(t.value.begin() + static_cast<int>(Attribute::uv), t.value.end(), Real(0));
-    t.uv_whole = {};
-    return t;
-  }
-  std::array<std::array<double, 2>, 3> uv{};
   const auto& indices = mesh.triangles[ref.triangle];
-  for (std::size_t k = 0; k < 3; ++k)
-    for (std::size_t c = 0; c < 2; ++c) {
-      const double value = static_cast<double>(mesh.uvs[indices[corner[k]]][static_cast<int>(c)]);
-      uv[k][c] = value;
-    }
-  for (std::size_t c = 0; c < 2; ++c) {
-    const double least = std::min({uv[0][c], uv[1][c], uv[2][c]});
-    t.uv_whole[c] = magnitude(least) < 1e300 ? std::floor(least) : 0; // only a finite uv has whole repeats
-    // Exact: uv is a float and the difference of two doubles this close to it. Small negative ones stay as they are.
-    if (least > -1 && least < 1) t.uv_whole[c] = 0;
-    for (std::size_t k = 0; k < 3; ++k) uv[k][c] -= t.uv_whole[c];
-    t.value[least_uv + c] = static_cast<Real>(std::min({uv[0][c], uv[1][c], uv[2][c]}));
-    t.value[most_uv + c] = static_cast<Real>(std::max({uv[0][c], uv[1][c], uv[2][c]}));
+  for (int c = 0; c < 2; ++c) {
+    std::array<Real, 4>& row = t.row[static_cast<std::size_t>(Attribute::uv) + static_cast<std::size_t>(c)];
+    row = {};
+    if (mesh.uvs.empty()) continue;
+    const auto uv = uv_component(mesh, {indices[corner[0]], indices[corner[1]], indices[corner[2]]}, c).value;
+    row = {static_cast<Real>(uv[0]), static_cast<Real>(uv[1] - uv[0]), static_cast<Real>(uv[2] - uv[0]),
+           static_cast<Real>(std::min({uv[0], uv[1], uv[2]}))};
+    t.row[static_cast<std::size_t>(most_uv_row + c)][3] = static_cast<Real>(std::max({uv[0], uv[1], uv[2]}));
   }
-  anchored(Attribute::uv, [&](int k, int c) { return uv[static_cast<std::size_t>(k)][static_cast<std::size_t>(c)]; });
-  return t;
 }
 
-template SurfaceTriangle<double> surface_triangle(const Scene&, const Geometry&, const Bins&, std::uint32_t);
-template SurfaceTriangle<float> surface_triangle(const Scene&, const Geometry&, const Bins&, std::uint32_t);
+template void set_up_surface(const Scene&, const Geometry&, const Bins&, std::uint32_t, SurfaceTriangle<double>&,
+                             std::deque<LargeLines>&);
+template void set_up_surface(const Scene&, const Geometry&, const Bins&, std::uint32_t, SurfaceTriangle<float>&,
+                             std::deque<LargeLines>&);
+
+std::array<double, 2> whole_repeats(const Scene& scene, const Geometry& geometry, std::uint32_t number) {
+  const TriangleRef ref = triangle_ref(scene, geometry, number);
+  const Mesh& mesh = *scene.objects[ref.object].mesh;
+  if (mesh.uvs.empty()) return {};
+  const auto& vertices = mesh.triangles[ref.triangle];
+  return {uv_component(mesh, vertices, 0).whole, uv_component(mesh, vertices, 1).whole};
+}
 
 Double3 face_normal(const Scene& scene, const Geometry& geometry, std::uint32_t number) {
   const TriangleRef ref = triangle_ref(scene, geometry, number);

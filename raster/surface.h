@@ -7,40 +7,67 @@
 
 #include <array>
 #include <cstdint>
+#include <deque>
 
 namespace refraster {
 
-/// Where the attributes of a SurfaceTriangle stand: attribute f has its components at f, f + 1 … for corner 0, and then
-/// the differences of corner 1 and of corner 2 to it.
-enum class Attribute : std::uint8_t { position = 3, normal = 12, uv = 21 };
-/// Where the least and the greatest uv of the three corners stand.
-inline constexpr int least_uv = 27, most_uv = 29;
-inline constexpr int components(Attribute a) {
-  return a == Attribute::uv ? 2 : 3;
-}
+/// The attributes of a SurfaceTriangle: each component has a row, and these are the first ones.
+enum class Attribute : std::uint8_t { position = 0, normal = 3, uv = 6 };
 
-/// What shading needs of one visible triangle, attributes in the rung's precision.
+/// a, b, c of a line modulo 2^32.
+struct alignas(16) WrappedLine {
+  std::int32_t a = 0, b = 0, c = 0, unused = 0;
+};
+
+/// Lines of a triangle too large for that: exact as well.
+struct LargeLines {
+  std::array<SnappedLine, 3> line;
+};
+
+/// How a triangle's line values are computed. Packets of only the first kind are the quick ones.
+enum class LineKind : std::uint8_t {
+  wrapped,   // in 32-bit integers: nearly all
+  large,     // in double, where they are exact as well
+  projective // from the lines of a ProjectiveTriangle, and rounded
+};
+
+/// What shading needs of one visible triangle, attributes in the rung's precision. Rows of four numbers, so that lanes
+/// that see different triangles can read them a row at a time (math/rows.h).
 ///
 /// An attribute is kept as its value at one corner and the differences to the other two: f = f0 + b1 (f1 - f0) +
 /// b2 (f2 - f0). So a value that is the same at all three corners comes out unchanged, bit for bit, and nothing is
 /// anchored at the framebuffer's origin, where a small far triangle would lose its digits.
 template <class Real>
 struct SurfaceTriangle {
-  std::array<double, 9> line;     // a, b, c of each line: exact; unused where projective
-  std::array<Real, 31> value;     // [0..2] weights of perspective, see SnappedTriangle; then as Attribute says
-  std::array<double, 2> uv_whole; // whole repeats taken off uv, so that it keeps its fraction's digits
+  /// Only of the kind wrapped. Sums and products of 32-bit integers are right modulo 2^32, so that a value of less than
+  /// 2^31 comes out exact, however large the terms.
+  std::array<WrappedLine, 3> line;
+  /// Row r: the component at the anchor, its differences to the other two corners; and one number more: in rows 0 to 2
+  /// the weights of perspective, see SnappedTriangle (1 if projective); in rows 6 and 7 the least, in rows 4 and 5 the
+  /// greatest u and v of the three corners.
+  std::array<std::array<Real, 4>, 8> row;
+  const LargeLines* large = nullptr;
   const ProjectiveTriangle* projective = nullptr;
   std::uint32_t object = 0;
   std::uint32_t number = 0; // in the frame
+
+  LineKind kind() const { return projective ? LineKind::projective : large ? LineKind::large : LineKind::wrapped; }
 };
-static_assert(sizeof(SurfaceTriangle<float>) % sizeof(double) == 0, "gathers step through an array of them");
+inline constexpr int least_uv_row = 6, most_uv_row = 4; // of u; of v it is the next
 
+/// Sets up one triangle. The lines of a large one are appended to `large`, and must stay where they are.
 template <class Real>
-SurfaceTriangle<Real> surface_triangle(const Scene& scene, const Geometry& geometry, const Bins& bins,
-                                       std::uint32_t number);
+void set_up_surface(const Scene& scene, const Geometry& geometry, const Bins& bins, std::uint32_t number,
+                    SurfaceTriangle<Real>& surface, std::deque<LargeLines>& large);
 
-extern template SurfaceTriangle<double> surface_triangle(const Scene&, const Geometry&, const Bins&, std::uint32_t);
-extern template SurfaceTriangle<float> surface_triangle(const Scene&, const Geometry&, const Bins&, std::uint32_t);
+extern template void set_up_surface(const Scene&, const Geometry&, const Bins&, std::uint32_t, SurfaceTriangle<double>&,
+                                    std::deque<LargeLines>&);
+extern template void set_up_surface(const Scene&, const Geometry&, const Bins&, std::uint32_t, SurfaceTriangle<float>&,
+                                    std::deque<LargeLines>&);
+
+/// Whole repeats that are taken off a triangle's texture coordinates before they are interpolated, so that their
+/// fractions keep their digits.
+std::array<double, 2> whole_repeats(const Scene& scene, const Geometry& geometry, std::uint32_t number);
 
 /// The triangle's own normal in world space, from its winding: for places where the mesh gives none. May be 0.
 Double3 face_normal(const Scene& scene, const Geometry& geometry, std::uint32_t number);
