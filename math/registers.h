@@ -6,11 +6,29 @@
 #include <immintrin.h>
 #endif
 
+#include <cstdint>
+#include <type_traits>
+
 namespace refraster::registers {
+
+/// Whether comparing N lanes of F gives a bit for each lane, in a register of its own kind.
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+template <class F, int N>
+inline constexpr bool has_mask = N * sizeof(F) == 64;
+#else
+template <class F, int N>
+inline constexpr bool has_mask = false;
+#endif
+/// As many bits.
+template <int N>
+using LaneMask = std::conditional_t<N <= 8, std::uint8_t, std::uint16_t>;
 
 // Every name exists on every machine, so that `requires { root(v); }` can ask.
 struct NoRegister {};
 NoRegister root(NoRegister), minimum(NoRegister, NoRegister), maximum(NoRegister, NoRegister), widened(NoRegister);
+void sign_bits(NoRegister), select(NoRegister, NoRegister, NoRegister);
+void less(NoRegister, NoRegister), greater(NoRegister, NoRegister), less_equal(NoRegister, NoRegister),
+    greater_equal(NoRegister, NoRegister), equal(NoRegister, NoRegister);
 
 #if defined(__x86_64__)
 
@@ -90,6 +108,62 @@ inline __m256d widened(__m128 x) {
 #if defined(__AVX512F__)
 inline __m512d widened(__m256 x) {
   return _mm512_maskz_cvtps_pd(0xFF, x);
+}
+#endif
+
+// The sign bit of each lane, lane 0 the lowest.
+inline std::uint32_t sign_bits(__m128 x) {
+  return static_cast<std::uint32_t>(_mm_movemask_ps(x));
+}
+inline std::uint32_t sign_bits(__m128d x) {
+  return static_cast<std::uint32_t>(_mm_movemask_pd(x));
+}
+#if defined(__AVX__)
+inline std::uint32_t sign_bits(__m256 x) {
+  return static_cast<std::uint32_t>(_mm256_movemask_ps(x));
+}
+inline std::uint32_t sign_bits(__m256d x) {
+  return static_cast<std::uint32_t>(_mm256_movemask_pd(x));
+}
+#endif
+
+// Comparisons, false where either is NaN; and m ? x : y.
+#if defined(__AVX512F__)
+inline __mmask16 less(__m512 x, __m512 y) {
+  return _mm512_cmp_ps_mask(x, y, _CMP_LT_OQ);
+}
+inline __mmask8 less(__m512d x, __m512d y) {
+  return _mm512_cmp_pd_mask(x, y, _CMP_LT_OQ);
+}
+inline __mmask16 greater(__m512 x, __m512 y) {
+  return _mm512_cmp_ps_mask(x, y, _CMP_GT_OQ);
+}
+inline __mmask8 greater(__m512d x, __m512d y) {
+  return _mm512_cmp_pd_mask(x, y, _CMP_GT_OQ);
+}
+inline __mmask16 less_equal(__m512 x, __m512 y) {
+  return _mm512_cmp_ps_mask(x, y, _CMP_LE_OQ);
+}
+inline __mmask8 less_equal(__m512d x, __m512d y) {
+  return _mm512_cmp_pd_mask(x, y, _CMP_LE_OQ);
+}
+inline __mmask16 greater_equal(__m512 x, __m512 y) {
+  return _mm512_cmp_ps_mask(x, y, _CMP_GE_OQ);
+}
+inline __mmask8 greater_equal(__m512d x, __m512d y) {
+  return _mm512_cmp_pd_mask(x, y, _CMP_GE_OQ);
+}
+inline __mmask16 equal(__m512 x, __m512 y) {
+  return _mm512_cmp_ps_mask(x, y, _CMP_EQ_OQ);
+}
+inline __mmask8 equal(__m512d x, __m512d y) {
+  return _mm512_cmp_pd_mask(x, y, _CMP_EQ_OQ);
+}
+inline __m512 select(__mmask16 m, __m512 x, __m512 y) {
+  return _mm512_mask_blend_ps(m, y, x);
+}
+inline __m512d select(__mmask8 m, __m512d x, __m512d y) {
+  return _mm512_mask_blend_pd(m, y, x);
 }
 #endif
 

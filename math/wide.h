@@ -24,7 +24,8 @@ inline constexpr int native_vector_bytes = 32;
 inline constexpr int native_vector_bytes = 16;
 #endif
 
-/// What comparing two Wide gives: all bits of a lane set, or none.
+/// What comparing two Wide gives: all bits of a lane set, or none; or, where the machine has mask registers for vectors
+/// of this size, a bit for each lane.
 template <class F, int N>
 struct WideMask {
   using Lanes = VectorOf<BitsOf<F>, N>;
@@ -33,6 +34,16 @@ struct WideMask {
   friend WideMask operator&(WideMask a, WideMask b) { return {a.m & b.m}; }
   friend WideMask operator|(WideMask a, WideMask b) { return {a.m | b.m}; }
   friend WideMask operator!(WideMask a) { return {~a.m}; }
+};
+
+template <class F, int N>
+  requires(registers::has_mask<F, N>)
+struct WideMask<F, N> {
+  registers::LaneMask<N> m;
+
+  friend WideMask operator&(WideMask a, WideMask b) { return {static_cast<registers::LaneMask<N>>(a.m & b.m)}; }
+  friend WideMask operator|(WideMask a, WideMask b) { return {static_cast<registers::LaneMask<N>>(a.m | b.m)}; }
+  friend WideMask operator!(WideMask a) { return {static_cast<registers::LaneMask<N>>(~a.m)}; }
 };
 
 /// N integers of 32 bits, for table look-ups.
@@ -69,11 +80,26 @@ struct Wide {
   Wide& operator/=(Wide b) { return *this = *this / b; }
 
   using Mask = WideMask<F, N>;
-  friend Mask operator<(Wide a, Wide b) { return {a.v < b.v}; }
-  friend Mask operator>(Wide a, Wide b) { return {a.v > b.v}; }
-  friend Mask operator<=(Wide a, Wide b) { return {a.v <= b.v}; }
-  friend Mask operator>=(Wide a, Wide b) { return {a.v >= b.v}; }
-  friend Mask operator==(Wide a, Wide b) { return {a.v == b.v}; }
+  friend Mask operator<(Wide a, Wide b) {
+    if constexpr (registers::has_mask<F, N>) return {registers::less(a.v, b.v)};
+    else return {a.v < b.v};
+  }
+  friend Mask operator>(Wide a, Wide b) {
+    if constexpr (registers::has_mask<F, N>) return {registers::greater(a.v, b.v)};
+    else return {a.v > b.v};
+  }
+  friend Mask operator<=(Wide a, Wide b) {
+    if constexpr (registers::has_mask<F, N>) return {registers::less_equal(a.v, b.v)};
+    else return {a.v <= b.v};
+  }
+  friend Mask operator>=(Wide a, Wide b) {
+    if constexpr (registers::has_mask<F, N>) return {registers::greater_equal(a.v, b.v)};
+    else return {a.v >= b.v};
+  }
+  friend Mask operator==(Wide a, Wide b) {
+    if constexpr (registers::has_mask<F, N>) return {registers::equal(a.v, b.v)};
+    else return {a.v == b.v};
+  }
 };
 
 template <class F, int N>
@@ -86,7 +112,8 @@ struct NumberTraits<Wide<F, N>> {
 
 template <class F, int N>
 Wide<F, N> select(WideMask<F, N> m, Wide<F, N> x, Wide<F, N> y) {
-  return m.m ? x.v : y.v;
+  if constexpr (registers::has_mask<F, N>) return VectorOf<F, N>(registers::select(m.m, x.v, y.v));
+  else return m.m ? x.v : y.v;
 }
 template <class F, int N>
 Wide<F, N> maximum(Wide<F, N> x, Wide<F, N> y) {
@@ -187,28 +214,27 @@ WideIndex<N> next_index(WideIndex<N> i) {
 /// One bit a lane, lane 0 the lowest.
 template <class F, int N>
 std::uint32_t lane_set(WideMask<F, N> m) {
-#if defined(__x86_64__)
-  constexpr int bytes = N * static_cast<int>(sizeof(F));
-  if constexpr (bytes == 16) {
-    if constexpr (sizeof(F) == 4) return static_cast<std::uint32_t>(_mm_movemask_ps(__m128(m.m)));
-    else return static_cast<std::uint32_t>(_mm_movemask_pd(__m128d(m.m)));
+  if constexpr (registers::has_mask<F, N>) {
+    return m.m;
+  } else if constexpr (requires { registers::sign_bits(std::bit_cast<VectorOf<F, N>>(m.m)); }) {
+    return registers::sign_bits(std::bit_cast<VectorOf<F, N>>(m.m));
+  } else {
+    std::uint32_t set = 0;
+    for (int lane = 0; lane < N; ++lane) set |= static_cast<std::uint32_t>(m.m[lane] & 1) << lane;
+    return set;
   }
-#if defined(__AVX2__)
-  if constexpr (bytes == 32) {
-    if constexpr (sizeof(F) == 4) return static_cast<std::uint32_t>(_mm256_movemask_ps(__m256(m.m)));
-    else return static_cast<std::uint32_t>(_mm256_movemask_pd(__m256d(m.m)));
+}
+
+/// All bits of an integer lane set where m is, and none elsewhere.
+template <class F, int N>
+VectorOf<BitsOf<F>, N> lane_bits(WideMask<F, N> m) {
+  if constexpr (registers::has_mask<F, N>) {
+    const VectorOf<BitsOf<F>, N> ones = ~VectorOf<BitsOf<F>, N>{};
+    return std::bit_cast<VectorOf<BitsOf<F>, N>>(
+        registers::select(m.m, std::bit_cast<VectorOf<F, N>>(ones), VectorOf<F, N>{}));
+  } else {
+    return m.m;
   }
-#endif
-#if defined(__AVX512DQ__)
-  if constexpr (bytes == 64) {
-    if constexpr (sizeof(F) == 4) return _mm512_movepi32_mask(__m512i(m.m));
-    else return _mm512_movepi64_mask(__m512i(m.m));
-  }
-#endif
-#endif
-  std::uint32_t set = 0;
-  for (int lane = 0; lane < N; ++lane) set |= static_cast<std::uint32_t>(m.m[lane] & 1) << lane;
-  return set;
 }
 
 /// The first and the last N / 2 lanes; and two such halves put together.
@@ -270,7 +296,9 @@ bool any(WideMask<F, N> m) {
 template <class F, int N>
 WideMask<F, N> first_lanes(int count) {
   WideMask<F, N> result;
-  for (int lane = 0; lane < N; ++lane) result.m[lane] = lane < count ? -1 : 0;
+  if constexpr (registers::has_mask<F, N>) result.m = static_cast<registers::LaneMask<N>>((1u << count) - 1);
+  else
+    for (int lane = 0; lane < N; ++lane) result.m[lane] = lane < count ? -1 : 0;
   return result;
 }
 

@@ -44,56 +44,40 @@ void list_runs(const TileVisibility& visibility, const Crop& tile, int samples, 
   else list_multisample(visibility, tile, samples, runs);
 }
 
+// Each triangle that is seen, in submission order. Triangles of one object follow one another: an object is a group.
 template <class Real>
-std::size_t TileSurfaces<Real>::group_of(std::uint32_t object) {
-  const auto at = std::find_if(groups_.begin(), groups_.end(), [=](const Group& g) { return g.object == object; });
-  if (at != groups_.end()) return static_cast<std::size_t>(at - groups_.begin());
-  groups_.push_back({object});
-  return groups_.size() - 1;
-}
-
-template <class Real>
-std::uint32_t TileSurfaces<Real>::collect(const Scene& scene, const Geometry& geometry, const Bins& bins,
-                                          std::span<const std::uint32_t> triangles, std::span<FragmentRun> runs) {
+void TileSurfaces<Real>::set_up(const Scene& scene, const Geometry& geometry, const Bins& bins,
+                                std::span<const std::uint32_t> triangles) {
   surfaces_.clear();
   large_lines_.clear();
   groups_.clear();
-  group_of_surface_.clear();
-  runs_of_surface_.clear();
-  surface_of_.assign(triangles.size(), -1);
-  for (const FragmentRun& run : runs) {
-    std::int32_t& surface = surface_of_[static_cast<std::size_t>(run.place)];
-    if (surface < 0) {
-      surface = static_cast<std::int32_t>(surfaces_.size());
-      set_up_surface<Real>(scene, geometry, bins, triangles[static_cast<std::size_t>(run.place)],
-                           surfaces_.emplace_back(), large_lines_);
-      group_of_surface_.push_back(static_cast<std::uint32_t>(group_of(surfaces_.back().object)));
-      runs_of_surface_.push_back(0);
-    }
-    ++runs_of_surface_[static_cast<std::size_t>(surface)];
-    groups_[group_of_surface_[static_cast<std::size_t>(surface)]].end_run += 1; // a count, until all are known
-    groups_[group_of_surface_[static_cast<std::size_t>(surface)]].fragments += run.length;
+  next_.clear();
+  surface_of_.resize(triangles.size());
+  TriangleCursor cursor(scene, geometry);
+  std::uint32_t runs = 0;
+  for (std::size_t place = 0; place < triangles.size(); ++place) {
+    const Seen seen = seen_[place];
+    if (seen.runs == 0) continue;
+    const TriangleRef ref = cursor.at(triangles[place]);
+    surface_of_[place] = static_cast<std::int32_t>(surfaces_.size());
+    set_up_surface<Real>(scene, geometry, bins, triangles[place], ref, surfaces_.emplace_back(), large_lines_);
+    if (groups_.empty() || groups_.back().object != ref.object) groups_.push_back({ref.object, runs, runs, 0});
+    next_.push_back(runs);
+    runs += seen.runs;
+    groups_.back().end_run = runs;
+    groups_.back().fragments += seen.fragments;
   }
+}
 
-  // Counting sort: groups one after the other, in each the surfaces in the order they were met, in each the runs as
-  // they came. `next` of a surface starts where the surfaces of its group before it end.
-  std::size_t begin = 0;
-  std::vector<std::size_t> next_of_group;
-  for (Group& group : groups_) {
-    group.begin_run = begin;
-    next_of_group.push_back(begin);
-    begin = group.end_run += begin;
-  }
-  next_.resize(surfaces_.size());
-  for (std::size_t s = 0; s < surfaces_.size(); ++s) {
-    next_[s] = static_cast<std::uint32_t>(next_of_group[group_of_surface_[s]]);
-    next_of_group[group_of_surface_[s]] += runs_of_surface_[s];
-  }
+// A counting sort: runs of a triangle stay in the order in which they came.
+template <class Real>
+std::uint32_t TileSurfaces<Real>::sort(std::span<FragmentRun> runs) {
   sorted_.resize(runs.size());
   for (FragmentRun& run : runs) {
-    const auto surface = static_cast<std::size_t>(surface_of_[static_cast<std::size_t>(run.place)]);
-    run.first_fragment = next_[surface]; // its place in sorted_, until the fragments are numbered
-    sorted_[next_[surface]++] = {static_cast<std::int32_t>(surface), 0, run.x, run.y, run.length, run.samples};
+    const std::int32_t surface = surface_of_[static_cast<std::size_t>(run.place)];
+    std::uint32_t& next = next_[static_cast<std::size_t>(surface)];
+    run.first_fragment = next; // its place in sorted_, until the fragments are numbered
+    sorted_[next++] = {surface, 0, run.x, run.y, run.length, run.samples};
   }
   std::uint32_t fragments = 0;
   for (FragmentRun& run : sorted_) {
@@ -102,6 +86,19 @@ std::uint32_t TileSurfaces<Real>::collect(const Scene& scene, const Geometry& ge
   }
   for (FragmentRun& run : runs) run.first_fragment = sorted_[run.first_fragment].first_fragment;
   return fragments;
+}
+
+template <class Real>
+std::uint32_t TileSurfaces<Real>::collect(const Scene& scene, const Geometry& geometry, const Bins& bins,
+                                          std::span<const std::uint32_t> triangles, std::span<FragmentRun> runs) {
+  seen_.assign(triangles.size(), {});
+  for (const FragmentRun& run : runs) {
+    Seen& seen = seen_[static_cast<std::size_t>(run.place)];
+    ++seen.runs;
+    seen.fragments += run.length;
+  }
+  set_up(scene, geometry, bins, triangles);
+  return sort(runs);
 }
 
 template class TileSurfaces<double>;

@@ -27,9 +27,9 @@ struct FragmentRun {
 /// every run is one pixel long.
 void list_runs(const TileVisibility& visibility, const Crop& tile, int samples, std::vector<FragmentRun>& runs);
 
-/// The visible triangles of a tile, set up for shading once each, and the tile's runs gathered by object, whose
-/// fragments share a material, and then by triangle. So most packets of fragments lie in one triangle, and only the
-/// last packet of a material may have lanes to spare.
+/// The visible triangles of a tile, set up for shading once each in submission order, and the tile's runs gathered by
+/// triangle, and so by object, whose fragments share a material. So most packets of fragments lie in one triangle, and
+/// only the last packet of a material may have lanes to spare.
 template <class Real>
 class TileSurfaces {
 public:
@@ -48,13 +48,17 @@ public:
   const SurfaceTriangle<Real>* surfaces() const { return surfaces_.data(); }
 
 private:
-  std::size_t group_of(std::uint32_t object);
+  void set_up(const Scene& scene, const Geometry& geometry, const Bins& bins, std::span<const std::uint32_t> triangles);
+  std::uint32_t sort(std::span<FragmentRun> runs);
 
   std::vector<SurfaceTriangle<Real>> surfaces_;
   std::deque<LargeLines> large_lines_;
-  std::vector<std::int32_t> surface_of_; // for each place in the tile's list; -1: not visible
-  std::vector<std::uint32_t> group_of_surface_, runs_of_surface_;
-  std::vector<std::uint32_t> next_; // per surface: where its next run goes in sorted_
+  struct Seen {
+    std::uint32_t runs = 0, fragments = 0;
+  };
+  std::vector<Seen> seen_;               // of each place in the tile's list
+  std::vector<std::int32_t> surface_of_; // of each place that is seen
+  std::vector<std::uint32_t> next_;      // per surface: where its next run goes in sorted_
   std::vector<Group> groups_;
   std::vector<FragmentRun> sorted_;
 };

@@ -45,11 +45,4 @@ std::optional<SnappedTriangle> set_up_snapped(const std::array<WindowVertex, 3>&
   return triangle;
 }
 
-std::array<double, 3> perspective_weights(const std::array<WindowVertex, 3>& v,
-                                          const std::array<std::uint8_t, 3>& corner) {
-  const std::array<double, 3> w{v[corner[0]].inverse_w, v[corner[1]].inverse_w, v[corner[2]].inverse_w};
-  const double nearest = std::max({w[0], w[1], w[2]});
-  return {w[0] / nearest, w[1] / nearest, w[2] / nearest};
-}
-
 } // namespace refraster

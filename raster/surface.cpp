@@ -12,6 +12,8 @@ namespace refraster {
 
 namespace {
 
+// A million triangles come through here: what follows is inlined into one piece of code.
+
 // Line values lie between 1 and 2^52: above this no product of value and weight is subnormal, so that scaling by a
 // power of two, as in a packet that holds a projective triangle, changes no digit.
 template <class Real>
@@ -19,7 +21,7 @@ constexpr double least_weight = sizeof(Real) == 4 ? 0x1p-70 : 0x1p-900;
 
 // Which submitted vertex stands at each place: in the order of set_up_snapped, by x and then y. Keys hold both, and the
 // corner's number, so that no branch is needed: the order of corners is as good as random.
-std::array<std::uint8_t, 3> sorted_corners(const std::array<WindowVertex, 3>& v) {
+[[gnu::always_inline]] inline std::array<std::uint8_t, 3> sorted_corners(const std::array<WindowVertex, 3>& v) {
   constexpr std::int64_t bias = std::int64_t{1} << 25; // both in [-2^24, 2^24]
   const auto key = [&](std::size_t k) {
     return (v[k].x + bias) << 32 | (v[k].y + bias) << 2 | static_cast<std::int64_t>(k);
@@ -36,7 +38,8 @@ struct AreaAndLines {
   std::int64_t area = 0;
   std::array<SnappedLine, 3> line;
 };
-AreaAndLines lines_between(const WindowVertex& p0, const WindowVertex& p1, const WindowVertex& p2) {
+[[gnu::always_inline]] inline AreaAndLines lines_between(const WindowVertex& p0, const WindowVertex& p1,
+                                                         const WindowVertex& p2) {
   AreaAndLines result;
   const std::int64_t area =
       static_cast<std::int64_t>(p1.x - p0.x) * (p2.y - p0.y) - static_cast<std::int64_t>(p2.x - p0.x) * (p1.y - p0.y);
@@ -51,7 +54,7 @@ AreaAndLines lines_between(const WindowVertex& p0, const WindowVertex& p1, const
 
 // At a pixel's centre a line is at most the area, plus what it changes by from a covered sample to the centre, half a
 // pixel away.
-bool wraps(const AreaAndLines& t) {
+[[gnu::always_inline]] inline bool wraps(const AreaAndLines& t) {
   constexpr std::int64_t most_area = std::int64_t{1} << 30, most_slope = std::int64_t{1} << 21;
   const auto gentle = [](const SnappedLine& l) {
     return std::max(l.a, -l.a) <= most_slope && std::max(l.b, -l.b) <= most_slope;
@@ -90,8 +93,8 @@ Wide<Real, N> narrowed(const Wide<double, N>& x) {
 
 // Rows 0 to 5: the corners' positions and normals, differences taken in double before they are rounded.
 template <class Real>
-void set_rows(const std::array<const WorldVertex*, 3>& world, const std::array<double, 3>& weight,
-              SurfaceTriangle<Real>& t) {
+[[gnu::always_inline]] inline void set_rows(const std::array<const WorldVertex*, 3>& world,
+                                            const std::array<double, 3>& weight, SurfaceTriangle<Real>& t) {
   Corner c0(*world[0]), c1(*world[1]), c2(*world[2]);
   const double scale = normal_scale(*world[0], *world[1], *world[2]);
   if (scale != 1) [[unlikely]] {
@@ -130,8 +133,7 @@ UvComponent uv_component(const Mesh& mesh, const std::array<std::uint32_t, 3>& v
 
 template <class Real>
 void set_up_surface(const Scene& scene, const Geometry& geometry, const Bins& bins, std::uint32_t number,
-                    SurfaceTriangle<Real>& t, std::deque<LargeLines>& large) {
-  const TriangleRef ref = triangle_ref(scene, geometry, number);
+                    const TriangleRef& ref, SurfaceTriangle<Real>& t, std::deque<LargeLines>& large) {
   const std::array<WindowVertex, 3> v = window_corners(geometry, ref);
   t.object = ref.object;
   t.number = number;
@@ -172,10 +174,10 @@ void set_up_surface(const Scene& scene, const Geometry& geometry, const Bins& bi
   }
 }
 
-template void set_up_surface(const Scene&, const Geometry&, const Bins&, std::uint32_t, SurfaceTriangle<double>&,
-                             std::deque<LargeLines>&);
-template void set_up_surface(const Scene&, const Geometry&, const Bins&, std::uint32_t, SurfaceTriangle<float>&,
-                             std::deque<LargeLines>&);
+template void set_up_surface(const Scene&, const Geometry&, const Bins&, std::uint32_t, const TriangleRef&,
+                             SurfaceTriangle<double>&, std::deque<LargeLines>&);
+template void set_up_surface(const Scene&, const Geometry&, const Bins&, std::uint32_t, const TriangleRef&,
+                             SurfaceTriangle<float>&, std::deque<LargeLines>&);
 
 std::array<double, 2> whole_repeats(const Scene& scene, const Geometry& geometry, std::uint32_t number) {
   const TriangleRef ref = triangle_ref(scene, geometry, number);

@@ -55,15 +55,16 @@ struct SurfaceTriangle {
 };
 inline constexpr int least_uv_row = 6, most_uv_row = 4; // of u; of v it is the next
 
-/// Sets up one triangle. The lines of a large one are appended to `large`, and must stay where they are.
+/// Sets up one triangle; `ref` is what its number stands for. The lines of a large one are appended to `large`, and
+/// must stay where they are.
 template <class Real>
 void set_up_surface(const Scene& scene, const Geometry& geometry, const Bins& bins, std::uint32_t number,
-                    SurfaceTriangle<Real>& surface, std::deque<LargeLines>& large);
+                    const TriangleRef& ref, SurfaceTriangle<Real>& surface, std::deque<LargeLines>& large);
 
-extern template void set_up_surface(const Scene&, const Geometry&, const Bins&, std::uint32_t, SurfaceTriangle<double>&,
-                                    std::deque<LargeLines>&);
-extern template void set_up_surface(const Scene&, const Geometry&, const Bins&, std::uint32_t, SurfaceTriangle<float>&,
-                                    std::deque<LargeLines>&);
+extern template void set_up_surface(const Scene&, const Geometry&, const Bins&, std::uint32_t, const TriangleRef&,
+                                    SurfaceTriangle<double>&, std::deque<LargeLines>&);
+extern template void set_up_surface(const Scene&, const Geometry&, const Bins&, std::uint32_t, const TriangleRef&,
+                                    SurfaceTriangle<float>&, std::deque<LargeLines>&);
 
 /// Whole repeats that are taken off a triangle's texture coordinates before they are interpolated, so that their
 /// fractions keep their digits.

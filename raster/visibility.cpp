@@ -27,7 +27,7 @@ void store_where(std::int32_t* at, MaskOf<Row> m, std::int32_t value) {
   using Ints = VectorOf<std::int32_t, lanes>;
   Ints old;
   std::memcpy(&old, at, sizeof old);
-  const Ints chosen = __builtin_convertvector(m.m, Ints) ? value - Ints{} : old;
+  const Ints chosen = __builtin_convertvector(lane_bits(m), Ints) ? value - Ints{} : old;
   std::memcpy(at, &chosen, sizeof chosen);
 }
 
