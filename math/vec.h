@@ -62,13 +62,28 @@ T reciprocal_binade(const Vec3<T>& a) {
 /// |a|, without overflow or underflow on the way.
 template <class T>
 T length(const Vec3<T>& a) {
+  if constexpr (NumberTraits<T>::lanes > 1) {
+    const T squared = squared_length(a);
+    if (!any(!square_in_range(squared))) [[likely]] return root(squared);
+  }
   const T scale = reciprocal_binade(a);
   return root(squared_length(a * scale)) * exact_reciprocal(scale);
+}
+
+/// Whether squares can be added up as they are. Where they can, scaling by a power of two first would change no bit.
+template <class T>
+MaskOf<T> square_in_range(const T& squared_length) {
+  constexpr RealOf<T> far = sizeof(RealOf<T>) == 4 ? 0x1p40 : 0x1p400;
+  return (squared_length >= T(1 / far)) & (squared_length <= T(far));
 }
 
 /// a / |a| for every finite a but 0, which gives 0: also for components of 1e30 or 1e-30 in float.
 template <class T>
 Vec3<T> normalize(const Vec3<T>& a) {
+  if constexpr (NumberTraits<T>::lanes > 1) { // nearly always; a bounds type could not ask
+    const T squared = squared_length(a);
+    if (!any(!square_in_range(squared))) [[likely]] return a * (T(1) / root(squared));
+  }
   const Vec3<T> scaled = a * reciprocal_binade(a);
   const T squared = squared_length(scaled); // in [1, 12), or 0
   return scaled * select(squared > T(0), T(1) / root(squared), T(0));
