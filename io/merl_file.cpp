@@ -43,7 +43,7 @@ std::shared_ptr<const MerlTable> read_merl(const std::string& path) {
     throw InputError(fault_in(path, "", std::to_string(size) + " bytes", std::to_string(merl_file_bytes) + " bytes"));
 
   const std::string bytes = read_file(path, "a MERL table", merl_file_bytes);
-  std::vector<double> rgb(3 * MerlTable::samples);
+  PaddedVector<double> rgb(3 * MerlTable::samples);
   FaultList faults;
   for (std::size_t channel = 0; channel < 3; ++channel)
     for (std::size_t i = 0; i < MerlTable::samples; ++i) {

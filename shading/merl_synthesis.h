@@ -38,7 +38,7 @@ Double3 raised_above_horizon(const Double3& direction);
 /// marked as never measured (-1).
 template <class Brdf>
   requires std::invocable<Brdf&, Double3, Double3, Double3> MerlTable merl_table_from(Brdf&& brdf) {
-    std::vector<double> rgb(3 * MerlTable::samples, -1.0);
+    PaddedVector<double> rgb(3 * MerlTable::samples, -1.0);
     for (int h = 0; h < MerlTable::theta_h_bins; ++h)
       for (int d = 0; d < MerlTable::theta_d_bins; ++d)
         for (int p = 0; p < MerlTable::phi_d_bins; ++p) {

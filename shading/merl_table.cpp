@@ -20,7 +20,7 @@ double logarithm(double f) {
 
 } // namespace
 
-MerlTable::MerlTable(std::vector<double> rgb) : doubles_(std::move(rgb)) {
+MerlTable::MerlTable(PaddedVector<double> rgb) : doubles_(std::move(rgb)) {
   assert(doubles_.size() == 3 * samples);
 }
 

@@ -1,11 +1,11 @@
 #pragma once
 // A measured BRDF: the MERL table.
 
+#include "math/padded_vector.h"
 #include "math/vec.h"
 
 #include <cstddef>
 #include <mutex>
-#include <vector>
 
 namespace refraster {
 
@@ -21,7 +21,7 @@ public:
   static constexpr std::size_t samples = std::size_t{90} * 90 * 180;
 
   /// `rgb` holds 3 * samples finite values, interleaved, phi_d fastest, then theta_d, then theta_h.
-  explicit MerlTable(std::vector<double> rgb);
+  explicit MerlTable(PaddedVector<double> rgb);
 
   /// Index of the first channel of a sample. 0 <= h, d < 90, 0 <= p < 180.
   static constexpr int offset(int h, int d, int p) { return 3 * ((h * theta_d_bins + d) * phi_d_bins + p); }
@@ -47,13 +47,13 @@ private:
   template <class F>
   struct Copy {
     std::once_flag made;
-    std::vector<F> values;
+    PaddedVector<F> values;
   };
 
   template <class F>
   const F* made_once(Copy<F>& copy, double (*encode)(double)) const;
 
-  std::vector<double> doubles_;
+  PaddedVector<double> doubles_;
   mutable Copy<float> floats_, log_floats_;
   mutable Copy<double> log_doubles_;
 };

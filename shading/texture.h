@@ -3,6 +3,7 @@
 
 #include "math/elementary.h"
 #include "math/lookup.h"
+#include "math/padded_vector.h"
 #include "shading/fields.h"
 
 #include <cassert>
@@ -27,7 +28,7 @@ struct EnumNames<TextureFilter> {
 /// and 2^28 in all.
 struct TextureLevel {
   int width = 1, height = 1;
-  std::vector<float> rgb; // 3 width height values, interleaved, in [0, full_scale]
+  PaddedVector<float> rgb; // 3 width height values, interleaved, in [0, full_scale]
 
   /// To be read at (x, y, 0).
   template <class F>

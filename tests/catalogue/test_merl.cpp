@@ -70,7 +70,7 @@ Vec3<T> random_unit(Random& random) {
 /// A table whose sample (h, d, p) is f(h, d, p).
 template <class F>
 MerlTable table_of(F&& f) {
-  std::vector<double> rgb;
+  PaddedVector<double> rgb;
   rgb.reserve(3 * MerlTable::samples);
   for (int h = 0; h < 90; ++h)
     for (int d = 0; d < 90; ++d)

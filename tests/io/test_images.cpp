@@ -65,14 +65,14 @@ TEST_CASE("a texture has row 0 at the bottom, grey in all channels, and no alpha
   const TemporaryFolder folder;
   const Texture grey = read_texture(file_with(folder, "i.png", png_bytes(1, 2, 1, 8, {10, 20})));
   CHECK(grey.levels.size() == 1);
-  CHECK(grey.levels[0].rgb == std::vector<float>{20, 20, 20, 10, 10, 10});
+  CHECK(grey.levels[0].rgb == PaddedVector<float>{20, 20, 20, 10, 10, 10});
   const Texture grey_alpha = read_texture(file_with(folder, "i.png", png_bytes(1, 2, 2, 8, {10, 1, 20, 2})));
   CHECK(grey_alpha.levels[0].rgb == grey.levels[0].rgb);
   const Texture rgb = read_texture(file_with(folder, "i.png", png_bytes(1, 2, 3, 16, {1, 2, 3, 65535, 5, 6})));
-  CHECK(rgb.levels[0].rgb == std::vector<float>{65535, 5, 6, 1, 2, 3});
+  CHECK(rgb.levels[0].rgb == PaddedVector<float>{65535, 5, 6, 1, 2, 3});
   CHECK(rgb.full_scale == 65535);
   const Texture rgba = read_texture(file_with(folder, "i.png", png_bytes(2, 1, 4, 8, {1, 2, 3, 0, 5, 6, 7, 128})));
-  CHECK(rgba.levels[0].rgb == std::vector<float>{1, 2, 3, 5, 6, 7});
+  CHECK(rgba.levels[0].rgb == PaddedVector<float>{1, 2, 3, 5, 6, 7});
   CHECK(rgba.levels[0].width == 2);
 }
 

@@ -11,7 +11,7 @@ namespace refraster::test {
 
 TEST_CASE("a MERL table is written and read back within an ulp, negatives included") {
   const TemporaryFolder folder;
-  std::vector<double> rgb(3 * MerlTable::samples);
+  PaddedVector<double> rgb(3 * MerlTable::samples);
   for (std::size_t i = 0; i < rgb.size(); ++i) rgb[i] = static_cast<double>(i % 1000) / 7;
   rgb[MerlTable::offset(89, 0, 7)] = -1.0 / 1500; // never measured
   const MerlTable table(rgb);
@@ -30,7 +30,7 @@ TEST_CASE("a MERL table is written and read back within an ulp, negatives includ
 
 TEST_CASE("a MERL file has planes of red, green and blue, each with its scale") {
   const TemporaryFolder folder;
-  std::vector<double> rgb(3 * MerlTable::samples);
+  PaddedVector<double> rgb(3 * MerlTable::samples);
   write_merl(folder / "t.binary", MerlTable(rgb));
   const std::size_t sample = (3 * 90 + 4) * 180 + 5; // theta_h 3, theta_d 4, phi_d 5
   std::fstream file(folder / "t.binary", std::ios::binary | std::ios::in | std::ios::out);

@@ -32,7 +32,7 @@ TEST_CASE("a narrow highlight is not missed: a smooth perfect metal reflects nea
 }
 
 TEST_CASE("samples that were never measured are counted, and kept out of the means") {
-  std::vector<double> rgb(3 * MerlTable::samples, 0.25);
+  PaddedVector<double> rgb(3 * MerlTable::samples, 0.25);
   rgb[3] = rgb[4] = rgb[5] = -1;
   rgb[6] = 4;
   const MerlFacts facts = merl_facts(MerlTable(std::move(rgb)));
