@@ -1,5 +1,7 @@
 #include "raster/bin.h"
 
+#include "raster/parallel.h"
+
 #include <algorithm>
 #include <bit>
 #include <cassert>
@@ -167,8 +169,9 @@ void add(FrameCounts& sum, const FrameCounts& part) {
 
 } // namespace
 
-Bins bin_triangles(const Scene& scene, const Geometry& geometry, const TileGrid& grid, int image_width,
-                   int image_height, std::span<const SamplePlace> samples, int threads, FrameCounts& counts) {
+void bin_triangles(const Scene& scene, const Geometry& geometry, const TileGrid& grid, int image_width,
+                   int image_height, std::span<const SamplePlace> samples, int threads, Bins& bins,
+                   FrameCounts& counts) {
   const Binner binner(scene, geometry, grid, image_width, image_height, samples);
   const std::uint32_t triangles = geometry.triangles();
   counts.triangles = triangles;
@@ -186,8 +189,7 @@ Bins bin_triangles(const Scene& scene, const Geometry& geometry, const TileGrid&
   std::vector<std::vector<NumberedProjective>> projective(runs);
   std::vector<FrameCounts> run_counts(runs);
 
-#pragma omp parallel for num_threads(threads) schedule(static, 1)
-  for (std::size_t run = 0; run < runs; ++run) {
+  parallel_for(threads, runs, [&](std::size_t run, int) {
     std::uint64_t* const count_of = &fill[run * tiles];
     TriangleCursor cursor(scene, geometry);
     FrameCounts& here = run_counts[run];
@@ -203,9 +205,8 @@ Bins bin_triangles(const Scene& scene, const Geometry& geometry, const TileGrid&
       binner.for_each_tile(number, placement, fate == Fate::projective ? &set_up : nullptr,
                            [&](std::size_t tile) { ++count_of[tile]; });
     }
-  }
+  });
 
-  Bins bins;
   bins.first.resize(tiles + 1);
   std::uint64_t total = 0;
   for (std::size_t tile = 0; tile < tiles; ++tile) {
@@ -219,8 +220,7 @@ Bins bin_triangles(const Scene& scene, const Geometry& geometry, const TileGrid&
   bins.first[tiles] = total;
   bins.triangles.resize_uninitialized(total);
 
-#pragma omp parallel for num_threads(threads) schedule(static, 1)
-  for (std::size_t run = 0; run < runs; ++run) {
+  parallel_for(threads, runs, [&](std::size_t run, int) {
     std::uint64_t* const next = &fill[run * tiles];
     auto next_projective = projective[run].cbegin();
     for (std::uint32_t number = run_begin(run); number < run_begin(run + 1); ++number) {
@@ -231,13 +231,13 @@ Bins bin_triangles(const Scene& scene, const Geometry& geometry, const TileGrid&
       binner.for_each_tile(number, placements[number], set_up,
                            [&](std::size_t tile) { bins.triangles[next[tile]++] = number; });
     }
-  }
+  });
 
+  bins.projective.clear();
   for (std::size_t run = 0; run < runs; ++run) {
     add(counts, run_counts[run]);
     bins.projective.insert(bins.projective.end(), projective[run].begin(), projective[run].end());
   }
-  return bins;
 }
 
 } // namespace refraster

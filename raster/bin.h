@@ -41,7 +41,9 @@ struct Bins {
 
 /// Drops what cannot be seen (counted by reason in `counts`) and lists the rest by tile. A tile's list may hold
 /// triangles that cover none of its samples; it misses none that does. Memory: 8 bytes a triangle, 4 a list entry.
-Bins bin_triangles(const Scene& scene, const Geometry& geometry, const TileGrid& grid, int image_width,
-                   int image_height, std::span<const SamplePlace> samples, int threads, FrameCounts& counts);
+/// `bins` may be those of another frame: their memory is used again.
+void bin_triangles(const Scene& scene, const Geometry& geometry, const TileGrid& grid, int image_width,
+                   int image_height, std::span<const SamplePlace> samples, int threads, Bins& bins,
+                   FrameCounts& counts);
 
 } // namespace refraster

@@ -8,14 +8,20 @@
 namespace refraster {
 
 /// An array that is not cleared when it is made: a stage fills it in parallel, and so each page is first touched by
-/// the thread that works on it. Grows only by being replaced.
+/// the thread that works on it. Memory is kept when it shrinks, so that the next frame finds it warm.
 template <class T>
 class Buffer {
   static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
 
 public:
+  /// What it held is lost.
   void resize_uninitialized(std::size_t size) {
-    memory_.reset(size ? static_cast<T*>(::operator new(size * sizeof(T))) : nullptr);
+    if (size > capacity_) {
+      size_ = capacity_ = 0; // should there be no memory
+      memory_.reset();
+      memory_.reset(static_cast<T*>(::operator new(size * sizeof(T))));
+      capacity_ = size;
+    }
     size_ = size;
   }
   std::size_t size() const { return size_; }
@@ -38,7 +44,7 @@ private:
     void operator()(T* memory) const { ::operator delete(memory); }
   };
   std::unique_ptr<T, Free> memory_;
-  std::size_t size_ = 0;
+  std::size_t size_ = 0, capacity_ = 0;
 };
 
 } // namespace refraster

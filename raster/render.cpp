@@ -1,12 +1,14 @@
 #include "raster/render.h"
 
 #include "math/rungs.h"
+#include "raster/parallel.h"
 #include "raster/shade.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cassert>
 #include <chrono>
+#include <string>
 
 #include <omp.h>
 
@@ -38,36 +40,59 @@ bool cancelled(const RenderOptions& options) {
   return options.cancel && options.cancel->load(std::memory_order_relaxed);
 }
 
+// What one thread works with, tile after tile.
+struct TileWorker {
+  TileVisibility visibility;
+  std::unique_ptr<TileShader> shader;
+  FrameCounts counts;
+  TileSeconds seconds;
+
+  TileWorker(int tile_size, std::string_view rung) : visibility(tile_size), shader(make_tile_shader(rung)) {}
+};
+
 // The last stage: visibility, then shading, tile by tile. Tiles write disjoint pixels, and counts are sums of integers,
 // so which thread takes which tile changes nothing.
-void shade_tiles(const FrameContext& context, const TileGrid& grid, std::span<const SamplePlace> samples, int threads,
-                 Frame& frame) {
-  const auto tiles = static_cast<std::ptrdiff_t>(grid.tiles());
-  std::vector<FrameCounts> counts(static_cast<std::size_t>(threads));
-  std::vector<TileSeconds> seconds(static_cast<std::size_t>(threads));
-  std::atomic<std::ptrdiff_t> done{0};
-#pragma omp parallel num_threads(threads)
-  {
-    const auto thread = static_cast<std::size_t>(omp_get_thread_num());
-    TileVisibility visibility(grid.tile_size);
-    const std::unique_ptr<TileShader> shader = make_tile_shader(context.options.rung);
-#pragma omp for schedule(dynamic)
-    for (std::ptrdiff_t i = 0; i < tiles; ++i) {
-      if (cancelled(context.options)) continue;
-      const auto index = static_cast<std::size_t>(i);
-      const Crop tile = grid.tile(index);
-      const std::span<const std::uint32_t> triangles = context.bins.of(index);
-      const auto start = Clock::now();
-      visibility.decide(context.scene, context.geometry, context.bins, triangles, tile, samples);
-      seconds[thread].visibility += seconds_since(start);
-      shader->shade(context, {tile, triangles, visibility}, frame, {counts[thread], seconds[thread]});
-      const std::ptrdiff_t now_done = ++done;
-      if (thread == 0 && context.options.progress)
-        context.options.progress(static_cast<double>(now_done) / static_cast<double>(tiles));
-    }
+void shade_tiles(const FrameContext& context, const TileGrid& grid, std::span<const SamplePlace> samples,
+                 std::span<TileWorker> workers, Frame& frame) {
+  std::atomic<std::size_t> done{0};
+  parallel_for(static_cast<int>(workers.size()), grid.tiles(), [&](std::size_t index, int thread) {
+    if (cancelled(context.options)) return;
+    TileWorker& worker = workers[static_cast<std::size_t>(thread)];
+    const Crop tile = grid.tile(index);
+    const std::span<const std::uint32_t> triangles = context.bins.of(index);
+    const auto start = Clock::now();
+    worker.visibility.decide(context.scene, context.geometry, context.bins, triangles, tile, samples);
+    worker.seconds.visibility += seconds_since(start);
+    worker.shader->shade(context, {tile, triangles, worker.visibility}, frame, {worker.counts, worker.seconds});
+    const std::size_t now_done = ++done;
+    if (thread == 0 && now_done < grid.tiles() && context.options.progress)
+      context.options.progress(static_cast<double>(now_done) / static_cast<double>(grid.tiles()));
+  });
+  if (context.options.progress && !cancelled(context.options)) context.options.progress(1);
+  for (const TileWorker& worker : workers) {
+    add(frame.counts, worker.counts);
+    add(frame.tile_seconds, worker.seconds);
   }
-  for (const FrameCounts& part : counts) add(frame.counts, part);
-  for (const TileSeconds& part : seconds) add(frame.tile_seconds, part);
+}
+
+// The image as a new one of this shape would be, but for what it holds.
+template <class Value>
+void reshape(Image<Value>& image, const Crop& region, int channels) {
+  if (image.width != region.width || image.height != region.height || image.channels != channels)
+    image = Image<Value>(region.width, region.height, channels);
+}
+
+void reshape_images(const RenderOptions& options, const Crop& region, Frame& frame) {
+  if (options.want_levels) reshape(frame.levels, region, 3);
+  else frame.levels = {};
+  if (options.want_radiance) reshape(frame.radiance, region, 3);
+  else frame.radiance = {};
+  frame.aovs.resize(options.aovs.size());
+  for (std::size_t i = 0; i < options.aovs.size(); ++i) {
+    Image<float>& image = frame.aovs[i];
+    reshape(image, region, aov_channels[static_cast<std::size_t>(options.aovs[i])]);
+    std::fill(image.values.begin(), image.values.end(), 0.0f); // tiles write only where there is a surface
+  }
 }
 
 } // namespace
@@ -78,41 +103,67 @@ std::unique_ptr<TileShader> make_tile_shader(std::string_view rung) {
   return nullptr;
 }
 
-Frame render(const Scene& scene, const RenderOptions& options) {
+struct Renderer::Memory {
+  Geometry geometry;
+  Bins bins;
+  // One for each thread; made for this tile size and rung.
+  std::vector<TileWorker> workers;
+  int tile_size = 0;
+  std::string rung;
+
+  std::span<TileWorker> workers_for(const RenderOptions& options, int threads) {
+    if (tile_size != options.tile_size || rung != options.rung) workers.clear();
+    tile_size = options.tile_size, rung = options.rung;
+    const auto count = static_cast<std::size_t>(threads);
+    while (workers.size() < count) workers.emplace_back(tile_size, rung);
+    for (TileWorker& worker : workers) worker.counts = {}, worker.seconds = {};
+    return {workers.data(), count};
+  }
+};
+
+Renderer::Renderer() : memory_(std::make_unique<Memory>()) {}
+Renderer::~Renderer() = default;
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+
+void Renderer::render(const Scene& scene, const RenderOptions& options, Frame& frame) {
   assert(options.width >= 1 && options.width <= max_image_side && options.height >= 1 &&
          options.height <= max_image_side);
   assert(options.tile_size >= 8 && options.tile_size <= 128);
   assert(is_sample_count(options.samples) && options.crop.size() <= 1);
   const auto start = Clock::now();
-  Frame frame;
-  frame.threads = options.threads > 0 ? options.threads : omp_get_num_procs();
-
   const Crop region = options.crop.empty() ? Crop{0, 0, options.width, options.height} : options.crop.front();
   assert(region.x >= 0 && region.y >= 0 && region.width >= 1 && region.height >= 1 &&
          region.x + region.width <= options.width && region.y + region.height <= options.height);
-  if (options.want_levels) frame.levels = Image<std::uint8_t>(region.width, region.height, 3);
-  if (options.want_radiance) frame.radiance = Image<float>(region.width, region.height, 3);
-  for (const Aov aov : options.aovs)
-    frame.aovs.emplace_back(region.width, region.height, aov_channels[static_cast<std::size_t>(aov)]);
+  reshape_images(options, region, frame);
+  frame.threads = options.threads > 0 ? options.threads : omp_get_num_procs();
+  frame.counts = {}, frame.seconds = {}, frame.tile_seconds = {};
   frame.counts.pixels = static_cast<std::uint64_t>(region.width) * static_cast<std::uint64_t>(region.height);
 
   const std::span<const SamplePlace> samples = sample_pattern(options.samples);
   const TileGrid grid{region.x, region.y, region.width, region.height, options.tile_size};
+  Geometry& geometry = memory_->geometry;
+  Bins& bins = memory_->bins;
 
   const auto transform_start = Clock::now();
-  const Geometry geometry = transform(scene, options.width, options.height, frame.threads);
+  transform(scene, options.width, options.height, frame.threads, geometry);
   frame.seconds.transform = seconds_since(transform_start);
 
   const auto bin_start = Clock::now();
-  const Bins bins =
-      bin_triangles(scene, geometry, grid, options.width, options.height, samples, frame.threads, frame.counts);
+  bin_triangles(scene, geometry, grid, options.width, options.height, samples, frame.threads, bins, frame.counts);
   frame.seconds.bin = seconds_since(bin_start);
 
   const auto tiles_start = Clock::now();
-  shade_tiles({scene, geometry, bins, options, region}, grid, samples, frame.threads, frame);
+  shade_tiles({scene, geometry, bins, options, region}, grid, samples, memory_->workers_for(options, frame.threads),
+              frame);
   frame.seconds.tiles = seconds_since(tiles_start);
   frame.seconds.total = seconds_since(start);
   frame.cancelled = cancelled(options);
+}
+
+Frame render(const Scene& scene, const RenderOptions& options) {
+  Frame frame;
+  Renderer().render(scene, options, frame);
   return frame;
 }
 

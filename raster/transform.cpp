@@ -1,6 +1,7 @@
 #include "raster/transform.h"
 
 #include "math/elementary.h"
+#include "raster/parallel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -120,11 +121,11 @@ WindowVertex window_vertex(const Double4& clip, int width, int height) {
   return vertex;
 }
 
-Geometry transform(const Scene& scene, int width, int height, int threads) {
-  Geometry geometry;
+void transform(const Scene& scene, int width, int height, int threads, Geometry& geometry) {
   const Double4x4 view_projection = clip_from_world(scene.camera, static_cast<double>(width) / height);
-  geometry.first_vertex.push_back(0);
-  geometry.first_triangle.push_back(0);
+  geometry.transforms.clear();
+  geometry.first_vertex.assign(1, 0);
+  geometry.first_triangle.assign(1, 0);
   for (const Object& object : scene.objects) {
     geometry.transforms.push_back(object_transform(object, view_projection));
     geometry.first_vertex.push_back(geometry.first_vertex.back() +
@@ -138,18 +139,17 @@ Geometry transform(const Scene& scene, int width, int height, int threads) {
     const Mesh& mesh = *scene.objects[o].mesh;
     const ObjectTransform& matrices = geometry.transforms[o];
     const std::size_t first = geometry.first_vertex[o];
-    const auto count = static_cast<std::ptrdiff_t>(mesh.positions.size());
-#pragma omp parallel for num_threads(threads) schedule(static)
-    for (std::ptrdiff_t i = 0; i < count; ++i) {
-      const auto v = static_cast<std::size_t>(i);
-      const Float3& p = mesh.positions[v];
-      const Float3& n = mesh.normals[v];
-      geometry.window[first + v] = window_vertex(clip_position(matrices, p), width, height);
-      geometry.world[first + v] = {Double3(matrices.world_from_object * Double4(p.x, p.y, p.z, 1.0)),
-                                   matrices.world_from_normal * Double3(n.x, n.y, n.z)};
-    }
+    const std::size_t count = mesh.positions.size(), chunk = 4096;
+    parallel_for(threads, (count + chunk - 1) / chunk, [&](std::size_t index, int) {
+      for (std::size_t v = index * chunk; v < std::min(count, (index + 1) * chunk); ++v) {
+        const Float3& p = mesh.positions[v];
+        const Float3& n = mesh.normals[v];
+        geometry.window[first + v] = window_vertex(clip_position(matrices, p), width, height);
+        geometry.world[first + v] = {Double3(matrices.world_from_object * Double4(p.x, p.y, p.z, 1.0)),
+                                     matrices.world_from_normal * Double3(n.x, n.y, n.z)};
+      }
+    });
   }
-  return geometry;
 }
 
 TriangleRef triangle_ref(const Scene& scene, const Geometry& geometry, std::uint32_t triangle) {

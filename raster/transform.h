@@ -69,8 +69,9 @@ struct Geometry {
   std::uint32_t triangles() const { return first_triangle.back(); }
 };
 
-/// Transforms each unique vertex once. The scene may have up to 2^32 - 1 vertices and triangles in all.
-Geometry transform(const Scene& scene, int width, int height, int threads);
+/// Transforms each unique vertex once. The scene may have up to 2^32 - 1 vertices and triangles in all. `geometry` may
+/// be that of another frame: its memory is used again.
+void transform(const Scene& scene, int width, int height, int threads, Geometry& geometry);
 
 /// A triangle by its number in the frame: object, corner indices into Geometry's arrays and into the mesh.
 struct TriangleRef {

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstring>
 #include <limits>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -246,4 +247,42 @@ TEST_CASE("samples of equal colours resolve to that colour, bit for bit") {
       for (int i = 0; i < 64; ++i)
         for (int c = 0; c < 3; ++c) REQUIRE(frame.radiance.at(i % 8, i / 8)[c] == static_cast<float>(colour[c]));
     }
+}
+
+TEST_CASE("a renderer's frames do not depend on the frames before") {
+  Renderer renderer;
+  Frame frame;
+  for_each_rendering([&](const Scene& scene, RenderOptions options) {
+    options.threads = 2;
+    const Frame reference = render(scene, options);
+    for (int repeat = 0; repeat < 2; ++repeat) {
+      renderer.render(scene, options, frame);
+      CHECK(same_images(frame, reference, whole_image));
+      CHECK(same_counts(frame.counts, reference.counts));
+    }
+    // Another shape in between, and fewer images.
+    options.crop = {{3, 5, 70, 40}}, options.tile_size = 16, options.threads = 1;
+    options.want_radiance = false, options.aovs = {Aov::depth};
+    renderer.render(scene, options, frame);
+    CHECK(frame.radiance.empty());
+    REQUIRE(frame.aovs.size() == 1);
+    CHECK(same_rows(frame.levels, reference.levels, options.crop[0]));
+    CHECK(same_rows(frame.aovs[0], reference.aovs[0], options.crop[0]));
+  });
+}
+
+TEST_CASE("what a progress function throws comes out, and the next frame is whole") {
+  const std::vector<HashedScene> scenes = hashed_scenes();
+  Renderer renderer;
+  Frame frame;
+  for (const int threads : {1, 2, 3}) {
+    RenderOptions options = everything("double", 1);
+    options.threads = threads, options.tile_size = 16;
+    const Frame reference = render(scenes[0].scene, options);
+    options.progress = [](double) { throw std::runtime_error("enough"); };
+    CHECK_THROWS_WITH_AS(renderer.render(scenes[0].scene, options, frame), "enough", std::runtime_error);
+    options.progress = nullptr;
+    renderer.render(scenes[0].scene, options, frame);
+    CHECK(same_images(frame, reference, whole_image));
+  }
 }
