@@ -3,6 +3,7 @@
 #include "app/arguments.h"
 #include "app/command.h"
 #include "app/output.h"
+#include "app/progress_line.h"
 #include "io/image_file.h"
 #include "verify/compare_report.h"
 #include "verify/flip.h"
@@ -43,11 +44,13 @@ ExitCode run(const CompareArguments& arguments) {
   if (!arguments.diff.empty()) check_writable(arguments.diff);
   if (!arguments.json.empty()) check_writable(arguments.json);
   const CompareLimits limits = all_limits(arguments);
+  auto line = std::make_unique<ProgressLine>("comparing");
   const ImagePair images = read_image_pair(arguments.a, arguments.b);
   const Comparison found = compare(images.a, images.b, images.unit, limits);
   if (!arguments.diff.empty()) write_png(arguments.diff, with_legend(heat_image(images.a, images.b, found), found));
   const ComparisonReport report{arguments.a, arguments.b, limits, found,
                                 arguments.flip == CompareArguments::Flip::yes ? flip_of(images) : std::nullopt};
+  line.reset(); // before anything is printed
   if (!arguments.json.empty()) write_text(arguments.json, comparison_json(report));
   if (arguments.json != standard_output) std::cout << comparison_text(report);
   return found.same ? ExitCode::ok : ExitCode::differ;

@@ -3,6 +3,7 @@
 #include "app/arguments.h"
 #include "app/command.h"
 #include "app/output.h"
+#include "app/progress_line.h"
 #include "io/image_file.h"
 #include "io/scene_file.h"
 #include "verify/gl/gl_report.h"
@@ -60,9 +61,10 @@ ExitCode run(const GlArguments& a) {
   options.want_radiance = !a.radiance.empty();
   options.want_depth = !a.depth.empty();
 
-  const Scene scene = read_scene(a.scene);
   GlFrame frame;
   try {
+    const ProgressLine line("drawing " + a.scene);
+    const Scene scene = read_scene(a.scene);
     frame = render_gl(scene, options);
   } catch (const NoOpenGl& error) {
     std::cerr << "refraster: " << error.what() << "\n";

@@ -3,6 +3,7 @@
 #include "app/arguments.h"
 #include "app/command.h"
 #include "app/output.h"
+#include "app/progress_line.h"
 #include "io/merl_file.h"
 #include "shading/merl_synthesis.h"
 #include "verify/merl_facts.h"
@@ -18,10 +19,19 @@ void print_rgb(const char* label, const Rgb<double>& rgb) {
   std::printf("%-16s %12.6g %12.6g %12.6g\n", label, rgb.x, rgb.y, rgb.z);
 }
 
-ExitCode print_info(const std::string& path) {
+struct TableInfo {
+  std::string material; // empty if not one of the database
+  MerlFacts facts;
+};
+
+TableInfo table_info(const std::string& path) {
+  const ProgressLine line("reading " + path);
   const std::shared_ptr<const MerlTable> table = read_merl(path);
-  const std::string material(merl_material_name(file_sha256(path)));
-  const MerlFacts facts = merl_facts(*table);
+  return {std::string(merl_material_name(file_sha256(path))), merl_facts(*table)};
+}
+
+ExitCode print_info(const std::string& path) {
+  const auto [material, facts] = table_info(path);
   const auto per_channel = [&](double ChannelFacts::*fact) {
     return Rgb<double>(facts.channels[0].*fact, facts.channels[1].*fact, facts.channels[2].*fact);
   };
@@ -60,7 +70,10 @@ CLI::App& add_formula(CLI::App& synth, Action& chosen, const std::string& name, 
   command.final_callback([&chosen, formula, output] {
     chosen = [formula, output] {
       check_writable(*output);
-      write_merl(*output, merl_table_from(std::as_const(*formula)));
+      {
+        const ProgressLine line("making " + *output);
+        write_merl(*output, merl_table_from(std::as_const(*formula)));
+      }
       std::cout << *output << "\n";
       return ExitCode::ok;
     };

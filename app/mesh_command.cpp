@@ -4,6 +4,7 @@
 #include "app/arguments.h"
 #include "app/command.h"
 #include "app/output.h"
+#include "app/progress_line.h"
 #include "io/obj_file.h"
 #include "io/scene_keys.h"
 #include "raster/primitives.h"
@@ -51,7 +52,10 @@ void add_shape(CLI::App& mesh, Action& chosen) {
   command.final_callback([&chosen, shape, output] {
     chosen = [shape, output] {
       check_writable(*output);
-      write_obj(*output, made(*shape));
+      {
+        const ProgressLine line("making " + *output);
+        write_obj(*output, made(*shape));
+      }
       std::cout << *output << "\n";
       return ExitCode::ok;
     };

@@ -1,7 +1,11 @@
 #include "app/progress_line.h"
 
+#include <chrono>
+#include <condition_variable>
 #include <cstdio>
+#include <mutex>
 #include <unistd.h>
+#include <utility>
 
 namespace refraster {
 namespace {
@@ -11,19 +15,32 @@ constexpr auto interval = 100ms; // more often cannot be read
 constexpr char erase_line[] = "\r\033[K";
 } // namespace
 
-ProgressLine::ProgressLine() : next_(Clock::now() + patience), on_terminal_(isatty(STDERR_FILENO) == 1) {}
-
-ProgressLine::~ProgressLine() {
-  if (shown_) std::fputs(erase_line, stderr);
+ProgressLine::ProgressLine(std::string what) : what_(std::move(what)) {
+  if (isatty(STDERR_FILENO) == 1) printer_ = std::jthread([this](const std::stop_token& end) { print_until(end); });
 }
 
-void ProgressLine::show(double share) {
-  if (!on_terminal_) return;
-  const Clock::time_point now = Clock::now();
-  if (now < next_) return;
-  next_ = now + interval;
-  shown_ = true;
-  std::fprintf(stderr, "%srendering %3.0f %%", erase_line, 100 * share);
+ProgressLine::~ProgressLine() = default; // stops the printer and waits for it
+
+void ProgressLine::print_until(const std::stop_token& end) const {
+  const auto start = std::chrono::steady_clock::now();
+  std::mutex mutex;
+  std::condition_variable_any never;
+  std::unique_lock lock(mutex);
+  const auto ended_within = [&](auto duration) {
+    never.wait_for(lock, end, duration, [] { return false; });
+    return end.stop_requested();
+  };
+  if (ended_within(patience)) return;
+  do {
+    const double share = share_.load(std::memory_order_relaxed);
+    if (share >= 0) {
+      std::fprintf(stderr, "%s%s %3.0f %%", erase_line, what_.c_str(), 100 * share);
+    } else {
+      const std::chrono::duration<double> since = std::chrono::steady_clock::now() - start;
+      std::fprintf(stderr, "%s%s %3.0f s", erase_line, what_.c_str(), since.count());
+    }
+  } while (!ended_within(interval));
+  std::fputs(erase_line, stderr);
 }
 
 } // namespace refraster

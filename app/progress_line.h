@@ -1,25 +1,31 @@
 #pragma once
-// How far a long frame is.
+// How far something long is.
 
-#include <chrono>
+#include <atomic>
+#include <string>
+#include <thread>
 
 namespace refraster {
 
-/// A line on stderr that counts up, from the second second on, if stderr is a terminal. Wiped when done.
+/// While it lives, and from the second second on: a line on stderr that says what is being done and for how long, or
+/// how far it is, if stderr is a terminal. Wiped at the end.
 class ProgressLine {
 public:
-  ProgressLine();
+  /// what: "reading ball.json".
+  explicit ProgressLine(std::string what);
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// share: done so far, in [0, 1]. From one thread at a time.
-  void show(double share);
+  /// share: done so far, in [0, 1]. From any thread.
+  void show(double share) { share_.store(share, std::memory_order_relaxed); }
 
 private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point next_;
-  bool on_terminal_, shown_ = false;
+  void print_until(const std::stop_token& end) const;
+
+  std::string what_;
+  std::atomic<double> share_{-1}; // nobody has said
+  std::jthread printer_;          // none off a terminal
 };
 
 } // namespace refraster

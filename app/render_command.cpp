@@ -84,15 +84,26 @@ RenderOptions options_from(const RenderArguments& arguments) {
   return options;
 }
 
-Frame rendered(const Scene& scene, RenderOptions options, Progress progress) {
-  if (progress == Progress::quiet) return render(scene, options);
-  ProgressLine line;
-  options.progress = [&line](double share) { line.show(share); };
+/// Nothing where none is wanted.
+std::unique_ptr<ProgressLine> progress_line(Progress progress, const std::string& what) {
+  return progress == Progress::quiet ? nullptr : std::make_unique<ProgressLine>(what);
+}
+
+Scene scene_of(const RenderArguments& arguments) {
+  const auto line = progress_line(arguments.progress, "reading " + arguments.scene);
+  return read_scene(arguments.scene);
+}
+
+Frame rendered(const Scene& scene, const RenderArguments& arguments) {
+  const auto line = progress_line(arguments.progress, "rendering");
+  RenderOptions options = options_from(arguments);
+  if (line) options.progress = [&line](double share) { line->show(share); };
   return render(scene, options);
 }
 
 /// Writes what was asked for and gives the paths.
 std::vector<std::string> write_images(const Frame& frame, const RenderArguments& arguments) {
+  const auto line = progress_line(arguments.progress, "writing " + arguments.output);
   std::vector<std::string> paths = {arguments.output};
   if (frame.radiance.empty()) write_png(arguments.output, frame.levels);
   else write_values(arguments.output, frame.radiance);
@@ -109,11 +120,11 @@ ExitCode run(const RenderArguments& arguments) {
   if (!arguments.report.empty()) check_writable(arguments.report);
 
   const Stopwatch reading;
-  const Scene scene = read_scene(arguments.scene);
+  const Scene scene = scene_of(arguments);
   const double read_seconds = reading.seconds();
   if (interrupted()) return ExitCode::interrupted;
 
-  const Frame frame = rendered(scene, options_from(arguments), arguments.progress);
+  const Frame frame = rendered(scene, arguments);
   if (frame.cancelled || interrupted()) return ExitCode::interrupted;
 
   const Stopwatch writing;

@@ -3,8 +3,9 @@
 #include "io/json_writer.h"
 
 // CMakeLists.txt gives these to this file.
-#if !defined(REFRASTER_VERSION) || !defined(REFRASTER_BUILD_TYPE) || !defined(REFRASTER_MARCH)
-#error "io/CMakeLists.txt must define REFRASTER_VERSION, REFRASTER_BUILD_TYPE and REFRASTER_MARCH for this file"
+#if !defined(REFRASTER_VERSION) || !defined(REFRASTER_BUILD_TYPE) || !defined(REFRASTER_MARCH) ||                      \
+    !defined(REFRASTER_FLAGS)
+#error "io/CMakeLists.txt must define REFRASTER_VERSION, _BUILD_TYPE, _MARCH and _FLAGS for this file"
 #endif
 
 namespace refraster {
@@ -44,6 +45,7 @@ void write_build(JsonWriter& json, const BuildInfo& build) {
   json.member("type", build.type);
   json.member("march", build.march);
   json.member("isa", build.isa);
+  json.member("flags", build.flags);
   json.end_object();
 }
 
@@ -97,7 +99,7 @@ void write_counts(JsonWriter& json, const FrameCounts& counts) {
 } // namespace
 
 BuildInfo this_build() {
-  return {REFRASTER_VERSION, compiler(), REFRASTER_BUILD_TYPE, REFRASTER_MARCH, isa()};
+  return {REFRASTER_VERSION, compiler(), REFRASTER_BUILD_TYPE, REFRASTER_MARCH, isa(), REFRASTER_FLAGS};
 }
 
 std::string report_json(const RunReport& report) {

@@ -15,6 +15,7 @@ struct BuildInfo {
   std::string type;     // CMake's: "Release"
   std::string march;    // what the build asked for: "native"
   std::string isa;      // what that means here: "x86-64-v4"
+  std::string flags;    // of the compiler, for all that makes pixels
 };
 BuildInfo this_build();
 

@@ -21,8 +21,9 @@ std::vector<std::string> files_in(const TemporaryFolder& folder) {
   return names;
 }
 
-Running::Running(const fs::path& folder, const std::vector<std::string>& arguments) {
-  const std::string out = texts_ / "out", err = texts_ / "err", in = folder;
+Running::Running(const fs::path& folder, const std::vector<std::string>& arguments, const std::string& standard_error) {
+  const std::string out = texts_ / "out", in = folder;
+  const std::string err = standard_error.empty() ? texts_ / "err" : standard_error;
   std::vector<std::string> words = {REFRASTER_PROGRAM};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
@@ -34,7 +35,7 @@ Running::Running(const fs::path& folder, const std::vector<std::string>& argumen
   if (process_ > 0) return;
   // In the child: nothing but system calls, then the program.
   const int out_file = open(out.c_str(), O_WRONLY | O_CREAT, 0600);
-  const int err_file = open(err.c_str(), O_WRONLY | O_CREAT, 0600);
+  const int err_file = open(err.c_str(), O_WRONLY | O_CREAT | O_NOCTTY, 0600);
   const bool ready = dup2(out_file, STDOUT_FILENO) >= 0 && dup2(err_file, STDERR_FILENO) >= 0 && chdir(in.c_str()) == 0;
   if (ready) execv(argv[0], argv.data());
   _exit(126);

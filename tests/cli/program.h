@@ -23,7 +23,9 @@ struct Finished {
 /// A run that has started.
 class Running {
 public:
-  Running(const std::filesystem::path& folder, const std::vector<std::string>& arguments);
+  /// standard_error: a device; by default a file, which wait() gives back.
+  Running(const std::filesystem::path& folder, const std::vector<std::string>& arguments,
+          const std::string& standard_error = "");
   void send(int signal) const;
   Finished wait();
 

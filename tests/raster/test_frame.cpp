@@ -183,6 +183,20 @@ TEST_CASE("a pixel of one sample shows its surface where its centre's ray meets 
   MESSAGE("largest error: " << worst.convert_to<double>() << " of its bound");
 }
 
+TEST_CASE("how far the eye is changes no highlight") {
+  for (const double distance : {0.5, 1.0, 4.0, 512.0}) {
+    CAPTURE(distance);
+    WindowScene window(1);
+    Object& wall =
+        window.add({window.place(-9, -9, distance), window.place(-9, 19, distance), window.place(19, -9, distance)});
+    auto& phong = std::get<Phong>(wall.material.model);
+    phong.ka = Double3(0), phong.ks = Double3(1), phong.glossiness = 1;
+    window.scene.direction_lights.push_back({.direction = {0, -3, -4}, .radiance = Double3(1)});
+    // n = v = (0, 0, 1), l = (0, 3, 4) / 5: r = 2 (n.l) n - l = (0, -3, 4) / 5, and r.v = 0.8.
+    CHECK(*window.frame().radiance.at(0, 0) == 0.8f);
+  }
+}
+
 TEST_CASE("samples stand at the standard positions") {
   // Vulkan 1.3, "Multisampling", table of standard sample locations; in sixteenths of a pixel.
   const std::vector<std::vector<std::pair<int, int>>> standard = {

@@ -1,0 +1,56 @@
+#include "tests/raster/triangles.h"
+#include "tests/support/for_all.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+using namespace refraster;
+using namespace refraster::test;
+
+namespace {
+
+using Corners = std::array<WindowVertex, 3>;
+constexpr int side = 16;
+
+/// Large enough for any tile here, at one depth: to the last bit, since nothing is added to it.
+Corners backdrop(double z) {
+  return {lattice_vertex(-9999, -9999, z), lattice_vertex(-9999, 99999, z), lattice_vertex(99999, -9999, z)};
+}
+
+/// At how many samples the triangle numbered `which` is the nearest.
+int seen(const std::vector<Corners>& triangles, std::uint32_t which, TileVisibility& visibility) {
+  const LatticeFrame frame(triangles);
+  std::vector<std::uint32_t> numbers(triangles.size());
+  for (std::uint32_t i = 0; i < numbers.size(); ++i) numbers[i] = i;
+  visibility.decide(frame.scene, frame.geometry, frame.bins, numbers, {0, 0, side, side}, sample_pattern(1));
+  int count = 0;
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) count += visibility.nearest(0, x, y) == static_cast<std::int32_t>(which);
+  return count;
+}
+
+} // namespace
+
+TEST_CASE("no sample of a triangle lies before its nearest corner or behind its farthest, not by a bit") {
+  TileVisibility visibility(side);
+  int covered = 0;
+  for_all(3000, [&](Random& random) {
+    // Corners on sample centres, where depth is a corner's own but for rounding.
+    Corners corners;
+    for (WindowVertex& v : corners) {
+      const auto place = [&] { return static_cast<std::int32_t>(random.uniform(0, side)) * subpixels + 128; };
+      const std::int32_t x = place(), y = place();
+      v = lattice_vertex(x, y, random.uniform(-1, 1));
+    }
+    if (!set_up_snapped(corners)) return;
+    const double z_min = std::min({corners[0].z, corners[1].z, corners[2].z});
+    const double z_max = std::max({corners[0].z, corners[1].z, corners[2].z});
+    // Of equal depths the first drawn is seen: so never the triangle before this, and never this before the triangle.
+    const int own = seen({corners}, 0, visibility);
+    covered += own;
+    REQUIRE(seen({backdrop(z_min), corners}, 1, visibility) == 0);
+    REQUIRE(seen({corners, backdrop(z_max)}, 0, visibility) == own);
+  });
+  CHECK(covered > 10'000);
+}
