@@ -92,6 +92,7 @@ Frame render(const Scene& scene, const RenderOptions& options) {
          region.x + region.width <= options.width && region.y + region.height <= options.height);
   if (options.want_levels) frame.levels = Image<std::uint8_t>(region.width, region.height, 3);
   if (options.want_radiance) frame.radiance = Image<float>(region.width, region.height, 3);
+  if (options.want_radiance_double) frame.radiance_double = Image<double>(region.width, region.height, 3);
   for (const Aov aov : options.aovs)
     frame.aovs.emplace_back(region.width, region.height, aov_channels[static_cast<std::size_t>(aov)]);
   frame.counts.pixels = static_cast<std::uint64_t>(region.width) * static_cast<std::uint64_t>(region.height);
