@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <unistd.h>
+#include <utility>
 
 namespace refraster {
 namespace {
@@ -11,7 +12,8 @@ constexpr auto interval = 100ms; // more often cannot be read
 constexpr char erase_line[] = "\r\033[K";
 } // namespace
 
-ProgressLine::ProgressLine() : next_(Clock::now() + patience), on_terminal_(isatty(STDERR_FILENO) == 1) {}
+ProgressLine::ProgressLine(std::string doing)
+    : doing_(std::move(doing)), next_(Clock::now() + patience), on_terminal_(isatty(STDERR_FILENO) == 1) {}
 
 ProgressLine::~ProgressLine() {
   if (shown_) std::fputs(erase_line, stderr);
@@ -23,7 +25,7 @@ void ProgressLine::show(double share) {
   if (now < next_) return;
   next_ = now + interval;
   shown_ = true;
-  std::fprintf(stderr, "%srendering %3.0f %%", erase_line, 100 * share);
+  std::fprintf(stderr, "%s%s %3.0f %%", erase_line, doing_.c_str(), 100 * share);
 }
 
 } // namespace refraster
