@@ -85,4 +85,19 @@ std::optional<std::uint64_t> count_from(std::string_view text) {
   return number_from<std::uint64_t>(text);
 }
 
+CLI::Option* add_list_option(CLI::App& command, const std::string& name, std::vector<std::string>& values,
+                             const std::vector<std::string>& choices, const std::string& description) {
+  std::string form;
+  for (const std::string& choice : choices) form += (form.empty() ? "" : "|") + choice;
+  const auto fault = [choices, form](const std::string& given) {
+    const bool known = std::find(choices.begin(), choices.end(), given) != choices.end();
+    return known ? std::string() : "found \"" + given + "\", expected " + form;
+  };
+  return command.add_option(name, values, description)
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name(form + ",…")
+      ->check(CLI::Validator(fault, ""));
+}
+
 } // namespace refraster

@@ -65,6 +65,10 @@ CLI::Option* add_choice_option(CLI::App& command, const std::string& name, Value
   return command.add_option(name, value, description)->type_name(form)->check(CLI::Validator(fault, ""));
 }
 
+/// An option for some of a few words, divided by commas; the help shows them.
+CLI::Option* add_list_option(CLI::App& command, const std::string& name, std::vector<std::string>& values,
+                             const std::vector<std::string>& choices, const std::string& description);
+
 /// An option whose text `parse` turns into a value; nothing from parse is wrong usage, and the message says what was
 /// found and expected. `form` stands for the value in the help.
 template <class Value, class Parsed>

@@ -36,6 +36,7 @@ std::string version_text();
 void add_render(CLI::App& program, Action& chosen);  // render_command.cpp
 void add_compare(CLI::App& program, Action& chosen); // compare_command.cpp
 void add_gl(CLI::App& program, Action& chosen);      // gl_command.cpp
+void add_bench(CLI::App& program, Action& chosen);   // bench_command.cpp
 void add_mesh(CLI::App& program, Action& chosen);    // mesh_command.cpp
 void add_merl(CLI::App& program, Action& chosen);    // merl_command.cpp
 void add_list(CLI::App& program, Action& chosen);    // list_command.cpp

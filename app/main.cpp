@@ -11,7 +11,7 @@
 namespace refraster {
 namespace {
 
-constexpr AddCommand commands[] = {add_render, add_compare, add_gl, add_mesh, add_merl, add_list};
+constexpr AddCommand commands[] = {add_render, add_compare, add_gl, add_bench, add_mesh, add_merl, add_list};
 
 ExitCode failed(ExitCode code, const std::string& message) {
   std::cerr << "refraster: " << message << "\n";

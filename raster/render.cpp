@@ -87,6 +87,8 @@ void reshape_images(const RenderOptions& options, const Crop& region, Frame& fra
   else frame.levels = {};
   if (options.want_radiance) reshape(frame.radiance, region, 3);
   else frame.radiance = {};
+  if (options.want_radiance_double) reshape(frame.radiance_double, region, 3);
+  else frame.radiance_double = {};
   frame.aovs.resize(options.aovs.size());
   for (std::size_t i = 0; i < options.aovs.size(); ++i) {
     Image<float>& image = frame.aovs[i];

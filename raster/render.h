@@ -46,6 +46,7 @@ struct RenderOptions {
   // What to make. Only what is asked for is computed and takes memory.
   bool want_levels = true;              // 8-bit image
   bool want_radiance = false;           // float image
+  bool want_radiance_double = false;    // the same before it is rounded to float, to measure a rung by
   Transfer transfer = Transfer::linear; // of the 8-bit image
   std::vector<Aov> aovs;
   std::function<void(double)> progress;      // called with the share done, in [0, 1], from one thread at a time
@@ -86,6 +87,7 @@ struct FrameCounts {
 struct Frame {
   Image<std::uint8_t> levels;     // 3 channels; empty if not wanted
   Image<float> radiance;          // 3 channels, unclamped; empty if not wanted
+  Image<double> radiance_double;  // the same, exactly as the rung computed it; empty if not wanted
   std::vector<Image<float>> aovs; // in the order of RenderOptions::aovs
   FrameCounts counts;
   StageSeconds seconds;

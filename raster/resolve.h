@@ -107,15 +107,18 @@ private:
     counts.shaded += pixels;
     const int left = tile.x - context.region.x, top = tile.y - context.region.y;
     if (!frame.radiance.empty()) write_radiance(context, tile, runs, colours, left, top, frame.radiance);
+    if (!frame.radiance_double.empty()) write_radiance(context, tile, runs, colours, left, top, frame.radiance_double);
     if (!frame.levels.empty()) write_levels(context, tile, runs, colours, pixels, left, top, frame.levels);
   }
 
+  template <class Value>
   static void write_radiance(const FrameContext& context, const Crop& tile, std::span<const FragmentRun> runs,
-                             const FragmentColours<T>& colours, int left, int top, Image<float>& image) {
+                             const FragmentColours<T>& colours, int left, int top, Image<Value>& image) {
     const Rgb<Real> background = as<Real>(context.scene.background);
-    const auto put = [](float* at, const Rgb<Real>& rgb) {
-      constexpr Real largest = std::numeric_limits<float>::max(); // a finite double may lie beyond it
-      for (int c = 0; c < 3; ++c) at[c] = static_cast<float>(minimum(maximum(rgb[c], -largest), largest));
+    const auto put = [](Value* at, const Rgb<Real>& rgb) {
+      using Narrow = std::conditional_t<sizeof(Value) < sizeof(Real), Value, Real>;
+      constexpr Real largest = std::numeric_limits<Narrow>::max(); // a finite double may lie beyond a float's
+      for (int c = 0; c < 3; ++c) at[c] = static_cast<Value>(minimum(maximum(rgb[c], -largest), largest));
     };
     for (int y = 0; y < tile.height; ++y)
       for (int x = 0; x < tile.width; ++x) put(image.at(left + x, top + y), background);

@@ -28,6 +28,7 @@ RenderOptions everything(std::string_view rung, int samples) {
   options.rung = rung, options.samples = samples;
   options.threads = 1;
   options.want_radiance = true;
+  options.want_radiance_double = true;
   options.aovs = every_aov;
   return options;
 }
@@ -43,7 +44,8 @@ bool same_rows(const Image<Value>& part, const Image<Value>& whole, const Crop& 
 }
 
 bool same_images(const Frame& part, const Frame& whole, const Crop& crop) {
-  bool same = same_rows(part.levels, whole.levels, crop) && same_rows(part.radiance, whole.radiance, crop);
+  bool same = same_rows(part.levels, whole.levels, crop) && same_rows(part.radiance, whole.radiance, crop) &&
+              same_rows(part.radiance_double, whole.radiance_double, crop);
   for (std::size_t i = 0; i < whole.aovs.size(); ++i) same = same && same_rows(part.aovs[i], whole.aovs[i], crop);
   return same;
 }
@@ -70,6 +72,21 @@ void for_each_rendering(Body&& body) {
 }
 
 } // namespace
+
+TEST_CASE("the radiance in double, rounded once, is the radiance; in the float rung they are equal") {
+  for_each_rendering([](const Scene& scene, const RenderOptions& options) {
+    const Frame frame = render(scene, options);
+    std::size_t differ = 0, only_double = 0;
+    for (std::size_t i = 0; i < frame.radiance.values.size(); ++i) {
+      const double most = std::numeric_limits<float>::max();
+      const double value = std::clamp(frame.radiance_double.values[i], -most, most);
+      differ += static_cast<float>(value) != frame.radiance.values[i];
+      only_double += value != static_cast<double>(frame.radiance.values[i]);
+    }
+    CHECK(differ == 0);
+    CHECK((only_double > 0) == (options.rung == "double"));
+  });
+}
 
 TEST_CASE("threads, tile sizes and crops change no byte, threads and tile sizes no count") {
   struct Way {

@@ -3,37 +3,12 @@
 #include "verify/gl/context.h"
 #include "verify/gl/drawing.h"
 #include "verify/gl/frame_timer.h"
+#include "verify/gl/target.h"
 
 #include <algorithm>
 
 namespace refraster {
 namespace {
-
-void check_size(const GlApi& gl, const GlOptions& options) {
-  GLint most = 0;
-  gl.GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &most);
-  if (options.width > most || options.height > most)
-    throw NoOpenGl("an image of " + std::to_string(options.width) + " x " + std::to_string(options.height) +
-                   " pixels is too large for this OpenGL, which draws at most " + std::to_string(most) + " a side");
-}
-
-/// Something to draw to, and now the current framebuffer: colour in the given format, depth in DEPTH32F.
-void make_target(const GlApi& gl, GLenum colour_format, const GlOptions& options) {
-  GLuint framebuffer = 0, buffers[2] = {};
-  gl.GenFramebuffers(1, &framebuffer);
-  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  gl.GenRenderbuffers(2, buffers);
-  const GLenum formats[] = {colour_format, GL_DEPTH_COMPONENT32F},
-               places[] = {GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT};
-  for (std::size_t i = 0; i < 2; ++i) {
-    gl.BindRenderbuffer(GL_RENDERBUFFER, buffers[i]);
-    gl.RenderbufferStorage(GL_RENDERBUFFER, formats[i], options.width, options.height);
-    gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, places[i], GL_RENDERBUFFER, buffers[i]);
-  }
-  if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-    throw NoOpenGl("this OpenGL cannot draw to an image of that format and size");
-  gl.Viewport(0, 0, options.width, options.height);
-}
 
 /// The current framebuffer's pixels. y was turned over in drawing, so the first row is the top one.
 template <class Value>
@@ -60,7 +35,6 @@ std::uint64_t counted_samples(const GlApi& gl, const GlDrawing& drawing) {
 GlFrame render_gl(const Scene& scene, const GlOptions& options) {
   const GlContext context(options.renderer);
   const GlApi& gl = context.gl();
-  check_size(gl, options);
   GlFrame frame;
   frame.driver = context.driver();
 

@@ -1,0 +1,129 @@
+#include "app/bench/report_text.h"
+
+#include "app/bench/format.h"
+#include "app/bench/text_table.h"
+
+#include <cmath>
+
+namespace refraster::bench {
+namespace {
+
+constexpr const char* none = "-";
+
+std::string counted(std::size_t count, const char* noun) {
+  return with_commas(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+std::string header(const SceneResult& scene) {
+  std::string text = format("%s: %d x %d, ", scene.scene.c_str(), scene.width, scene.height);
+  text += counted(static_cast<std::size_t>(scene.samples), "sample") + " a pixel, " + counted(scene.lights, "light");
+  text += ", " + counted(scene.counts.triangles, "triangle") + ", " + with_commas(scene.counts.shaded) +
+          " shaded pixels; " + counted(scene.rounds, "round") + "\n";
+  return text;
+}
+
+/// How far the middle half reaches, as a share of the median.
+std::string middle(const Spread& spread) {
+  return format("%.1f%%", 100 * (spread.upper - spread.lower) / spread.median);
+}
+
+std::string frames(const Run& run, const SceneResult& scene) {
+  TextTable table({"", "threads", "frame ms", "quartiles", "CPU ms", "ns/px", "cycles/px", "GL/ours"});
+  const auto row = [&](const std::string& name, int threads, const Spread& frame, const Spread& cpu,
+                       const std::string& ratio) {
+    const double ns = frame.median * 1e6 / scene.shaded();
+    table.add({name, std::to_string(threads), format("%.3f", frame.median), middle(frame), format("%.3f", cpu.median),
+               three_digits(ns), three_digits(ns * run.machine.time_stamp_ghz), ratio});
+  };
+  for (const RungResult& rung : scene.rungs)
+    row(rung.rung, rung.threads, rung.frame_ms, rung.cpu_ms,
+        rung.opengl_ratio ? format("%.2f", rung.opengl_ratio->median) : none);
+  for (const OpenGlResult& one : scene.opengl)
+    row(one.renderer.substr(0, one.renderer.find(' ')), one.threads, one.frame_ms, one.cpu_ms, "");
+  return table.text();
+}
+
+std::string split(const SceneResult& scene) {
+  TextTable table({"ns/px of wall time", "threads", "transform", "bin", "coverage", "surfaces", "interpolate", "light",
+                   "resolve", "other"});
+  for (const RungResult& rung : scene.rungs) {
+    std::vector<std::string> row = {rung.rung, std::to_string(rung.threads)};
+    for (const auto& [name, part] : split_parts) row.push_back(format("%.2f", rung.split_ns.*part));
+    table.add(row);
+  }
+  return table.text();
+}
+
+std::string costs(const SceneResult& scene) {
+  TextTable table({"what adds how much", "ns", "lower quartile", "upper quartile"});
+  const auto row = [&](const std::string& rung, const std::string& what, const Spread& ns) {
+    table.add({rung + ": " + what, three_digits(ns.median), three_digits(ns.lower), three_digits(ns.upper)});
+  };
+  for (const RungResult& rung : scene.rungs) {
+    for (const FunctionCost& cost : rung.functions)
+      row(rung.rung, name_of(cost.function) + ", a fragment and light, one thread", cost.ns);
+    if (!rung.marginal) continue;
+    row(rung.rung, "one more light, a pixel", rung.marginal->light);
+    if (rung.marginal->texture)
+      row(rung.rung,
+          rung.marginal->texture_change == TextureChange::removed ? "its textures, a pixel" : "a texture, a pixel",
+          *rung.marginal->texture);
+    if (rung.marginal->double_samples) row(rung.rung, "twice the samples, a pixel", *rung.marginal->double_samples);
+  }
+  return table.text();
+}
+
+std::string errors(const SceneResult& scene) {
+  if (scene.errors.empty()) return "errors not measured: the image is too large\n";
+  TextTable table({"error", "pixels", "max", "99.9%", "mean"});
+  std::string more;
+  for (const RungError& rung : scene.errors) {
+    if (rung.against_double) {
+      const ImageError& error = *rung.against_double;
+      const auto row = [&](const char* what, const ImageError::Figures& f) {
+        table.add({rung.rung + what, with_commas(error.pixels), three_digits(f.max), three_digits(f.p99_9),
+                   three_digits(f.mean)});
+      };
+      row(" against double, levels of 255", error.levels);
+      row(" against double, relative", error.relative);
+      more += rung.rung + ": in 8 bits " + with_commas(error.off_by_one) + " pixels are off by one, " +
+              with_commas(error.off_by_more) + " by more\n";
+    }
+    if (rung.against_oracle) {
+      const OracleError& error = *rung.against_oracle;
+      if (error.followed > 0)
+        table.add({rung.rung + " against 60 digits, relative", with_commas(error.followed),
+                   three_digits(error.max_relative), none, three_digits(error.mean_relative)});
+      if (!error.reason.empty())
+        more += rung.rung + ": 60 digits follow " + with_commas(error.followed) + " of " + with_commas(error.asked) +
+                " pixels: " + error.reason + "\n";
+    }
+  }
+  return table.text() + more;
+}
+
+} // namespace
+
+std::string three_digits(double x) {
+  if (!std::isfinite(x)) return none;
+  const double size = std::abs(x);
+  if (size != 0 && (size < 1e-3 || size >= 1e6)) return format("%.2g", x);
+  return size >= 100  ? format("%.0f", x)
+         : size >= 10 ? format("%.1f", x)
+         : size >= 1  ? format("%.2f", x)
+                      : format("%.3f", x);
+}
+
+std::string run_text(const Run& run) {
+  std::string text = run.machine.cpu + ", " + counted(run.machine.usable_cpus.size(), "CPU") +
+                     format(", load %.2f at the start, %.2f at the end\n", run.load_at_start[0], run.load_at_end[0]);
+  for (const std::string& note : run.notes) text += "note: " + note + "\n";
+  for (const SceneResult& scene : run.scenes) {
+    text += "\n" + header(scene) + "\n" + frames(run, scene) + "\n" + split(scene);
+    if (scene.rungs.front().marginal) text += "\n" + costs(scene);
+    if (!scene.errors.empty()) text += "\n" + errors(scene);
+  }
+  return text;
+}
+
+} // namespace refraster::bench

@@ -1,0 +1,205 @@
+// refraster bench [SCENE…]
+
+#include "app/arguments.h"
+#include "app/bench/built_in.h"
+#include "app/bench/report_json.h"
+#include "app/bench/report_text.h"
+#include "app/bench/rung_errors.h"
+#include "app/bench/scene_bench.h"
+#include "app/command.h"
+#include "app/interrupt.h"
+#include "app/output.h"
+#include "app/progress_line.h"
+#include "io/scene_file.h"
+#include "math/rungs.h"
+#include "verify/gl/render_gl.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <memory>
+
+namespace refraster {
+namespace {
+
+using namespace bench;
+
+enum class Errors { measured, left_out };
+
+struct BenchArguments {
+  std::vector<std::string> scenes, rungs;
+  std::vector<int> threads;
+  Size size;
+  int samples = 1, frames = 9;
+  double seconds = 3;
+  std::string gl = "llvmpipe", json;
+  bool gl_named = false; // by the user, who then does not want to do without
+  Marginals marginals = Marginals::measured;
+  Errors errors = Errors::measured;
+};
+
+template <class... Rung>
+std::vector<std::string> rung_names(const std::tuple<Rung...>*) {
+  return {std::string(Rung::name)...};
+}
+
+/// As it was typed, words with spaces in quotes.
+std::string command_line() {
+  std::ifstream file("/proc/self/cmdline", std::ios::binary);
+  std::string text(std::istreambuf_iterator<char>(file), {}), line;
+  for (std::size_t start = 0; start < text.size();) {
+    const std::size_t end = std::min(text.find('\0', start), text.size());
+    std::string word = text.substr(start, end - start);
+    if (start == 0) word = word.substr(word.rfind('/') + 1);
+    if (word.find(' ') != std::string::npos) word = "'" + word + "'";
+    line += (start == 0 ? "" : " ") + word;
+    start = end + 1;
+  }
+  return line;
+}
+
+std::optional<GlRenderer> renderer_named(const std::string& name) {
+  for (const auto& [value, listed] : EnumNames<GlRenderer>::names)
+    if (listed == name) return value;
+  return std::nullopt;
+}
+
+/// The scenes, read one at a time, each once it is its turn.
+class Bench {
+public:
+  explicit Bench(const BenchArguments& arguments) : a_(arguments), opengl_(renderer_named(arguments.gl)) {
+    run_.command = command_line();
+    run_.started = utc_now();
+    run_.machine = this_machine();
+    run_.load_at_start = load_average();
+    run_.warm_up = rounds_.warm_up;
+    run_.least_rounds = rounds_.least = a_.frames;
+    run_.seconds = rounds_.seconds = a_.seconds;
+    rounds_.stop = &interrupted();
+    const auto usable = static_cast<int>(run_.machine.usable_cpus.size());
+    for (const int threads : a_.threads)
+      if (threads > usable)
+        run_.notes.push_back(std::to_string(threads) + " threads share " + std::to_string(usable) + " CPUs");
+    if (a_.samples > 1 && opengl_) {
+      run_.notes.emplace_back("OpenGL is left out: it is drawn with one sample a pixel");
+      opengl_.reset();
+    }
+  }
+
+  void add(const std::string& name, Scene scene) {
+    SceneTask task{.name = name,
+                   .scene = std::move(scene),
+                   .width = a_.size.width,
+                   .height = a_.size.height,
+                   .samples = a_.samples,
+                   .rungs = a_.rungs,
+                   .threads = a_.threads,
+                   .marginals = a_.marginals,
+                   .opengl = opengl_};
+    SceneResult result = timed(task);
+    if (interrupted()) return;
+    if (a_.errors == Errors::measured)
+      result.errors = rung_errors(task, static_cast<int>(run_.machine.usable_cpus.size()));
+    run_.scenes.push_back(std::move(result));
+  }
+
+  Run finished() {
+    run_.ended = utc_now();
+    run_.load_at_end = load_average();
+    return std::move(run_);
+  }
+
+private:
+  SceneResult timed(SceneTask& task) {
+    ProgressLine line("measuring " + task.name);
+    rounds_.progress = [&line](double share) { line.show(share); };
+    const PinnedTeams teams;
+    try {
+      return bench_scene(task, rounds_, teams);
+    } catch (const NoOpenGl& error) {
+      if (a_.gl_named) throw;
+      run_.notes.push_back(std::string("without OpenGL beside: ") + error.what());
+      opengl_.reset();
+      task.opengl.reset();
+    }
+    return bench_scene(task, rounds_, teams);
+  }
+
+  const BenchArguments& a_;
+  std::optional<GlRenderer> opengl_;
+  Rounds rounds_;
+  Run run_;
+};
+
+ExitCode run(const BenchArguments& a) {
+  if (!a.json.empty()) check_writable(a.json);
+  Bench bench(a);
+  try {
+    if (a.scenes.empty()) bench.add(built_in_name, built_in_scene());
+    for (const std::string& path : a.scenes) {
+      bench.add(path, read_scene(path));
+      if (interrupted()) return ExitCode::interrupted;
+    }
+  } catch (const NoOpenGl& error) {
+    std::cerr << "refraster: " << error.what() << "\n";
+    return ExitCode::no_opengl;
+  }
+  if (interrupted()) return ExitCode::interrupted;
+  const Run found = bench.finished();
+  if (!a.json.empty()) write_text(a.json, run_json(found));
+  if (a.json != standard_output) std::cout << run_text(found);
+  return ExitCode::ok;
+}
+
+/// Without an option: all rungs; one thread, and as many as there are CPUs.
+void fill_defaults(BenchArguments& a) {
+  if (a.rungs.empty()) a.rungs = rung_names(static_cast<const Rungs*>(nullptr));
+  if (!a.threads.empty()) return;
+  a.threads = {1};
+  if (const auto usable = static_cast<int>(usable_cpus().size()); usable > 1) a.threads.push_back(usable);
+}
+
+} // namespace
+
+void add_bench(CLI::App& program, Action& chosen) {
+  CLI::App& command = add_sub_command(program, "bench", "Measure what a pixel costs, and what accuracy it buys");
+  const auto arguments = std::make_shared<BenchArguments>();
+  BenchArguments& a = *arguments;
+  command.add_option("scenes", a.scenes, "scene files; without one, a sphere that fills the image")
+      ->type_name("SCENE")
+      ->default_str("");
+  add_parsed_option(command, "--size", a.size, size_from, "WxH",
+                    "WIDTHxHEIGHT, each 1 to " + std::to_string(largest_side), "pixels of the image")
+      ->default_str("1280x720");
+  add_list_option(command, "--rungs", a.rungs, rung_names(static_cast<const Rungs*>(nullptr)),
+                  "precisions, divided by commas")
+      ->default_str("all");
+  command.add_option("--threads", a.threads, "numbers of threads, divided by commas")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::Range(1, 1024))
+      ->type_name("1..1024,…")
+      ->default_str("one, all CPUs");
+  add_number_option(command, "--frames", a.frames, Range{1, 1000000},
+                    "rounds at least; each draws a frame of everything");
+  add_number_option(command, "--seconds", a.seconds, Range{0, 86400},
+                    "and more rounds until so much time has passed, for each scene");
+  add_choice_option(command, "--samples", a.samples, {1, 2, 4, 8, 16}, "samples a pixel");
+  add_choice_option(command, "--gl", a.gl, {"llvmpipe", "softpipe", "default", "none"},
+                    "OpenGL to draw the same frames in between; left out where there is none, unless it is named here");
+  command.add_option("--json", a.json, "write the report as JSON; - is standard output")->type_name("FILE");
+  command.add_flag_callback(
+      "--no-marginal", [&a] { a.marginals = Marginals::left_out; },
+      "only the scene as it is: no further light, texture, samples");
+  command.add_flag_callback(
+      "--no-error", [&a] { a.errors = Errors::left_out; }, "do not measure how far images are from the right ones");
+  command.footer("How it measures: docs/bench.md. The JSON: docs/reports.md.");
+  command.final_callback([&chosen, &command, arguments] {
+    arguments->gl_named = command.count("--gl") > 0;
+    fill_defaults(*arguments);
+    chosen = [arguments] { return run(*arguments); };
+  });
+}
+
+} // namespace refraster

@@ -1,0 +1,41 @@
+#include "verify/gl/gl_session.h"
+
+#include "verify/gl/context.h"
+#include "verify/gl/drawing.h"
+#include "verify/gl/frame_timer.h"
+#include "verify/gl/target.h"
+
+#include <optional>
+
+namespace refraster {
+
+struct GlSession::State {
+  GlContext context;
+  std::optional<GlDrawing> drawing;
+
+  State(const Scene& scene, const GlOptions& options) : context(options.renderer) {
+    make_target(context.gl(), GL_RGBA8, options);
+    drawing.emplace(context.gl(), scene, options);
+    draw();
+    if (const GLenum error = context.gl().GetError(); error != GL_NO_ERROR)
+      throw std::runtime_error("OpenGL reports error " + std::to_string(error));
+  }
+
+  void draw() const {
+    drawing->draw(GlPass::colour);
+    context.gl().Finish();
+  }
+};
+
+GlSession::GlSession(const Scene& scene, const GlOptions& options) : state_(std::make_unique<State>(scene, options)) {}
+GlSession::~GlSession() = default;
+
+const GlDriver& GlSession::driver() const {
+  return state_->context.driver();
+}
+
+GlTimes GlSession::draw_timed() {
+  return time_frames(1, [this] { state_->draw(); });
+}
+
+} // namespace refraster
