@@ -49,7 +49,7 @@ template <class Real>
 void TileSurfaces<Real>::set_up(const Scene& scene, const Geometry& geometry, const Bins& bins,
                                 std::span<const std::uint32_t> triangles) {
   surfaces_.clear();
-  large_lines_.clear();
+  uncommon_lines_ = {};
   groups_.clear();
   next_.clear();
   surface_of_.resize(triangles.size());
@@ -60,7 +60,7 @@ void TileSurfaces<Real>::set_up(const Scene& scene, const Geometry& geometry, co
     if (seen.runs == 0) continue;
     const TriangleRef ref = cursor.at(triangles[place]);
     surface_of_[place] = static_cast<std::int32_t>(surfaces_.size());
-    set_up_surface<Real>(scene, geometry, bins, triangles[place], ref, surfaces_.emplace_back(), large_lines_);
+    set_up_surface<Real>(scene, geometry, bins, triangles[place], ref, surfaces_.emplace_back(), uncommon_lines_);
     if (groups_.empty() || groups_.back().object != ref.object) groups_.push_back({ref.object, runs, runs, 0});
     next_.push_back(runs);
     runs += seen.runs;

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <deque>
 #include <span>
 #include <utility>
 #include <vector>
@@ -52,7 +51,7 @@ private:
   std::uint32_t sort(std::span<FragmentRun> runs);
 
   std::vector<SurfaceTriangle<Real>> surfaces_;
-  std::deque<LargeLines> large_lines_;
+  UncommonLines uncommon_lines_;
   struct Seen {
     std::uint32_t runs = 0, fragments = 0;
   };

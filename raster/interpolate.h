@@ -10,27 +10,26 @@
 
 namespace refraster {
 
-/// f(x, y) of integers x and y in double, as many lanes at a time as a register of doubles holds; each lane of the
-/// result rounded once.
-template <class T, class Function>
-T computed_in_double(const Function& f, const typename Packet<T>::Ints& x, const typename Packet<T>::Ints& y) {
-  constexpr int lanes = NumberTraits<T>::lanes;
-  constexpr int part_lanes = std::min(lanes, NumberTraits<Native<double>>::lanes);
-  using Part = Wide<double, part_lanes>;
-  const auto part = [&](auto first) {
-    const auto lanes_of = [&](const auto& ints) {
-      return [&]<int... I>(std::integer_sequence<int, I...>) {
-        return Part(
-            __builtin_convertvector(__builtin_shufflevector(ints, ints, (first() + I)...), typename Part::Lanes));
-      }
-      (std::make_integer_sequence<int, part_lanes>{});
-    };
-    return Wide<RealOf<T>, part_lanes>(
-        __builtin_convertvector(f(lanes_of(x), lanes_of(y)).v, VectorOf<RealOf<T>, part_lanes>));
-  };
-  if constexpr (part_lanes == lanes) return part(std::integral_constant<int, 0>{});
-  else return joined(part(std::integral_constant<int, 0>{}), part(std::integral_constant<int, part_lanes>{}));
-}
+/// The lanes of a packet in parts, as many as a register of doubles holds.
+template <class T>
+struct Parts {
+  static constexpr int lanes = std::min(NumberTraits<T>::lanes, NumberTraits<Native<double>>::lanes);
+  static constexpr int count = NumberTraits<T>::lanes / lanes;
+  using Double = Wide<double, lanes>;
+
+  template <int part>
+  static Double widened(const typename Packet<T>::Ints& ints) {
+    return [&]<int... I>(std::integer_sequence<int, I...>) {
+      return Double(
+          __builtin_convertvector(__builtin_shufflevector(ints, ints, (part * lanes + I)...), typename Double::Lanes));
+    }
+    (std::make_integer_sequence<int, lanes>{});
+  }
+  /// Each lane rounded once.
+  static Wide<RealOf<T>, lanes> narrowed(const Double& x) {
+    return __builtin_convertvector(x.v, VectorOf<RealOf<T>, lanes>);
+  }
+};
 
 /// The numbers of a packet's triangles, each in its lane.
 template <class T, Triangles triangles>
@@ -77,6 +76,34 @@ private:
   std::array<const SurfaceTriangle<Real>*, triangles == Triangles::many ? lanes : 1> at_;
 };
 
+/// Of a large triangle, exact in double.
+template <Lanes D>
+DoubleValues<D> large_values(const LargeLines& lines, const D& x, const D& y) {
+  DoubleValues<D> result;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto a = static_cast<double>(lines.line[k].a), b = static_cast<double>(lines.line[k].b),
+               c = static_cast<double>(lines.line[k].c);
+    result.value[k] = D(a) * x + (D(b) * y + D(c));
+    result.right[k] = D(a * subpixels);
+    result.down[k] = D(b * subpixels);
+  }
+  return result;
+}
+
+/// Wrapped lines in full: c follows from a value that is exact, at (x, y).
+inline LargeLines unwrapped(const std::array<WrappedLine, 3>& lines, std::int32_t x, std::int32_t y) {
+  LargeLines result;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const WrappedLine& l = lines[k];
+    const auto value = static_cast<std::int32_t>(static_cast<std::uint32_t>(l.a) * static_cast<std::uint32_t>(x) +
+                                                 static_cast<std::uint32_t>(l.b) * static_cast<std::uint32_t>(y) +
+                                                 static_cast<std::uint32_t>(l.c));
+    const std::int64_t a = l.a, b = l.b;
+    result.line[k] = {a, b, value - a * x - b * y};
+  }
+  return result;
+}
+
 /// Whether changes by one pixel are asked for.
 enum class Derivatives { no, yes };
 
@@ -109,23 +136,26 @@ LineValues<T> line_values(const PacketData<T, triangles>& data) {
   return lines;
 }
 
-/// The same for a packet that lies in one large triangle: in double, exact, and then rounded once.
+/// The same for a packet that lies in one large or projective triangle: in double.
 template <Derivatives derivatives, class T>
-LineValues<T> large_line_values(const Packet<T>& packet) {
-  const std::array<SnappedLine, 3>& line = packet.triangle(0).large->line;
+LineValues<T> uncommon_line_values(const Packet<T>& packet) {
+  using Part = Parts<T>;
+  const auto& triangle = packet.triangle(0);
+  const auto part = [&]<int p>(std::integral_constant<int, p>) {
+    const auto x = Part::template widened<p>(packet.x), y = Part::template widened<p>(packet.y);
+    return triangle.projective ? projective_values(*triangle.projective, x, y) : large_values(*triangle.large, x, y);
+  };
+  const auto rounded = [](const auto& low, const auto& high) -> T {
+    if constexpr (Part::count == 1) return Part::narrowed(low);
+    else return joined(Part::narrowed(low), Part::narrowed(high));
+  };
+  const auto low = part(std::integral_constant<int, 0>{}), high = part(std::integral_constant<int, Part::count - 1>{});
   LineValues<T> lines;
   for (std::size_t k = 0; k < 3; ++k) {
-    const auto a = static_cast<double>(line[k].a), b = static_cast<double>(line[k].b),
-               c = static_cast<double>(line[k].c);
-    lines.value[k] = computed_in_double<T>(
-        [&](const auto& x, const auto& y) {
-          using Part = std::decay_t<decltype(x)>;
-          return Part(a) * x + (Part(b) * y + Part(c));
-        },
-        packet.x, packet.y);
+    lines.value[k] = rounded(low.value[k], high.value[k]);
     if constexpr (derivatives == Derivatives::yes) {
-      lines.right[k] = as<T>(a * subpixels);
-      lines.down[k] = as<T>(b * subpixels);
+      lines.right[k] = rounded(low.right[k], high.right[k]);
+      lines.down[k] = rounded(low.down[k], high.down[k]);
     }
   }
   return lines;
@@ -134,45 +164,17 @@ LineValues<T> large_line_values(const Packet<T>& packet) {
 /// The same for any other packet: lane by lane. Kept out of line: few packets come here.
 template <class T>
 [[gnu::noinline]] LineValues<T> mixed_line_values(const Packet<T>& packet) {
-  using Real = RealOf<T>;
   LineValues<T> lines;
   for (int lane = 0; lane < NumberTraits<T>::lanes; ++lane) {
     const auto& t = packet.triangle(lane);
     const std::int32_t x = packet.x[lane], y = packet.y[lane];
-    std::array<double, 3> value{}, a{}, b{};
-    double scale = 1;
-    if (t.kind() == LineKind::projective) {
-      // By way of the piece's vertices to the corners: sums of what is not negative.
-      const ProjectivePiece& piece = t.projective->piece_at(x, y);
-      for (std::size_t v = 0; v < 3; ++v) {
-        const ProjectiveLine& line = piece.line[v];
-        for (std::size_t k = 0; k < 3; ++k) {
-          const double weight = piece.weight[v] * piece.share[v][k];
-          value[k] += static_cast<double>(line.at(x, y)) * weight;
-          a[k] += static_cast<double>(line.a) * weight, b[k] += static_cast<double>(line.b) * weight;
-        }
-      }
-      // The sizes of projective lines differ without bound: bring the largest value near 1 before T rounds it.
-      scale = reciprocal_binade(maximum(magnitude(value[0]), maximum(magnitude(value[1]), magnitude(value[2]))));
-    } else {
-      for (std::size_t k = 0; k < 3; ++k) {
-        const WrappedLine& wrapped = t.line[k];
-        // Modulo 2^32 where the triangle is small enough for that.
-        const auto at = [&]() -> std::int64_t {
-          if (t.large) return t.large->line[k].at(x, y);
-          return static_cast<std::int32_t>(static_cast<std::uint32_t>(wrapped.a) * static_cast<std::uint32_t>(x) +
-                                           static_cast<std::uint32_t>(wrapped.b) * static_cast<std::uint32_t>(y) +
-                                           static_cast<std::uint32_t>(wrapped.c));
-        };
-        value[k] = static_cast<double>(at());
-        a[k] = static_cast<double>(t.large ? t.large->line[k].a : wrapped.a);
-        b[k] = static_cast<double>(t.large ? t.large->line[k].b : wrapped.b);
-      }
-    }
+    const DoubleValues<double> values = t.projective ? projective_values<double>(*t.projective, x, y)
+                                        : t.large    ? large_values<double>(*t.large, x, y)
+                                                     : large_values<double>(unwrapped(t.line, x, y), x, y);
     for (std::size_t k = 0; k < 3; ++k) {
-      lines.value[k].set(lane, static_cast<Real>(value[k] * scale));
-      lines.right[k].set(lane, static_cast<Real>(a[k] * scale * subpixels));
-      lines.down[k].set(lane, static_cast<Real>(b[k] * scale * subpixels));
+      lines.value[k].set(lane, static_cast<RealOf<T>>(values.value[k]));
+      lines.right[k].set(lane, static_cast<RealOf<T>>(values.right[k]));
+      lines.down[k].set(lane, static_cast<RealOf<T>>(values.down[k]));
     }
   }
   return lines;
@@ -197,8 +199,7 @@ PacketBarycentrics<T> barycentrics(const PacketData<T, triangles>& data) {
   const auto values = [&]() -> LineValues<T> {
     if (data.packet().lines == LineKind::wrapped) [[likely]]
       return line_values<derivatives>(data);
-    if (triangles == Triangles::one && data.packet().lines == LineKind::large)
-      return large_line_values<derivatives>(data.packet());
+    if (triangles == Triangles::one) return uncommon_line_values<derivatives>(data.packet());
     return mixed_line_values(data.packet());
   };
   const LineValues<T> lines = values();

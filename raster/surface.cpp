@@ -133,7 +133,7 @@ UvComponent uv_component(const Mesh& mesh, const std::array<std::uint32_t, 3>& v
 
 template <class Real>
 void set_up_surface(const Scene& scene, const Geometry& geometry, const Bins& bins, std::uint32_t number,
-                    const TriangleRef& ref, SurfaceTriangle<Real>& t, std::deque<LargeLines>& large) {
+                    const TriangleRef& ref, SurfaceTriangle<Real>& t, UncommonLines& uncommon) {
   const std::array<WindowVertex, 3> v = window_corners(geometry, ref);
   t.object = ref.object;
   t.number = number;
@@ -141,8 +141,9 @@ void set_up_surface(const Scene& scene, const Geometry& geometry, const Bins& bi
   std::array<std::uint8_t, 3> corner{};
   std::array<double, 3> weight{1, 1, 1}; // projective: line values bring their weights
   if ((v[0].outcode | v[1].outcode | v[2].outcode) & outcode::unsnapped) [[unlikely]] {
-    t.projective = &bins.projective_triangle(number);
-    corner = t.projective->corner;
+    const ProjectiveTriangle& set_up = bins.projective_triangle(number);
+    t.projective = &uncommon.projective.emplace_back(set_up);
+    corner = set_up.corner;
   } else {
     corner = sorted_corners(v);
     const AreaAndLines set_up = lines_between(v[corner[0]], v[corner[1]], v[corner[2]]);
@@ -154,7 +155,7 @@ void set_up_surface(const Scene& scene, const Geometry& geometry, const Bins& bi
         t.line[k] = {static_cast<std::int32_t>(l.a), static_cast<std::int32_t>(l.b), static_cast<std::int32_t>(l.c)};
       }
     } else {
-      t.large = &large.emplace_back(set_up.line);
+      t.large = &uncommon.large.emplace_back(set_up.line);
     }
   }
 
@@ -175,9 +176,9 @@ void set_up_surface(const Scene& scene, const Geometry& geometry, const Bins& bi
 }
 
 template void set_up_surface(const Scene&, const Geometry&, const Bins&, std::uint32_t, const TriangleRef&,
-                             SurfaceTriangle<double>&, std::deque<LargeLines>&);
+                             SurfaceTriangle<double>&, UncommonLines&);
 template void set_up_surface(const Scene&, const Geometry&, const Bins&, std::uint32_t, const TriangleRef&,
-                             SurfaceTriangle<float>&, std::deque<LargeLines>&);
+                             SurfaceTriangle<float>&, UncommonLines&);
 
 std::array<double, 2> whole_repeats(const Scene& scene, const Geometry& geometry, std::uint32_t number) {
   const TriangleRef ref = triangle_ref(scene, geometry, number);

@@ -4,6 +4,7 @@
 
 #include "math/rungs.h"
 #include "raster/bin.h"
+#include "raster/projective_lines.h"
 
 #include <array>
 #include <cstdint>
@@ -22,6 +23,12 @@ struct alignas(16) WrappedLine {
 /// Lines of a triangle too large for that: exact as well.
 struct LargeLines {
   std::array<SnappedLine, 3> line;
+};
+
+/// The lines of those of a tile's triangles that need more room. They stay where they are.
+struct UncommonLines {
+  std::deque<LargeLines> large;
+  std::deque<ProjectiveLines> projective;
 };
 
 /// How a triangle's line values are computed. Packets of only the first kind are the quick ones.
@@ -47,7 +54,7 @@ struct SurfaceTriangle {
   /// greatest u and v of the three corners.
   std::array<std::array<Real, 4>, 8> row;
   const LargeLines* large = nullptr;
-  const ProjectiveTriangle* projective = nullptr;
+  const ProjectiveLines* projective = nullptr;
   std::uint32_t object = 0;
   std::uint32_t number = 0; // in the frame
 
@@ -55,16 +62,15 @@ struct SurfaceTriangle {
 };
 inline constexpr int least_uv_row = 6, most_uv_row = 4; // of u; of v it is the next
 
-/// Sets up one triangle; `ref` is what its number stands for. The lines of a large one are appended to `large`, and
-/// must stay where they are.
+/// Sets up one triangle; `ref` is what its number stands for. What its lines need of `uncommon` is appended there.
 template <class Real>
 void set_up_surface(const Scene& scene, const Geometry& geometry, const Bins& bins, std::uint32_t number,
-                    const TriangleRef& ref, SurfaceTriangle<Real>& surface, std::deque<LargeLines>& large);
+                    const TriangleRef& ref, SurfaceTriangle<Real>& surface, UncommonLines& uncommon);
 
 extern template void set_up_surface(const Scene&, const Geometry&, const Bins&, std::uint32_t, const TriangleRef&,
-                                    SurfaceTriangle<double>&, std::deque<LargeLines>&);
+                                    SurfaceTriangle<double>&, UncommonLines&);
 extern template void set_up_surface(const Scene&, const Geometry&, const Bins&, std::uint32_t, const TriangleRef&,
-                                    SurfaceTriangle<float>&, std::deque<LargeLines>&);
+                                    SurfaceTriangle<float>&, UncommonLines&);
 
 /// Whole repeats that are taken off a triangle's texture coordinates before they are interpolated, so that their
 /// fractions keep their digits.
