@@ -24,8 +24,8 @@ public:
   void resize(std::uint32_t fragments) {
     for (std::vector<Real>& channel : channel_) channel.resize(fragments + lanes);
   }
-  /// The first `count` lanes; what follows them may be overwritten until it is stored itself.
-  void store(std::uint32_t first, int /*count*/, const Rgb<T>& rgb) {
+  /// All lanes; beyond the last fragment of a group they hold nothing, and are overwritten by the next group.
+  void store(std::uint32_t first, const Rgb<T>& rgb) {
     for (int c = 0; c < 3; ++c) std::memcpy(&channel_[static_cast<std::size_t>(c)][first], &rgb[c].v, sizeof rgb[c].v);
   }
   Rgb<T> load(std::uint32_t first) const {

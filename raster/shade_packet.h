@@ -6,6 +6,7 @@
 #include "shading/models.h"
 #include "shading/texture.h"
 
+#include <array>
 #include <limits>
 
 namespace refraster {
@@ -89,13 +90,47 @@ Rgb<T> finite(const Rgb<T>& rgb, const UndefinedTally<T>& tally) {
   return {finite(rgb.x, tally), finite(rgb.y, tally), finite(rgb.z, tally)};
 }
 
-/// Radiance toward the eye: the ambient term, then point lights and direction lights, summed in the order of the scene.
+/// Packets of one material that go through shading together, light by light. What a formula computes for one packet
+/// waits for itself, step by step; the next packet's does not wait for it, and fills the gaps. And what is the same for
+/// all packets is prepared once.
+template <class T>
+struct PacketBatch {
+  static constexpr int most = 16; // what lies in here stays in the first-level cache
+  int packets = 0;
+  std::uint32_t first_fragment = 0;
+  std::array<PacketSurface<T>, most> surface;
+  std::array<Rgb<T>, most> sum;
+  std::array<MaskOf<T>, most> in_use; // lanes that hold a fragment
+
+  template <class Body>
+  void for_each(UndefinedCounts& counts, Body&& body) {
+    for (int i = 0; i < packets; ++i) {
+      const auto p = static_cast<std::size_t>(i);
+      const PacketSurface<T>& s = surface[p];
+      const UndefinedTally<T> tally(counts, in_use[p]);
+      body(sum[p], Fragment<T>{s.position, s.normal, s.to_eye, s.texture, &tally}, tally);
+    }
+  }
+};
+
+/// Radiance toward the eye, into batch.sum: the ambient term, then point lights and direction lights, summed in the
+/// order of the scene.
 template <class T, class Model>
-Rgb<T> radiance(const Scene& scene, const Model& model, const Fragment<T>& at, const UndefinedTally<T>& tally) {
-  Rgb<T> sum = model.ambient(at);
-  for (const PointLight& light : scene.point_lights) sum += model(at, arriving(light, at));
-  for (const DirectionLight& light : scene.direction_lights) sum += model(at, arriving(light, at));
-  return finite(sum, tally);
+[[gnu::flatten, gnu::noinline]] void add_light(const Scene& scene, const Model& model, PacketBatch<T>& batch,
+                                               UndefinedCounts& counts) {
+  const Model here = model; // nothing that is written below can be part of it
+  batch.for_each(counts, [&](Rgb<T>& sum, const Fragment<T>& at, const auto&) { sum = here.ambient(at); });
+  const auto add = [&](const auto& lights) {
+    for (const auto& light : lights) {
+      const auto prepared = prepared_light(light);
+      batch.for_each(counts,
+                     [&](Rgb<T>& sum, const Fragment<T>& at, const auto&) { sum += here(at, arriving(prepared, at)); });
+    }
+  };
+  add(scene.point_lights);
+  add(scene.direction_lights);
+  batch.for_each(counts,
+                 [](Rgb<T>& sum, const Fragment<T>&, const UndefinedTally<T>& tally) { sum = finite(sum, tally); });
 }
 
 } // namespace refraster

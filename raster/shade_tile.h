@@ -30,8 +30,9 @@ public:
     colours_.resize(fragments);
     for (const auto& group : surfaces_.groups()) {
       const Material& material = context.scene.objects[group.object].material;
-      std::visit([&](const auto& model) { shade_group(context, visible.tile, material, model, group, counts); },
-                 material.model);
+      std::visit(
+          [&](const auto& model) { shade_group(context, visible.tile, material, model, group, counts.undefined); },
+          material.model);
       counts.lane_slots += (group.fragments + lanes - 1) / lanes * lanes;
     }
     counts.fragments += fragments;
@@ -49,29 +50,38 @@ private:
 
   template <class Model>
   void shade_group(const FrameContext& context, const Crop& tile, const Material& material, const Model& model,
-                   const Group& group, FrameCounts& counts) {
+                   const Group& group, UndefinedCounts& undefined) {
+    const auto shade_batch = [&] {
+      add_light(context.scene, model, batch_, undefined);
+      for (int i = 0; i < batch_.packets; ++i)
+        colours_.store(batch_.first_fragment + static_cast<std::uint32_t>(i) * lanes,
+                       batch_.sum[static_cast<std::size_t>(i)]);
+      batch_.packets = 0;
+    };
     for_each_packet<T>(surfaces_, group, tile, [&](const Packet<T>& packet, std::uint32_t first) {
-      const UndefinedTally<T> tally(counts.undefined, first_lanes<Real, NumberTraits<T>::lanes>(packet.count));
-      const Rgb<T> rgb = packet.triangles == Triangles::one
-                             ? shaded(context, material, model, PacketData<T, Triangles::one>(packet), tally)
-                             : shaded(context, material, model, PacketData<T, Triangles::many>(packet), tally);
-      colours_.store(first, packet.count, rgb);
+      if (batch_.packets == 0) batch_.first_fragment = first;
+      const auto at = static_cast<std::size_t>(batch_.packets++);
+      batch_.in_use[at] = first_lanes<Real, NumberTraits<T>::lanes>(packet.count);
+      const UndefinedTally<T> tally(undefined, batch_.in_use[at]);
+      if (packet.triangles == Triangles::one)
+        interpolate(context, material, PacketData<T, Triangles::one>(packet), tally, batch_.surface[at]);
+      else interpolate(context, material, PacketData<T, Triangles::many>(packet), tally, batch_.surface[at]);
+      if (batch_.packets == batch_.most) shade_batch();
     });
+    if (batch_.packets > 0) shade_batch();
   }
 
-  // Everything a packet needs is inlined here: no call, and no vector in memory, between its first attribute and its
-  // colour.
-  template <class Model, Triangles triangles>
-  [[gnu::flatten, gnu::noinline]] static Rgb<T> shaded(const FrameContext& context, const Material& material,
-                                                       const Model& model, const PacketData<T, triangles>& data,
-                                                       const UndefinedTally<T>& tally) {
-    const PacketSurface<T> surface = packet_surface(context.scene, context.geometry, material, data, tally);
-    const Fragment<T> at{surface.position, surface.normal, surface.to_eye, surface.texture, &tally};
-    return radiance(context.scene, model, at, tally);
+  // Everything that a packet's surface needs is inlined here: no call, and no vector in memory, in between.
+  template <Triangles triangles>
+  [[gnu::flatten, gnu::noinline]] static void interpolate(const FrameContext& context, const Material& material,
+                                                          const PacketData<T, triangles>& data,
+                                                          const UndefinedTally<T>& tally, PacketSurface<T>& surface) {
+    surface = packet_surface(context.scene, context.geometry, material, data, tally);
   }
 
   std::vector<FragmentRun> runs_;
   TileSurfaces<Real> surfaces_;
+  PacketBatch<T> batch_;
   FragmentColours<T> colours_;
   TileResolver<T> resolver_;
 };

@@ -22,6 +22,20 @@ struct DirectionLight {
   Double3 radiance{1};
 };
 
+/// A DirectionLight, with the unit vector toward it.
+struct DirectionToLight {
+  Double3 direction;
+  Double3 radiance;
+};
+
+/// What is the same for all fragments is computed once: the light as arriving() takes it.
+inline PointLight prepared_light(const PointLight& light) {
+  return light;
+}
+inline DirectionToLight prepared_light(const DirectionLight& light) {
+  return {-normalize(light.direction), light.radiance};
+}
+
 /// C = radiance times 1 / (Kc + Kl d + Kq d^2), at most the largest finite number: d may be so small that nothing is
 /// left of the divisor. With d = 0 no direction is defined and nothing arrives.
 template <class T>
@@ -42,10 +56,14 @@ Incident<T> arriving(const PointLight& light, const Fragment<T>& at) {
   return {normalize(way), select<T>(d > T(0), radiance, Rgb<T>(T(0)))};
 }
 
-/// C = radiance; the direction is turned round, so that it points to the light.
+/// C = radiance.
 template <class T>
-Incident<T> arriving(const DirectionLight& light, const Fragment<T>&) {
-  return {as<T>(-normalize(light.direction)), as<T>(light.radiance)};
+Incident<T> arriving(const DirectionToLight& light, const Fragment<T>&) {
+  return {as<T>(light.direction), as<T>(light.radiance)};
+}
+template <class T>
+Incident<T> arriving(const DirectionLight& light, const Fragment<T>& at) {
+  return arriving(prepared_light(light), at);
 }
 
 } // namespace refraster
