@@ -7,7 +7,7 @@
 namespace refraster {
 
 template <class F>
-inline constexpr UlpBound atan2_error = {0.85, 0.56}; // results below 4 times the smallest normal number: 2
+inline constexpr UlpBound atan2_error = {0.85, 0.56}; // results below least_wide_product: 2
 
 inline constexpr Twofold<double> quarter_pi = {0x1.921fb54442d18p-1, 0x1.1a62633145c07p-55};
 

@@ -35,9 +35,7 @@ Rgb<T> lookup(const Fetch& fetch, IndexOf<T> i, IndexOf<T> j, IndexOf<T> k) {
     const auto offset = i.i * fetch.i_stride + j.i * fetch.j_stride + k.i * fetch.k_stride;
     const auto stored =
         gather_rows<typename Fetch::Stored, lanes>([&](int lane) { return fetch.values + offset[lane]; });
-    const auto channel = [&](std::size_t c) -> T {
-      return __builtin_convertvector(stored[c].v, typename T::Lanes);
-    };
+    const auto channel = [&](std::size_t c) -> T { return __builtin_convertvector(stored[c].v, typename T::Lanes); };
     return {channel(0), channel(1), channel(2)};
   } else {
     Rgb<T> result;

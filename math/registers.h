@@ -26,7 +26,8 @@ using LaneMask = std::conditional_t<N <= 8, std::uint8_t, std::uint16_t>;
 // Every name exists on every machine, so that `requires { root(v); }` can ask.
 struct NoRegister {};
 NoRegister root(NoRegister), minimum(NoRegister, NoRegister), maximum(NoRegister, NoRegister), widened(NoRegister);
-void sign_bits(NoRegister), select(NoRegister, NoRegister, NoRegister);
+void sign_bits(NoRegister), fused_difference(NoRegister, NoRegister, NoRegister),
+    select(NoRegister, NoRegister, NoRegister);
 void less(NoRegister, NoRegister), greater(NoRegister, NoRegister), less_equal(NoRegister, NoRegister),
     greater_equal(NoRegister, NoRegister), equal(NoRegister, NoRegister);
 
@@ -125,6 +126,30 @@ inline std::uint32_t sign_bits(__m256 x) {
 inline std::uint32_t sign_bits(__m256d x) {
   return static_cast<std::uint32_t>(_mm256_movemask_pd(x));
 }
+#endif
+
+// x y - z, rounded once.
+#if defined(__FMA__)
+inline __m128 fused_difference(__m128 x, __m128 y, __m128 z) {
+  return _mm_fmsub_ps(x, y, z);
+}
+inline __m128d fused_difference(__m128d x, __m128d y, __m128d z) {
+  return _mm_fmsub_pd(x, y, z);
+}
+inline __m256 fused_difference(__m256 x, __m256 y, __m256 z) {
+  return _mm256_fmsub_ps(x, y, z);
+}
+inline __m256d fused_difference(__m256d x, __m256d y, __m256d z) {
+  return _mm256_fmsub_pd(x, y, z);
+}
+#if defined(__AVX512F__)
+inline __m512 fused_difference(__m512 x, __m512 y, __m512 z) {
+  return _mm512_fmsub_ps(x, y, z);
+}
+inline __m512d fused_difference(__m512d x, __m512d y, __m512d z) {
+  return _mm512_fmsub_pd(x, y, z);
+}
+#endif
 #endif
 
 // Comparisons, false where either is NaN; and m ? x : y.

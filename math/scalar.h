@@ -73,6 +73,14 @@ F root(F x) {
   return std::sqrt(x); // correctly rounded by IEEE 754: one instruction, the same on every machine
 }
 
+#if defined(__FMA__)
+/// a b - c, rounded once: only where the machine has it.
+template <std::floating_point F>
+F fused_difference(F a, F b, F c) {
+  return std::fma(a, b, -c);
+}
+#endif
+
 /// Number of explicit fraction bits: 23 and 52.
 template <class F>
 inline constexpr int fraction_bits = std::numeric_limits<F>::digits - 1;

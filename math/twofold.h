@@ -1,7 +1,6 @@
 #pragma once
-// Numbers of twice the precision: an unevaluated sum hi + lo with |lo| <= ulp(hi) / 2. Only + - * and bit masks, since
-// a fused multiply-add, which would shorten this, is not on every machine and would change bits where it is. Dekker, "A
-// floating-point technique for extending the available precision", 1971.
+// Numbers of twice the precision: an unevaluated sum hi + lo with |lo| <= ulp(hi) / 2. Dekker, "A floating-point
+// technique for extending the available precision", 1971.
 
 #include "math/lane_bits.h"
 
@@ -27,21 +26,34 @@ Twofold<T> exact_sum(const T& a, const T& b) {
   return {sum, (a - (sum - b_in_sum)) + (b - b_in_sum)};
 }
 
-/// x = hi + lo exactly, hi the upper half of the significand (26 or 12 bits), so that products of halves are exact.
-/// Cut off rather than rounded (Veltkamp): a bit mask is one operation, and does not overflow.
+/// x = hi + lo exactly: hi is x rounded to the upper half of the significand (26 or 12 bits), and lo needs no more, so
+/// that products of halves are exact. Rounded by adding to the bits, which does not overflow before x does.
 template <Lanes T>
 Twofold<T> halves(const T& x) {
   constexpr int low_bits = (fraction_bits<RealOf<T>> + 2) / 2; // 27 of 53, 12 of 24
-  const T hi = from_bits<T>(bits_of(x) & ~((BitsOf<RealOf<T>>(1) << low_bits) - 1));
+  constexpr BitsOf<RealOf<T>> half = BitsOf<RealOf<T>>(1) << (low_bits - 1);
+  const UnsignedLaneBits<T> raised = std::bit_cast<UnsignedLaneBits<T>>(x) + half;
+  const T hi = from_bits<T>(std::bit_cast<LaneBits<T>>(raised) & ~(2 * half - 1));
   return {hi, x - hi};
 }
 
-/// a b, with an error below 2^-(2 digits - 1) |a b|: the product of the two lower halves may need one bit too many.
+/// Below this a product counts as exact: its error could be subnormal, and then be rounded itself.
+template <class F>
+inline constexpr double least_wide_product = sizeof(F) == 4 ? 0x1p-100 : 0x1p-960;
+
+/// a b exactly; rounded where it is smaller than least_wide_product. A fused multiply-add gives the same as Dekker's
+/// sum of partial products, since both are exact: so here, where it saves a dozen operations, it changes no bit.
 template <Lanes T>
 Twofold<T> wide_product(const T& a, const T& b) {
   const T product = a * b;
-  const Twofold<T> x = halves(a), y = halves(b);
-  return {product, ((x.hi * y.hi - product) + x.hi * y.lo + x.lo * y.hi) + x.lo * y.lo};
+  T error;
+  if constexpr (requires { fused_difference(a, b, product); }) {
+    error = fused_difference(a, b, product);
+  } else {
+    const Twofold<T> x = halves(a), y = halves(b);
+    error = ((x.hi * y.hi - product) + x.hi * y.lo + x.lo * y.hi) + x.lo * y.lo;
+  }
+  return {product, select(magnitude(product) >= as<T>(least_wide_product<RealOf<T>>), error, T(0))};
 }
 
 /// a b to about twice the precision.

@@ -64,7 +64,8 @@ template <class T>
 T length(const Vec3<T>& a) {
   if constexpr (NumberTraits<T>::lanes > 1) {
     const T squared = squared_length(a);
-    if (!any(!square_in_range(squared))) [[likely]] return root(squared);
+    if (!any(!square_in_range(squared))) [[likely]]
+      return root(squared);
   }
   const T scale = reciprocal_binade(a);
   return root(squared_length(a * scale)) * exact_reciprocal(scale);
@@ -82,7 +83,8 @@ template <class T>
 Vec3<T> normalize(const Vec3<T>& a) {
   if constexpr (NumberTraits<T>::lanes > 1) { // nearly always; a bounds type could not ask
     const T squared = squared_length(a);
-    if (!any(!square_in_range(squared))) [[likely]] return a * (T(1) / root(squared));
+    if (!any(!square_in_range(squared))) [[likely]]
+      return a * (T(1) / root(squared));
   }
   const Vec3<T> scaled = a * reciprocal_binade(a);
   const T squared = squared_length(scaled); // in [1, 12), or 0

@@ -153,6 +153,13 @@ Wide<F, N> root(Wide<F, N> x) {
   return result;
 }
 
+/// a b - c, rounded once: only where the machine has it.
+template <class F, int N>
+  requires(requires(VectorOf<F, N> v) { registers::fused_difference(v, v, v); })
+Wide<F, N> fused_difference(Wide<F, N> a, Wide<F, N> b, Wide<F, N> c) {
+  return VectorOf<F, N>(registers::fused_difference(a.v, b.v, c.v));
+}
+
 template <class F, int N>
 Wide<F, N> exact_reciprocal(Wide<F, N> s) {
   using B = BitsOf<F>;
