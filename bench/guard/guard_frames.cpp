@@ -12,10 +12,10 @@
 #include <tuple>
 
 /// What is counted: callgrind is told this name, and counts nothing outside.
-extern "C" [[gnu::noinline]] void refraster_guarded_frame(const refraster::Scene* scene,
+extern "C" [[gnu::noinline]] void refraster_guarded_frame(refraster::Renderer* renderer, const refraster::Scene* scene,
                                                           const refraster::RenderOptions* options,
                                                           refraster::Frame* frame) {
-  *frame = render(*scene, *options);
+  renderer->render(*scene, *options, *frame);
 }
 
 namespace refraster {
@@ -23,7 +23,7 @@ namespace {
 
 /// The tables' numbers do not matter to the number of instructions, so that these need no file and no formula.
 std::shared_ptr<const MerlTable> any_table() {
-  std::vector<double> rgb(3 * MerlTable::samples);
+  PaddedVector<double> rgb(3 * MerlTable::samples);
   for (std::size_t i = 0; i < rgb.size(); ++i) rgb[i] = 1.0 / static_cast<double>(1 + i % 1000);
   return std::make_shared<const MerlTable>(std::move(rgb));
 }
@@ -59,8 +59,10 @@ void draw_all(const std::string& folder) {
         [&](auto... rung) {
           const auto draw = [&](std::string_view rung_name) {
             options.rung = rung_name;
-            Frame frame = render(scene, options); // what is done once and kept
-            refraster_guarded_frame(&scene, &options, &frame);
+            Renderer renderer;
+            Frame frame;
+            renderer.render(scene, options, frame); // what is done once and kept
+            refraster_guarded_frame(&renderer, &scene, &options, &frame);
             std::cout << name << " " << rung_name << std::endl;
           };
           (draw(decltype(rung)::name), ...);
