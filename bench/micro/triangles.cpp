@@ -1,0 +1,102 @@
+// From triangles to fragments: set-up, visibility, and interpolation, on one tile of 64 x 64 pixels.
+
+#include "bench/micro/micro.h"
+#include "raster/shade_packet.h"
+#include "raster/visibility.h"
+#include "scenes/tools/waves.h"
+
+#include <memory>
+
+namespace refraster::micro {
+namespace {
+
+constexpr int side = 64; // pixels
+
+/// A tile and what it sees of a sea of triangles, or of two large ones.
+struct TileScene {
+  Scene scene;
+  Geometry geometry;
+  Bins bins;
+  std::span<const SamplePlace> samples = sample_pattern(1);
+  TileVisibility visibility{side};
+  Crop tile{0, 0, side, side};
+
+  explicit TileScene(const Quads& quads) {
+    Object object;
+    object.mesh = std::make_shared<const Mesh>(waves(quads));
+    object.material.model = Phong{};
+    scene.objects.push_back(object);
+    scene.camera.position = {0, 0, 3};
+    geometry = {};
+    transform(scene, side, side, 1, geometry);
+    FrameCounts counts;
+    bin_triangles(scene, geometry, TileGrid{0, 0, side, side, side}, side, side, samples, 1, bins, counts);
+    decide();
+  }
+
+  std::span<const std::uint32_t> triangles() const { return bins.of(0); }
+  void decide() { visibility.decide(scene, geometry, bins, triangles(), tile, samples); }
+};
+
+/// The tile's fragments in the number of a rung.
+template <class T>
+struct TileFragments {
+  TileSurfaces<RealOf<T>> surfaces;
+  std::vector<FragmentRun> runs;
+  UndefinedCounts undefined;
+  std::uint32_t fragments = 0;
+
+  explicit TileFragments(const TileScene& on) { collect(on); }
+
+  void collect(const TileScene& on) {
+    list_runs(on.visibility, on.tile, 1, runs);
+    fragments = surfaces.collect(on.scene, on.geometry, on.bins, on.triangles(), runs);
+  }
+
+  template <Triangles triangles>
+  [[gnu::flatten, gnu::noinline]] void surface(const TileScene& on, const Packet<T>& packet) {
+    constexpr int lanes = NumberTraits<T>::lanes;
+    const UndefinedTally<T> tally(undefined, first_lanes<RealOf<T>, lanes>(packet.count));
+    auto result =
+        packet_surface(on.scene, on.geometry, on.scene.objects[0].material, PacketData<T, triangles>(packet), tally);
+    benchmark::DoNotOptimize(result);
+  }
+  void interpolate(const TileScene& on) {
+    for (const auto& group : surfaces.groups())
+      for_each_packet<T>(surfaces, group, on.tile, [&](const Packet<T>& packet, std::uint32_t) {
+        if (packet.triangles == Triangles::one) surface<Triangles::one>(on, packet);
+        else surface<Triangles::many>(on, packet);
+      });
+  }
+};
+
+void add_tile(const std::string& name, const std::shared_ptr<TileScene>& on) {
+  const std::size_t triangles = on->triangles().size(), samples = std::size_t{side} * side;
+  add("set-up/" + name, triangles, [on] {
+    TriangleCursor cursor(on->scene, on->geometry);
+    for (const std::uint32_t number : on->triangles()) {
+      auto result = set_up_snapped(window_corners(on->geometry, cursor.at(number)));
+      benchmark::DoNotOptimize(result);
+    }
+  });
+  add("visibility, a triangle/" + name, triangles, [on] { on->decide(); });
+  add("visibility, a sample/" + name, samples, [on] { on->decide(); });
+  const auto rung = [&]<class R>(R) {
+    using T = typename R::Number;
+    const auto fragments = std::make_shared<TileFragments<T>>(*on);
+    const std::string number = name + "/" + std::string(R::name) + " x" + std::to_string(NumberTraits<T>::lanes);
+    add("surfaces, a triangle/" + number, triangles, [on, fragments] { fragments->collect(*on); });
+    add("interpolation/" + number, fragments->fragments, [on, fragments] { fragments->interpolate(*on); });
+  };
+  std::apply([&](auto... each) { (rung(each), ...); }, Rungs{});
+}
+
+} // namespace
+
+void add_triangles() {
+  add_tile("2 large triangles", std::make_shared<TileScene>(Quads{1, 1}));
+  add_tile("triangles of 64 pixels", std::make_shared<TileScene>(Quads{20, 11}));
+  add_tile("triangles of a pixel", std::make_shared<TileScene>(Quads{114, 64}));
+}
+
+} // namespace refraster::micro
