@@ -4,6 +4,8 @@
 #include "math/twofold.h"
 #include "math/ulp_bound.h"
 
+#include <numbers>
+
 namespace refraster {
 
 template <class F>
@@ -15,6 +17,7 @@ inline constexpr Twofold<double> quarter_pi = {0x1.921fb54442d18p-1, 0x1.1a62633
 /// whatever the sign of x = 0 is. An infinite x or y is infinitely longer than a finite one, and as long as the other.
 /// NaN counts as 0. Error: atan2_error.
 template <Lanes T>
+  requires(!is_quick<T>)
 T atan2(const T& y, const T& x) {
   using F = RealOf<T>;
   const T ax = maximum(magnitude(x), T(0)), ay = maximum(magnitude(y), T(0));
@@ -67,6 +70,22 @@ T atan2(const T& y, const T& x) {
   const Twofold<T> angle = quick_sum(quarters * T(high), sign * a);
   const T result = angle.hi + (angle.lo + (quarters * T(low) + sign * correction));
   return with_sign(result, y);
+}
+
+/// The same within 4.4e-6 of the angle, and a few roundings.
+template <Lanes T>
+  requires(is_quick<T>)
+T atan2(const T& y, const T& x) {
+  // atan(a) / a in a^2, within 4.4e-6 of it for a <= 1.
+  constexpr std::array p = {0x1.ffff6d6017f38p-1,  -0x1.54fc8ad72980dp-2, 0x1.90a9ac4720466p-3,
+                            -0x1.f098eb21297f3p-4, 0x1.d6dbbea4b4fddp-5,  -0x1.b9bbdc3417257p-7};
+  const T largest(std::numeric_limits<RealOf<T>>::max());
+  const T ax = minimum(maximum(magnitude(x), T(0)), largest), ay = minimum(maximum(magnitude(y), T(0)), largest);
+  const T longer = maximum(ax, ay), shorter = minimum(ax, ay);
+  const T a = shorter / select(longer > T(0), longer, T(1));
+  const T octant = a * polynomial(square(a), p);
+  const T quadrant = select(ay > ax, as<T>(std::numbers::pi / 2) - octant, octant);
+  return with_sign(select(x < T(0), as<T>(std::numbers::pi) - quadrant, quadrant), y);
 }
 
 } // namespace refraster

@@ -9,45 +9,6 @@
 
 namespace refraster {
 
-/// log2(1 + t) for 1 + t in [sqrt(1/2), sqrt(2)], in plain arithmetic of T: a few units in the last place.
-template <Lanes T>
-T plain_log2_of_1_plus(const T& t) {
-  if constexpr (sizeof(RealOf<T>) == 4) {
-    // log2(1 + t) / t within 2.7e-8 of it.
-    constexpr std::array p = {0x1.715475b2cdaa5p+0,  -0x1.715470811e781p-1, 0x1.ec73d6ff050ccp-2,
-                              -0x1.715c4d4aed8f2p-2, 0x1.26d38103e236ep-2,  -0x1.e95c0e8ab0104p-3,
-                              0x1.b9c981fd6b89ap-3,  -0x1.a87c3efbcb66dp-3, 0x1.01b4ddd7310ddp-3};
-    return t * polynomial(t, p);
-  } else {
-    // Within 3.6e-17 of it.
-    constexpr std::array p = {0x1.71547652b82fep+0, -0x1.71547652b8304p-1, 0x1.ec709dc3a0392p-2, -0x1.71547652b6764p-2,
-                              0x1.2776c50f00080p-2, -0x1.ec709dc6123e3p-3, 0x1.a61762a4490e7p-3, -0x1.71547587c2e36p-3,
-                              0x1.484b13da2b7b7p-3, -0x1.2776e8a86f2e1p-3, 0x1.0c9aa82196216p-3, -0x1.ec69641a557e1p-4,
-                              0x1.c681ff35f1214p-4, -0x1.a683dd436bee9p-4, 0x1.8b195cf129053p-4, -0x1.6e032d06c89b8p-4,
-                              0x1.4e5585195f558p-4, -0x1.4f973326c0bfcp-4, 0x1.82138c4e4bc0cp-4, -0x1.6302aba8df85fp-4,
-                              0x1.352ef402b65c8p-5};
-    return t * polynomial(t, p);
-  }
-}
-
-/// 2^f - 1 for |f| <= 1/2, likewise.
-template <Lanes T>
-T plain_exp2_minus_1(const T& f) {
-  if constexpr (sizeof(RealOf<T>) == 4) {
-    // (2^f - 1) / f within 7.5e-9.
-    constexpr std::array p = {0x1.62e4302fcf031p-1, 0x1.ebfbe07d594d8p-3,  0x1.c6af6cccf54bdp-5,
-                              0x1.3b29e40dfe0c2p-7, 0x1.5f08975d6cc11p-10, 0x1.446c521b4a8c5p-13};
-    return f * polynomial(f, p);
-  } else {
-    // Within 4.1e-17.
-    constexpr std::array p = {0x1.62e42fefa39efp-1,  0x1.ebfbdff82c598p-3,  0x1.c6b08d704a0cbp-5,
-                              0x1.3b2ab6fba1dd9p-7,  0x1.5d87fe78a2cbep-10, 0x1.43091309700efp-13,
-                              0x1.ffcbfc7440a5cp-17, 0x1.62bfd476eb05fp-20, 0x1.b524dcbc2217ep-24,
-                              0x1.e60640647cf48p-28, 0x1.ea043fab9bb35p-32};
-    return f * polynomial(f, p);
-  }
-}
-
 /// The relative error of a result r of small_power is at most (2 + 4 |log2 r|) u, u = epsilon / 2. That is much for a
 /// tiny r, but never more than 3 u of 1: r (2 + 4 |log2 r|) is greatest around r = 1/2.
 inline constexpr double small_power_error_at_1 = 2, small_power_error_per_bit = 4;

@@ -14,8 +14,8 @@ struct LaneBitsOf<F> {
   using type = BitsOf<F>;
   using unsigned_type = std::make_unsigned_t<BitsOf<F>>;
 };
-template <class F, int N>
-struct LaneBitsOf<Wide<F, N>> {
+template <class F, int N, Arithmetic A>
+struct LaneBitsOf<Wide<F, N, A>> {
   using type = VectorOf<BitsOf<F>, N>;
   using unsigned_type = VectorOf<std::make_unsigned_t<BitsOf<F>>, N>;
 };

@@ -49,6 +49,16 @@ constexpr T as(double parameter) {
   return T(static_cast<RealOf<T>>(parameter));
 }
 
+/// Whether T trades last bits for speed; see math/wide.h.
+template <class T>
+inline constexpr bool is_quick = false;
+
+/// a b + c; in one rounding where T is quick.
+template <class T>
+constexpr T multiply_add(const T& a, const T& b, const T& c) {
+  return a * b + c;
+}
+
 /// <x> = max(x, 0); 0 for NaN.
 template <class T>
 constexpr T positive(const T& x) {

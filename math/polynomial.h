@@ -23,8 +23,8 @@ T part_of_polynomial(const std::array<T, Squares>& power, const std::array<doubl
     return as<T>(c[first]);
   } else {
     constexpr std::size_t low = std::bit_floor(count - 1);
-    return part_of_polynomial<first, low>(power, c) +
-           part_of_polynomial<first + low, count - low>(power, c) * power[std::countr_zero(low)];
+    return multiply_add(part_of_polynomial<first + low, count - low>(power, c), power[std::countr_zero(low)],
+                        part_of_polynomial<first, low>(power, c));
   }
 }
 

@@ -26,13 +26,17 @@ T power_of(const Log2Argument<T>& base, double s) {
 template <Lanes T>
   requires(sizeof(RealOf<T>) == 4)
 T power_of(const OnePlus<T>& base, double s) {
-  const auto in_range = [s]<class D>(const D& k, const D& t) {
-    const D y = narrow_log2(k, t) * D(s);
-    return minimum(narrow_exp2(minimum(maximum(y, D(lowest_power<float> - 1)), D(highest_power<float>))),
-                   D(largest_float));
-  };
-  const T result = in_double(in_range, base.k, base.t);
-  return select(result >= as<T>(smallest_result<float>), result, T(0));
+  if constexpr (is_quick<T>) {
+    return exp2((base.k + plain_log2_of_1_plus(base.t)) * as<T>(s));
+  } else {
+    const auto in_range = [s]<class D>(const D& k, const D& t) {
+      const D y = narrow_log2(k, t) * D(s);
+      return minimum(narrow_exp2(minimum(maximum(y, D(lowest_power<float> - 1)), D(highest_power<float>))),
+                     D(largest_float));
+    };
+    const T result = in_double(in_range, base.k, base.t);
+    return select(result >= as<T>(smallest_result<float>), result, T(0));
+  }
 }
 
 /// x^s for s >= 0; x^0 = 1, also for x = 0; x < 0 and NaN count as 0. Always finite: a result below 2^lowest_power is

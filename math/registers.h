@@ -27,6 +27,7 @@ using LaneMask = std::conditional_t<N <= 8, std::uint8_t, std::uint16_t>;
 struct NoRegister {};
 NoRegister root(NoRegister), minimum(NoRegister, NoRegister), maximum(NoRegister, NoRegister), widened(NoRegister);
 void sign_bits(NoRegister), fused_difference(NoRegister, NoRegister, NoRegister),
+    fused_sum(NoRegister, NoRegister, NoRegister), reciprocal_root_estimate(NoRegister),
     select(NoRegister, NoRegister, NoRegister);
 void less(NoRegister, NoRegister), greater(NoRegister, NoRegister), less_equal(NoRegister, NoRegister),
     greater_equal(NoRegister, NoRegister), equal(NoRegister, NoRegister);
@@ -150,6 +151,36 @@ inline __m512d fused_difference(__m512d x, __m512d y, __m512d z) {
   return _mm512_fmsub_pd(x, y, z);
 }
 #endif
+#endif
+
+// x y + z, rounded once.
+#if defined(__FMA__)
+inline __m128 fused_sum(__m128 x, __m128 y, __m128 z) {
+  return _mm_fmadd_ps(x, y, z);
+}
+inline __m256 fused_sum(__m256 x, __m256 y, __m256 z) {
+  return _mm256_fmadd_ps(x, y, z);
+}
+#if defined(__AVX512F__)
+inline __m512 fused_sum(__m512 x, __m512 y, __m512 z) {
+  return _mm512_fmadd_ps(x, y, z);
+}
+#endif
+#endif
+
+// 1 / sqrt(x), good to 11 bits or more: which ones depends on the maker of the processor.
+inline __m128 reciprocal_root_estimate(__m128 x) {
+  return _mm_rsqrt_ps(x);
+}
+#if defined(__AVX__)
+inline __m256 reciprocal_root_estimate(__m256 x) {
+  return _mm256_rsqrt_ps(x);
+}
+#endif
+#if defined(__AVX512F__)
+inline __m512 reciprocal_root_estimate(__m512 x) {
+  return _mm512_maskz_rsqrt14_ps(0xFFFF, x);
+}
 #endif
 
 // Comparisons, false where either is NaN; and m ? x : y.

@@ -25,7 +25,13 @@ struct FloatRung {
   using Number = Native<float>;
 };
 
+struct FastRung {
+  static constexpr std::string_view name = "fast";
+  static constexpr std::string_view purpose = "more speed, last bits of float given up";
+  using Number = Wide<float, native_vector_bytes / 4, Arithmetic::quick>;
+};
+
 /// Every rung a frame can be rendered in. The order is that of `refraster list rungs`; nothing else depends on it.
-using Rungs = std::tuple<DoubleRung, FloatRung>;
+using Rungs = std::tuple<DoubleRung, FloatRung, FastRung>;
 
 } // namespace refraster

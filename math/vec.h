@@ -39,7 +39,7 @@ Vec3<T> as(const Double3& parameter) {
 
 template <class T>
 T dot(const Vec3<T>& a, const Vec3<T>& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
+  return multiply_add(a.z, b.z, multiply_add(a.y, b.y, a.x * b.x));
 }
 
 template <class T>
@@ -50,7 +50,8 @@ Vec3<T> cross(const Vec3<T>& a, const Vec3<T>& b) {
 /// |a|^2. Overflows and underflows where the square does: for unit-sized vectors.
 template <class T>
 T squared_length(const Vec3<T>& a) {
-  return square(a.x) + square(a.y) + square(a.z);
+  if constexpr (is_quick<T>) return dot(a, a);
+  else return square(a.x) + square(a.y) + square(a.z); // a bounds type knows that these are not negative
 }
 
 /// A power of two that brings the largest component of a into [1, 2); see reciprocal_binade.
@@ -64,8 +65,10 @@ template <class T>
 T length(const Vec3<T>& a) {
   if constexpr (NumberTraits<T>::lanes > 1) {
     const T squared = squared_length(a);
-    if (!any(!square_in_range(squared))) [[likely]]
-      return root(squared);
+    if (!any(!square_in_range(squared))) [[likely]] {
+      if constexpr (is_quick<T>) return squared * reciprocal_root(squared);
+      else return root(squared);
+    }
   }
   const T scale = reciprocal_binade(a);
   return root(squared_length(a * scale)) * exact_reciprocal(scale);
@@ -83,12 +86,26 @@ template <class T>
 Vec3<T> normalize(const Vec3<T>& a) {
   if constexpr (NumberTraits<T>::lanes > 1) { // nearly always; a bounds type could not ask
     const T squared = squared_length(a);
-    if (!any(!square_in_range(squared))) [[likely]]
-      return a * (T(1) / root(squared));
+    if (!any(!square_in_range(squared))) [[likely]] {
+      if constexpr (is_quick<T>) return a * reciprocal_root(squared);
+      else return a * (T(1) / root(squared));
+    }
   }
   const Vec3<T> scaled = a * reciprocal_binade(a);
   const T squared = squared_length(scaled); // in [1, 12), or 0
   return scaled * select(squared > T(0), T(1) / root(squared), T(0));
+}
+
+/// From a to b, and exactly a for a = b.
+template <class T>
+Vec3<T> mix(const Vec3<T>& a, const Vec3<T>& b, const T& fraction) {
+  const auto component = [&](const T& x, const T& y) { return multiply_add(y - x, fraction, x); };
+  return {component(a.x, b.x), component(a.y, b.y), component(a.z, b.z)};
+}
+template <class T>
+Vec4<T> mix(const Vec4<T>& a, const Vec4<T>& b, const T& fraction) {
+  const auto component = [&](const T& x, const T& y) { return multiply_add(y - x, fraction, x); };
+  return {component(a.x, b.x), component(a.y, b.y), component(a.z, b.z), component(a.w, b.w)};
 }
 
 template <class T>

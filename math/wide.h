@@ -53,8 +53,14 @@ struct WideIndex {
   Lanes i;
 };
 
+/// What an operation on lanes may do.
+///   strict  IEEE operations only, each rounded once: the same bits in every lane as alone, and on every machine
+///   quick   multiplications and additions fused, reciprocal roots estimated and refined, shorter polynomials: a number
+///           type of its own, so that nothing strict can be compiled in a quick way. Last bits differ between machines.
+enum class Arithmetic { strict, quick };
+
 /// N lanes of F. Trivial, so that glm::vec can hold it; default construction leaves the lanes undefined.
-template <class F, int N>
+template <class F, int N, Arithmetic A = Arithmetic::strict>
 struct Wide {
   static_assert(N >= 2 && (N & (N - 1)) == 0);
   using Lanes = VectorOf<F, N>;
@@ -62,9 +68,9 @@ struct Wide {
 
   Wide() = default;
   Wide(Lanes lanes) : v(lanes) {}
-  template <class A>
-    requires std::is_arithmetic_v<A>
-  explicit(!std::same_as<A, F>) Wide(A x) : v(static_cast<F>(x) - Lanes{}) {} // x - 0 keeps the sign of zero
+  template <class Plain>
+    requires std::is_arithmetic_v<Plain>
+  explicit(!std::same_as<Plain, F>) Wide(Plain x) : v(static_cast<F>(x) - Lanes{}) {} // x - 0 keeps the sign of zero
 
   F operator[](int lane) const { return v[lane]; }
   void set(int lane, F x) { v[lane] = x; }
@@ -103,85 +109,109 @@ struct Wide {
 };
 
 template <class F, int N>
-struct NumberTraits<Wide<F, N>> {
+inline constexpr bool is_quick<Wide<F, N, Arithmetic::quick>> = true;
+
+template <class F, int N, Arithmetic A>
+struct NumberTraits<Wide<F, N, A>> {
   using Real = F;
   using Mask = WideMask<F, N>;
   using Index = WideIndex<N>;
   static constexpr int lanes = N;
 };
 
-template <class F, int N>
-Wide<F, N> select(WideMask<F, N> m, Wide<F, N> x, Wide<F, N> y) {
+template <class F, int N, Arithmetic A>
+Wide<F, N, A> select(WideMask<F, N> m, Wide<F, N, A> x, Wide<F, N, A> y) {
   if constexpr (registers::has_mask<F, N>) return VectorOf<F, N>(registers::select(m.m, x.v, y.v));
   else return m.m ? x.v : y.v;
 }
-template <class F, int N>
-Wide<F, N> maximum(Wide<F, N> x, Wide<F, N> y) {
+template <class F, int N, Arithmetic A>
+Wide<F, N, A> maximum(Wide<F, N, A> x, Wide<F, N, A> y) {
   if constexpr (requires { registers::maximum(x.v, y.v); }) return VectorOf<F, N>(registers::maximum(x.v, y.v));
   else return x.v > y.v ? x.v : y.v;
 }
-template <class F, int N>
-Wide<F, N> minimum(Wide<F, N> x, Wide<F, N> y) {
+template <class F, int N, Arithmetic A>
+Wide<F, N, A> minimum(Wide<F, N, A> x, Wide<F, N, A> y) {
   if constexpr (requires { registers::minimum(x.v, y.v); }) return VectorOf<F, N>(registers::minimum(x.v, y.v));
   else return x.v < y.v ? x.v : y.v;
 }
-template <class F, int N>
-Wide<F, N> square(Wide<F, N> x) {
+template <class F, int N, Arithmetic A>
+Wide<F, N, A> square(Wide<F, N, A> x) {
   return x.v * x.v;
 }
 
 /// The bits of each lane as an integer, and back.
-template <class F, int N>
-VectorOf<BitsOf<F>, N> bits_of(Wide<F, N> x) {
+template <class F, int N, Arithmetic A>
+VectorOf<BitsOf<F>, N> bits_of(Wide<F, N, A> x) {
   return reinterpret_cast<VectorOf<BitsOf<F>, N>>(x.v);
 }
-template <class F, int N>
-Wide<F, N> from_bits(VectorOf<BitsOf<F>, N> bits) {
+template <class F, int N, Arithmetic A = Arithmetic::strict>
+Wide<F, N, A> from_bits(VectorOf<BitsOf<F>, N> bits) {
   return reinterpret_cast<VectorOf<F, N>>(bits);
 }
 
-template <class F, int N>
-Wide<F, N> magnitude(Wide<F, N> x) {
-  return from_bits<F, N>(bits_of(x) & std::numeric_limits<BitsOf<F>>::max());
+template <class F, int N, Arithmetic A>
+Wide<F, N, A> magnitude(Wide<F, N, A> x) {
+  return from_bits<F, N, A>(bits_of(x) & std::numeric_limits<BitsOf<F>>::max());
 }
 
-template <class F, int N>
-Wide<F, N> root(Wide<F, N> x) {
+template <class F, int N, Arithmetic A>
+Wide<F, N, A> root(Wide<F, N, A> x) {
   if constexpr (requires { registers::root(x.v); }) return VectorOf<F, N>(registers::root(x.v));
-  Wide<F, N> result;
+  Wide<F, N, A> result;
   for (int lane = 0; lane < N; ++lane) result.v[lane] = root(x.v[lane]);
   return result;
 }
 
-/// a b - c, rounded once: only where the machine has it.
+/// a b + c in one rounding, where the machine can.
 template <class F, int N>
+Wide<F, N, Arithmetic::quick> multiply_add(Wide<F, N, Arithmetic::quick> a, Wide<F, N, Arithmetic::quick> b,
+                                           Wide<F, N, Arithmetic::quick> c) {
+  if constexpr (requires { registers::fused_sum(a.v, b.v, c.v); })
+    return VectorOf<F, N>(registers::fused_sum(a.v, b.v, c.v));
+  else return a * b + c;
+}
+
+/// 1 / sqrt(x) for 0 < x, neither tiny nor huge: an estimate of at least 11 bits, and one step of Newton's method.
+template <int N>
+Wide<float, N, Arithmetic::quick> reciprocal_root(Wide<float, N, Arithmetic::quick> x) {
+  using T = Wide<float, N, Arithmetic::quick>;
+  if constexpr (requires { registers::reciprocal_root_estimate(x.v); }) {
+    const T y = VectorOf<float, N>(registers::reciprocal_root_estimate(x.v));
+    return y * multiply_add(x * T(-0.5f) * y, y, T(1.5f));
+  } else {
+    return T(1) / root(x);
+  }
+}
+
+/// a b - c, rounded once: only where the machine has it.
+template <class F, int N, Arithmetic A>
   requires(requires(VectorOf<F, N> v) { registers::fused_difference(v, v, v); })
-Wide<F, N> fused_difference(Wide<F, N> a, Wide<F, N> b, Wide<F, N> c) {
+Wide<F, N, A> fused_difference(Wide<F, N, A> a, Wide<F, N, A> b, Wide<F, N, A> c) {
   return VectorOf<F, N>(registers::fused_difference(a.v, b.v, c.v));
 }
 
-template <class F, int N>
-Wide<F, N> exact_reciprocal(Wide<F, N> s) {
+template <class F, int N, Arithmetic A>
+Wide<F, N, A> exact_reciprocal(Wide<F, N, A> s) {
   using B = BitsOf<F>;
   constexpr B one_squared = B(2 * (std::numeric_limits<F>::max_exponent - 1)) << fraction_bits<F>;
-  return from_bits<F, N>(one_squared - bits_of(s));
+  return from_bits<F, N, A>(one_squared - bits_of(s));
 }
 
-template <class F, int N>
-Wide<F, N> reciprocal_binade(Wide<F, N> x) {
+template <class F, int N, Arithmetic A>
+Wide<F, N, A> reciprocal_binade(Wide<F, N, A> x) {
   using B = BitsOf<F>;
   constexpr B bias = std::numeric_limits<F>::max_exponent - 1;
   constexpr B exponent_mask = (2 * bias + 1) << fraction_bits<F>;
   constexpr F smallest = std::numeric_limits<F>::min();
-  const Wide<F, N> binade = from_bits<F, N>(bits_of(x) & exponent_mask);
-  const Wide<F, N> inside = minimum(maximum(binade, Wide<F, N>(smallest)), Wide<F, N>(1 / smallest));
-  return from_bits<F, N>((2 * bias << fraction_bits<F>)-bits_of(inside));
+  const Wide<F, N, A> binade = from_bits<F, N, A>(bits_of(x) & exponent_mask);
+  const Wide<F, N, A> inside = minimum(maximum(binade, Wide<F, N, A>(smallest)), Wide<F, N, A>(1 / smallest));
+  return from_bits<F, N, A>((2 * bias << fraction_bits<F>)-bits_of(inside));
 }
 
 /// |x| <= 2^30 rounded toward minus infinity; cell() keeps to that range.
-template <class F, int N>
-Cell<Wide<F, N>> cell(Wide<F, N> x) {
-  using T = Wide<F, N>;
+template <class F, int N, Arithmetic A>
+Cell<Wide<F, N, A>> cell(Wide<F, N, A> x) {
+  using T = Wide<F, N, A>;
   const T limit(cell_limit);
   const T inside = minimum(maximum(x, -limit), limit);
   // Truncate, then step down where that went up: no rounding-mode instruction is needed, and the result is exact.
@@ -245,24 +275,24 @@ VectorOf<BitsOf<F>, N> lane_bits(WideMask<F, N> m) {
 }
 
 /// The first and the last N / 2 lanes; and two such halves put together.
-template <class F, int N>
-Wide<F, N / 2> low_half(const Wide<F, N>& x) {
+template <class F, int N, Arithmetic A>
+Wide<F, N / 2, A> low_half(const Wide<F, N, A>& x) {
   return [&]<int... I>(std::integer_sequence<int, I...>) {
-    return Wide<F, N / 2>(__builtin_shufflevector(x.v, x.v, I...));
+    return Wide<F, N / 2, A>(__builtin_shufflevector(x.v, x.v, I...));
   }
   (std::make_integer_sequence<int, N / 2>{});
 }
-template <class F, int N>
-Wide<F, N / 2> high_half(const Wide<F, N>& x) {
+template <class F, int N, Arithmetic A>
+Wide<F, N / 2, A> high_half(const Wide<F, N, A>& x) {
   return [&]<int... I>(std::integer_sequence<int, I...>) {
-    return Wide<F, N / 2>(__builtin_shufflevector(x.v, x.v, (I + N / 2)...));
+    return Wide<F, N / 2, A>(__builtin_shufflevector(x.v, x.v, (I + N / 2)...));
   }
   (std::make_integer_sequence<int, N / 2>{});
 }
-template <class F, int N>
-Wide<F, 2 * N> joined(const Wide<F, N>& low, const Wide<F, N>& high) {
+template <class F, int N, Arithmetic A>
+Wide<F, 2 * N, A> joined(const Wide<F, N, A>& low, const Wide<F, N, A>& high) {
   return [&]<int... I>(std::integer_sequence<int, I...>) {
-    return Wide<F, 2 * N>(__builtin_shufflevector(low.v, high.v, I...));
+    return Wide<F, 2 * N, A>(__builtin_shufflevector(low.v, high.v, I...));
   }
   (std::make_integer_sequence<int, 2 * N>{});
 }

@@ -51,8 +51,10 @@ public:
     const auto place = [&](int lane) {
       return at_[static_cast<std::size_t>(lane)]->row[static_cast<std::size_t>(r)].data();
     };
-    if constexpr (triangles == Triangles::many) return gather_rows<Real, lanes>(place);
-    else return {T(place(0)[0]), T(place(0)[1]), T(place(0)[2]), T(place(0)[3])};
+    if constexpr (triangles == Triangles::many) {
+      const auto numbers = gather_rows<Real, lanes>(place);
+      return {T(numbers[0].v), T(numbers[1].v), T(numbers[2].v), T(numbers[3].v)};
+    } else return {T(place(0)[0]), T(place(0)[1]), T(place(0)[2]), T(place(0)[3])};
   }
   /// a, b, c of a wrapped line.
   std::array<Ints, 3> line(int k) const {
@@ -146,8 +148,8 @@ LineValues<T> uncommon_line_values(const Packet<T>& packet) {
     return triangle.projective ? projective_values(*triangle.projective, x, y) : large_values(*triangle.large, x, y);
   };
   const auto rounded = [](const auto& low, const auto& high) -> T {
-    if constexpr (Part::count == 1) return Part::narrowed(low);
-    else return joined(Part::narrowed(low), Part::narrowed(high));
+    if constexpr (Part::count == 1) return Part::narrowed(low).v;
+    else return joined(Part::narrowed(low), Part::narrowed(high)).v;
   };
   const auto low = part(std::integral_constant<int, 0>{}), high = part(std::integral_constant<int, Part::count - 1>{});
   LineValues<T> lines;
@@ -232,7 +234,8 @@ T changed(const std::array<T, 4>& row, const Barycentric<T>& by) {
 template <class T, Triangles triangles>
 T interpolated(const PacketData<T, triangles>& data, Attribute attribute, int c, const Barycentric<T>& at) {
   const std::array<T, 4> row = data.row(static_cast<int>(attribute) + c);
-  return row[0] + changed(row, at);
+  if constexpr (is_quick<T>) return multiply_add(at.b1, row[1], multiply_add(at.b2, row[2], row[0]));
+  else return row[0] + changed(row, at);
 }
 
 /// Texture coordinate c; in the triangle kept within the range of its corners': where an edge has the coordinate 0,

@@ -102,6 +102,7 @@ void reshape_images(const RenderOptions& options, const Crop& region, Frame& fra
 std::unique_ptr<TileShader> make_tile_shader(std::string_view rung) {
   if (rung == DoubleRung::name) return make_double_shader();
   if (rung == FloatRung::name) return make_float_shader();
+  if (rung == FastRung::name) return make_fast_shader();
   return nullptr;
 }
 

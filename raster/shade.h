@@ -50,6 +50,7 @@ std::unique_ptr<TileShader> make_tile_shader(std::string_view rung);
 // Each defined in a file of its own, raster/rungs/<name>.cpp: a full instantiation of everything above the number.
 std::unique_ptr<TileShader> make_double_shader();
 std::unique_ptr<TileShader> make_float_shader();
+std::unique_ptr<TileShader> make_fast_shader();
 
 /// Writes the tile's part of an image of `aov`. Computed in double whatever the rung: of the first of each pixel's
 /// `runs`.

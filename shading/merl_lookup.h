@@ -86,12 +86,6 @@ Taps<T, count> wrapped_taps(const T& x, int samples) {
   return taps;
 }
 
-/// From a to b, and exactly a for a = b.
-template <Number T>
-Vec4<T> mix(const Vec4<T>& a, const Vec4<T>& b, const T& fraction) {
-  return a + (b - a) * fraction;
-}
-
 /// The Catmull-Rom spline through four values, between b and c.
 template <Number T>
 Vec4<T> mix_cubic(const Vec4<T>& a, const Vec4<T>& b, const Vec4<T>& c, const Vec4<T>& d, const T& fraction) {

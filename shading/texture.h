@@ -75,11 +75,9 @@ Rgb<T> sample_bilinear(const TextureLevel& level, const Vec2<T>& uv) {
   const IndexOf<T> left = wrap_index(x.index, level.width), right = wrap_index(next_index(x.index), level.width);
   const IndexOf<T> low = wrap_index(y.index, level.height), high = wrap_index(next_index(y.index), level.height);
   const auto row = [&](const IndexOf<T>& j) {
-    const Rgb<T> a = lookup<T>(texels, left, j, IndexOf<T>{}), b = lookup<T>(texels, right, j, IndexOf<T>{});
-    return a + (b - a) * x.fraction;
+    return mix(lookup<T>(texels, left, j, IndexOf<T>{}), lookup<T>(texels, right, j, IndexOf<T>{}), x.fraction);
   };
-  const Rgb<T> below = row(low), above = row(high);
-  return below + (above - below) * y.fraction;
+  return mix(row(low), row(high), y.fraction);
 }
 
 /// The level of detail: log2 of the longer side of a pixel's footprint, in texels of level 0. OpenGL 4.6,

@@ -74,7 +74,11 @@ std::string hash_of(const HashedScene& hashed, std::string_view rung, int thread
 /// body(rung's name) for each rung.
 template <class Body>
 void for_each_rung(Body&& body) {
-  std::apply([&](auto... rung) { (body(decltype(rung)::name), ...); }, Rungs{});
+  // A quick rung promises no bits.
+  const auto strict = [&](auto rung) {
+    if constexpr (!is_quick<typename decltype(rung)::Number>) body(rung.name);
+  };
+  std::apply([&](auto... rung) { (strict(rung), ...); }, Rungs{});
 }
 
 /// Both by "rung scene".
