@@ -46,9 +46,9 @@ public:
 
   // Classifies a triangle, and places it if it is drawn. `projective` is set when the fate is that.
   Fate place(const TriangleRef& ref, Placement& placement, ProjectiveTriangle& projective, bool& clipped) const {
-    const WindowVertex& v0 = geometry_.window[ref.vertex[0]];
-    const WindowVertex& v1 = geometry_.window[ref.vertex[1]];
-    const WindowVertex& v2 = geometry_.window[ref.vertex[2]];
+    const WindowVertex v0 = geometry_.window[ref.vertex[0]];
+    const WindowVertex v1 = geometry_.window[ref.vertex[1]];
+    const WindowVertex v2 = geometry_.window[ref.vertex[2]];
     const int any = v0.outcode | v1.outcode | v2.outcode;
     if (any & outcode::not_finite) return Fate::not_finite;
     if (v0.outcode & v1.outcode & v2.outcode & outcode::sides) return Fate::outside;
