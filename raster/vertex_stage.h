@@ -47,8 +47,9 @@ WindowLanes<T> window_lanes(const Vec4<T>& clip, int width, int height) {
   const auto snapped = ok & (w >= T(std::numeric_limits<double>::min())) & (magnitude(x) <= T(double{guard_band})) &
                        (magnitude(y) <= T(double{guard_band}));
   const auto if_snapped = [&](const T& value) { return select(snapped, value, T(0.0)); };
-  return {if_snapped(nearest_whole(x)),    if_snapped(nearest_whole(y)), if_snapped(clip.z / w),     if_snapped(T(1.0) / w),
-          select(ok, sides, T(0.0)), one_where(!ok, 1),      one_where(ok & !snapped, 1)};
+  return {if_snapped(nearest_whole(x)), if_snapped(nearest_whole(y)), if_snapped(clip.z / w),
+          if_snapped(T(1.0) / w),       select(ok, sides, T(0.0)),    one_where(!ok, 1),
+          one_where(ok & !snapped, 1)};
 }
 
 } // namespace refraster
