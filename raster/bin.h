@@ -4,6 +4,7 @@
 #include "raster/render.h"
 #include "raster/samples.h"
 #include "raster/setup.h"
+#include "raster/tile_list.h"
 
 #include <cstdint>
 #include <span>
@@ -29,18 +30,15 @@ struct NumberedProjective {
 };
 
 struct Bins {
-  std::vector<std::uint64_t> first;           // tiles + 1 entries
-  Buffer<std::uint32_t> triangles;            // numbers in the frame; those of tile t are [first[t], first[t + 1])
+  TileLists lists;
   std::vector<NumberedProjective> projective; // in order of number: there are few
 
-  std::span<const std::uint32_t> of(std::size_t tile) const {
-    return {triangles.data() + first[tile], triangles.data() + first[tile + 1]};
-  }
   const ProjectiveTriangle& projective_triangle(std::uint32_t number) const;
 };
 
-/// Drops what cannot be seen (counted by reason in `counts`) and lists the rest by tile. A tile's list may hold
-/// triangles that cover none of its samples; it misses none that does. Memory: 8 bytes a triangle, 4 a list entry.
+/// Drops what cannot be seen (counted by reason in `counts`) and lists the rest by tile, in submission order. A tile's
+/// list may hold triangles that cover none of its samples; it misses none that does. Of triangles that are so small
+/// that it is quicker to find the samples they cover at once, it holds those samples. Memory: 16 bytes a list entry.
 /// `bins` may be those of another frame: their memory is used again.
 void bin_triangles(const Scene& scene, const Geometry& geometry, const TileGrid& grid, int image_width,
                    int image_height, std::span<const SamplePlace> samples, int threads, Bins& bins,

@@ -59,11 +59,11 @@ void shade_tiles(const FrameContext& context, const TileGrid& grid, std::span<co
     if (cancelled(context.options)) return;
     TileWorker& worker = workers[static_cast<std::size_t>(thread)];
     const Crop tile = grid.tile(index);
-    const std::span<const std::uint32_t> triangles = context.bins.of(index);
     const auto start = Clock::now();
-    worker.visibility.decide(context.scene, context.geometry, context.bins, triangles, tile, samples);
+    worker.visibility.decide(context.scene, context.geometry, context.bins, index, tile, samples);
     worker.seconds.visibility += seconds_since(start);
-    worker.shader->shade(context, {tile, triangles, worker.visibility}, frame, {worker.counts, worker.seconds});
+    worker.shader->shade(context, {tile, worker.visibility.triangles(), worker.visibility}, frame,
+                         {worker.counts, worker.seconds});
     const std::size_t now_done = ++done;
     if (thread == 0 && now_done < grid.tiles() && context.options.progress)
       context.options.progress(static_cast<double>(now_done) / static_cast<double>(grid.tiles()));

@@ -1,11 +1,16 @@
 #include "raster/transform.h"
 
 #include "math/elementary.h"
+#include "math/rungs.h"
 #include "raster/parallel.h"
+#include "raster/vertex_stage.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
+#include <utility>
 
 namespace refraster {
 
@@ -88,38 +93,106 @@ Double4 clip_position(const ObjectTransform& transform, const Float3& position) 
 }
 
 WindowVertex window_vertex(const Double4& clip, int width, int height) {
-  const auto finite = [](double x) { return magnitude(x) <= std::numeric_limits<double>::max(); };
-  WindowVertex vertex;
-  if (!(finite(clip.x) && finite(clip.y) && finite(clip.z) && finite(clip.w))) {
-    vertex.outcode = outcode::not_finite;
-    return vertex;
-  }
-  const double w = clip.w;
-  std::uint8_t code = 0;
-  if (clip.x < -w) code |= outcode::left;
-  if (clip.x > w) code |= outcode::right;
-  if (clip.y < -w) code |= outcode::bottom;
-  if (clip.y > w) code |= outcode::top;
-  if (clip.z < -w) code |= outcode::near;
-  if (clip.z > w) code |= outcode::far;
-
-  const double half_width = subpixels / 2 * width, half_height = subpixels / 2 * height;
-  const double x = clip.x / w * half_width + half_width;
-  const double y = half_height - clip.y / w * half_height;
-  // Below the smallest normal number 1 / w would overflow: such a vertex is as good as on the eye plane.
-  const bool on_lattice =
-      w >= std::numeric_limits<double>::min() && magnitude(x) <= guard_band && magnitude(y) <= guard_band;
-  if (!on_lattice) {
-    vertex.outcode = code | outcode::unsnapped;
-    return vertex;
-  }
-  vertex.x = static_cast<std::int32_t>(std::nearbyint(x)); // half to even, as Direct3D 11.3 §3.4.1 has it
-  vertex.y = static_cast<std::int32_t>(std::nearbyint(y));
-  vertex.z = clip.z / w;
-  vertex.inverse_w = 1 / w;
-  vertex.outcode = code;
-  return vertex;
+  const WindowLanes<double> v = window_lanes(clip, width, height);
+  return {static_cast<std::int32_t>(v.x), static_cast<std::int32_t>(v.y), v.z, v.inverse_w,
+          static_cast<std::uint8_t>(v.sides + outcode::not_finite * v.not_finite + outcode::unsnapped * v.unsnapped)};
 }
+
+namespace {
+
+// Mesh data enters lane by lane: lane k is component c of at[k].
+template <class T>
+T component(const Float3* at, int c) {
+  if constexpr (NumberTraits<T>::lanes == 1) {
+    return static_cast<T>((*at)[c]);
+  } else {
+    constexpr int lanes = NumberTraits<T>::lanes;
+    return [&]<int... lane>(std::integer_sequence<int, lane...>) {
+      const VectorOf<float, lanes> narrow{at[lane][c]...};
+      return T(__builtin_convertvector(narrow, VectorOf<double, lanes>));
+    }
+    (std::make_integer_sequence<int, lanes>{});
+  }
+}
+
+// at[stride k], at[stride k + 1] become lane k of a and of b.
+template <class T>
+void store_pairs(double* at, std::size_t stride, const T& a, const T& b) {
+  if constexpr (NumberTraits<T>::lanes == 1) {
+    at[0] = a, at[1] = b;
+  } else {
+    constexpr int lanes = NumberTraits<T>::lanes;
+    [&]<int... lane>(std::integer_sequence<int, lane...>) {
+      const auto store = [&](std::size_t k, VectorOf<double, 2> pair) {
+        std::memcpy(at + stride * k, &pair, sizeof pair);
+      };
+      (store(lane, __builtin_shufflevector(a.v, b.v, lane, lane + lanes)), ...);
+    }
+    (std::make_integer_sequence<int, lanes>{});
+  }
+}
+
+template <class T>
+void store_lanes(double* at, const T& x) {
+  std::memcpy(at, &x, sizeof x);
+}
+
+// Matrices as T has them, and the image: what an object's vertices have in common.
+template <class T>
+struct VertexStage {
+  const ObjectTransform& matrices;
+  int width, height;
+
+  // The products as GLM adds them up, which the bits of every image depend on.
+  T homogeneous(const Double4x4& m, int row, const Vec3<T>& p) const {
+    const auto times = [&](int column) { return T(m[column][row]) * p[column]; };
+    return (times(0) + times(1)) + (times(2) + T(m[3][row]));
+  }
+  T linear(const Double3x3& m, int row, const Vec3<T>& p) const {
+    const auto times = [&](int column) { return T(m[column][row]) * p[column]; };
+    return times(0) + times(1) + times(2);
+  }
+
+  // As many vertices as T has lanes.
+  void run(const Float3* positions, const Float3* normals, PlacedVertex* placed, double* inverse_w,
+           WorldVertex* world) const {
+    const Vec3<T> p(component<T>(positions, 0), component<T>(positions, 1), component<T>(positions, 2));
+    const Vec3<T> n(component<T>(normals, 0), component<T>(normals, 1), component<T>(normals, 2));
+    const auto clip = [&](int row) { return homogeneous(matrices.clip_from_object, row, p); };
+    const WindowLanes<T> v = window_lanes(Vec4<T>(clip(0), clip(1), clip(2), clip(3)), width, height);
+    // The integers of PlacedVertex, two in the bits of one double.
+    static_assert(std::endian::native == std::endian::little);
+    const LaneBits<T> x_sides = whole_bits(v.x * T(64.0) + v.sides) & 0xffffffff;
+    const LaneBits<T> y_state = whole_bits(v.y * T(64.0) + v.not_finite + v.unsnapped * T(2.0)) << 32;
+    store_pairs(reinterpret_cast<double*>(placed), sizeof *placed / sizeof(double), from_bits<T>(x_sides | y_state),
+                v.z);
+    store_lanes(inverse_w, v.inverse_w);
+
+    const auto position = [&](int row) { return homogeneous(matrices.world_from_object, row, p); };
+    const auto normal = [&](int row) { return linear(matrices.world_from_normal, row, n); };
+    double* const at = &world->position.x;
+    constexpr std::size_t stride = sizeof *world / sizeof(double);
+    store_pairs(at, stride, position(0), position(1));
+    store_pairs(at + 2, stride, position(2), normal(0));
+    store_pairs(at + 4, stride, normal(1), normal(2));
+  }
+};
+
+// Vertices [begin, end) of an object's mesh.
+void transform_vertices(const Mesh& mesh, const ObjectTransform& matrices, int width, int height, std::size_t begin,
+                        std::size_t end, std::size_t first, Geometry& geometry) {
+  using Row = Native<double>;
+  constexpr std::size_t lanes = NumberTraits<Row>::lanes;
+  const auto run = [&](const auto& stage, std::size_t v) {
+    stage.run(&mesh.positions[v], &mesh.normals[v], &geometry.window.placed[first + v],
+              &geometry.window.inverse_w[first + v], &geometry.world[first + v]);
+  };
+  std::size_t v = begin;
+  for (; v + lanes <= end; v += lanes) run(VertexStage<Row>{matrices, width, height}, v);
+  for (; v < end; ++v) run(VertexStage<double>{matrices, width, height}, v);
+}
+
+} // namespace
 
 void transform(const Scene& scene, int width, int height, int threads, Geometry& geometry) {
   const Double4x4 view_projection = clip_from_world(scene.camera, static_cast<double>(width) / height);
@@ -133,23 +206,21 @@ void transform(const Scene& scene, int width, int height, int threads, Geometry&
     geometry.first_triangle.push_back(geometry.first_triangle.back() +
                                       static_cast<std::uint32_t>(object.mesh->triangles.size()));
   }
-  geometry.window.resize_uninitialized(geometry.first_vertex.back());
-  geometry.world.resize_uninitialized(geometry.first_vertex.back());
-  for (std::size_t o = 0; o < scene.objects.size(); ++o) {
-    const Mesh& mesh = *scene.objects[o].mesh;
-    const ObjectTransform& matrices = geometry.transforms[o];
-    const std::size_t first = geometry.first_vertex[o];
-    const std::size_t count = mesh.positions.size(), chunk = 4096;
-    parallel_for(threads, (count + chunk - 1) / chunk, [&](std::size_t index, int) {
-      for (std::size_t v = index * chunk; v < std::min(count, (index + 1) * chunk); ++v) {
-        const Float3& p = mesh.positions[v];
-        const Float3& n = mesh.normals[v];
-        geometry.window[first + v] = window_vertex(clip_position(matrices, p), width, height);
-        geometry.world[first + v] = {Double3(matrices.world_from_object * Double4(p.x, p.y, p.z, 1.0)),
-                                     matrices.world_from_normal * Double3(n.x, n.y, n.z)};
-      }
-    });
-  }
+  const std::size_t vertices = geometry.first_vertex.back();
+  geometry.window.resize_uninitialized(vertices);
+  geometry.world.resize_uninitialized(vertices);
+  // Pieces of all vertices, whatever the objects are: there may be thousands of these, or one.
+  constexpr std::size_t piece = 2048;
+  parallel_for(threads, (vertices + piece - 1) / piece, [&](std::size_t index, int) {
+    const std::size_t begin = index * piece, end = std::min(vertices, begin + piece);
+    const auto after = std::upper_bound(geometry.first_vertex.begin(), geometry.first_vertex.end(), begin);
+    for (auto o = static_cast<std::size_t>(after - geometry.first_vertex.begin()) - 1;
+         o < scene.objects.size() && geometry.first_vertex[o] < end; ++o) {
+      const std::size_t first = geometry.first_vertex[o], last = geometry.first_vertex[o + 1];
+      transform_vertices(*scene.objects[o].mesh, geometry.transforms[o], width, height, std::max(begin, first) - first,
+                         std::min(end, last) - first, first, geometry);
+    }
+  });
 }
 
 TriangleRef triangle_ref(const Scene& scene, const Geometry& geometry, std::uint32_t triangle) {

@@ -47,6 +47,40 @@ struct WindowVertex {
   std::uint8_t outcode = 0;
 };
 
+/// The same as set-up reads it, by the million, in 16 bytes.
+struct PlacedVertex {
+  std::int32_t x_sides = 0; // 64 x + (outcode & 63)
+  std::int32_t y_state = 0; // 64 y + (outcode >> 6)
+  double z = 0;
+
+  PlacedVertex() = default;
+  explicit PlacedVertex(const WindowVertex& v)
+      : x_sides(v.x * 64 + (v.outcode & 63)), y_state(v.y * 64 + (v.outcode >> 6)), z(v.z) {}
+  std::int32_t x() const { return x_sides >> 6; }
+  std::int32_t y() const { return y_state >> 6; }
+  std::uint8_t outcode() const { return static_cast<std::uint8_t>((x_sides & 63) | (y_state & 3) << 6); }
+};
+
+/// Vertices in the window, apart from what only shading reads of them.
+struct WindowVertices {
+  Buffer<PlacedVertex> placed;
+  Buffer<double> inverse_w;
+
+  std::size_t size() const { return placed.size(); }
+  void resize_uninitialized(std::size_t size) {
+    placed.resize_uninitialized(size);
+    inverse_w.resize_uninitialized(size);
+  }
+  void push_back(const WindowVertex& v) {
+    placed.push_back(PlacedVertex(v));
+    inverse_w.push_back(v.inverse_w);
+  }
+  WindowVertex operator[](std::size_t i) const {
+    const PlacedVertex& v = placed[i];
+    return {v.x(), v.y(), v.z, inverse_w[i], v.outcode()};
+  }
+};
+
 /// A vertex as shading sees it.
 struct WorldVertex {
   Double3 position;
@@ -63,7 +97,7 @@ struct Geometry {
   std::vector<ObjectTransform> transforms;
   std::vector<std::uint32_t> first_vertex;   // objects + 1 entries
   std::vector<std::uint32_t> first_triangle; // objects + 1 entries
-  Buffer<WindowVertex> window;
+  WindowVertices window;
   Buffer<WorldVertex> world;
 
   std::uint32_t triangles() const { return first_triangle.back(); }

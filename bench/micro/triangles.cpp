@@ -34,8 +34,8 @@ struct TileScene {
     decide();
   }
 
-  std::span<const std::uint32_t> triangles() const { return bins.of(0); }
-  void decide() { visibility.decide(scene, geometry, bins, triangles(), tile, samples); }
+  std::span<const std::uint32_t> triangles() const { return visibility.triangles(); }
+  void decide() { visibility.decide(scene, geometry, bins, 0, tile, samples); }
 };
 
 /// The tile's fragments in the number of a rung.

@@ -29,8 +29,7 @@ bool has_area(const Corners& c) {
 template <int bits>
 int mismatches(const Corners& corners, int n, TileVisibility& visibility) {
   const LatticeFrame frame({window(corners)});
-  const std::uint32_t first = 0;
-  visibility.decide(frame.scene, frame.geometry, frame.bins, {&first, 1}, {0, 0, n, n}, sample_pattern(1));
+  frame.decide({0, 0, n, n}, sample_pattern(1), visibility);
   int wrong = 0;
   for (int y = 0; y < n; ++y)
     for (int x = 0; x < n; ++x) {

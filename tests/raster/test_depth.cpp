@@ -21,12 +21,10 @@ Corners backdrop(double z) {
 /// At how many samples the triangle numbered `which` is the nearest.
 int seen(const std::vector<Corners>& triangles, std::uint32_t which, TileVisibility& visibility) {
   const LatticeFrame frame(triangles);
-  std::vector<std::uint32_t> numbers(triangles.size());
-  for (std::uint32_t i = 0; i < numbers.size(); ++i) numbers[i] = i;
-  visibility.decide(frame.scene, frame.geometry, frame.bins, numbers, {0, 0, side, side}, sample_pattern(1));
+  frame.decide({0, 0, side, side}, sample_pattern(1), visibility);
   int count = 0;
   for (int y = 0; y < side; ++y)
-    for (int x = 0; x < side; ++x) count += visibility.nearest(0, x, y) == static_cast<std::int32_t>(which);
+    for (int x = 0; x < side; ++x) count += seen_triangle(visibility, 0, x, y) == which;
   return count;
 }
 

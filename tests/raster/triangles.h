@@ -59,11 +59,10 @@ inline std::optional<AnyTriangle> set_up(const std::array<Double4, 3>& clip, int
   return std::nullopt;
 }
 
-/// A frame of lattice triangles that never saw a camera: for driving TileVisibility directly.
+/// A frame of lattice triangles that never saw a camera: for driving binning and TileVisibility directly.
 struct LatticeFrame {
   Scene scene;
   Geometry geometry;
-  Bins bins;
 
   explicit LatticeFrame(const std::vector<std::array<WindowVertex, 3>>& triangles) {
     auto mesh = std::make_shared<Mesh>();
@@ -77,6 +76,21 @@ struct LatticeFrame {
     scene.objects.emplace_back();
     scene.objects[0].mesh = mesh;
   }
+
+  /// Bins the triangles for a grid of one tile, and decides that tile. `tile` is square, with a power of two of pixels.
+  void decide(const Crop& tile, std::span<const SamplePlace> samples, TileVisibility& visibility) const {
+    Bins bins;
+    FrameCounts counts;
+    const TileGrid grid{tile.x, tile.y, tile.width, tile.height, tile.width};
+    bin_triangles(scene, geometry, grid, max_image_side, max_image_side, samples, 1, bins, counts);
+    visibility.decide(scene, geometry, bins, 0, tile, samples);
+  }
 };
+
+/// The number of the triangle that a sample sees, or -1.
+inline std::int64_t seen_triangle(const TileVisibility& visibility, int s, int x, int y) {
+  const std::int32_t place = visibility.nearest(s, x, y);
+  return place == nothing ? -1 : std::int64_t{visibility.triangles()[static_cast<std::size_t>(place)]};
+}
 
 } // namespace refraster::test
