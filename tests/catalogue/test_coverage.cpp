@@ -313,7 +313,7 @@ TEST_CASE("C10: derivatives are the plane's own: no neighbour is asked, and none
   for (int k = 0; k <= 8; ++k) {
     const int size = 256 >> k;
     texture->levels.push_back(
-        {size, size, std::vector<float>(static_cast<std::size_t>(3 * size * size), static_cast<float>(k))});
+        {size, size, PaddedVector<float>(static_cast<std::size_t>(3 * size * size), static_cast<float>(k))});
   }
   const auto seen = [&](const std::vector<Float3>& corners, const std::vector<Crop>& crop) {
     WindowScene window(16, 0.25, 64);

@@ -7,6 +7,7 @@
 
 #include <fstream>
 #include <sstream>
+#include <string>
 
 using namespace refraster;
 using namespace refraster::precision;
@@ -45,7 +46,7 @@ void check_bounds_in_page(std::string_view what, std::string_view inputs, std::i
 enum class Judge { maximum, both };
 
 template <class Bound>
-void check_error(std::string_view what, std::string_view inputs, const char* number, const Error& error,
+void check_error(std::string_view what, std::string_view inputs, const std::string& number, const Error& error,
                  const Bound& bound, Judge judge) {
   CAPTURE(what);
   CAPTURE(inputs);
@@ -66,7 +67,7 @@ void check_shading(int trials, Judge judge) {
   const std::vector<ShadingRow> rows = measure_shading(trials);
   CHECK(rows.size() == std::size(precision_bounds));
   for (const ShadingRow& row : rows) {
-    const auto check = [&](const char* number, const Error& error, const UlpBound& bound) {
+    const auto check = [&](const std::string& number, const Error& error, const UlpBound& bound) {
       check_error(row.bound.model, row.bound.inputs, number, error, bound, judge);
     };
     check("double, terms", row.double_terms, row.bound.double_terms);
