@@ -1,7 +1,7 @@
 #pragma once
 // Reading tables with indices that were computed in a Number.
 
-#include "math/rows.h"
+#include "math/half.h"
 #include "math/vec.h"
 
 namespace refraster {

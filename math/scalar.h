@@ -12,6 +12,7 @@ namespace refraster {
 
 /// What a number type has to say about itself. Specialised beside each number type:
 ///   Real   the floating-point type of one lane: its precision, and the precision of tables read for it
+///   TableReal   only where measured tables are stored in another type than Real: see TableRealOf
 ///   Mask   what a comparison gives
 ///   Index  integers made from numbers, for table look-ups; 32 bits a lane
 ///   lanes  how many independent numbers one T holds
@@ -24,6 +25,24 @@ template <class T>
 using MaskOf = typename NumberTraits<T>::Mask;
 template <class T>
 using IndexOf = typename NumberTraits<T>::Index;
+
+namespace scalar_detail {
+template <class T>
+struct TableReal {
+  using type = RealOf<T>;
+};
+template <class T>
+  requires requires {
+    typename NumberTraits<T>::TableReal;
+  }
+struct TableReal<T> {
+  using type = typename NumberTraits<T>::TableReal;
+};
+} // namespace scalar_detail
+
+/// What measured tables are stored in that are read for T: double, float or Half (math/half.h).
+template <class T>
+using TableRealOf = typename scalar_detail::TableReal<T>::type;
 
 /// A grid cell: the greatest integer not above x, and how far x is into the cell, in [0, 1): the largest number below 1
 /// where that difference rounds to 1.

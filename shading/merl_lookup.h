@@ -95,15 +95,15 @@ Vec4<T> mix_cubic(const Vec4<T>& a, const Vec4<T>& b, const Vec4<T>& c, const Ve
                  fraction;
 }
 
-/// Reads the samples of one table in the precision of T, as (r, g, b, 1), and as 0 where nothing was measured: a sum
-/// with any weights is then the weighted sum of what was measured, and beside it the sum of the weights.
-template <Number T>
+/// Reads the samples of one table as (r, g, b, 1), and as 0 where nothing was measured: a sum with any weights is then
+/// the weighted sum of what was measured, and beside it the sum of the weights.
+template <Number T, class Stored = RealOf<T>>
 struct MerlReader {
-  const RealOf<T>* values;
+  const Stored* values;
 
   Vec4<T> operator()(const IndexOf<T>& h, const IndexOf<T>& d, const IndexOf<T>& p) const {
-    const RgbGrid<RealOf<T>, RealOf<T>> grid{values, MerlTable::offset(1, 0, 0), MerlTable::offset(0, 1, 0),
-                                             MerlTable::offset(0, 0, 1)};
+    const RgbGrid<RealOf<T>, Stored> grid{values, MerlTable::offset(1, 0, 0), MerlTable::offset(0, 1, 0),
+                                          MerlTable::offset(0, 0, 1)};
     const Rgb<T> rgb = lookup<T>(grid, h, d, p);
     const MaskOf<T> measured = minimum(rgb.x, minimum(rgb.y, rgb.z)) >= T(0);
     const Rgb<T> kept = select<T>(measured, rgb, Rgb<T>(T(0)));
@@ -173,21 +173,32 @@ MerlValue<T> from_logarithm(const MerlValue<T>& g) {
   return {Rgb<T>(f(g.f.x), f(g.f.y), f(g.f.z)), g.unmeasured};
 }
 
-/// The BRDF at a point of the table. Reads only the copy of the table that the number and the lookup need.
-template <Number T>
+/// The same f in 1/sr, from units of the table's.
+template <class Stored, Number T>
+MerlValue<T> from_units(const MerlTable& table, const MerlValue<T>& in_units) {
+  if constexpr (std::is_same_v<Stored, RealOf<T>>) return in_units;
+  else return {in_units.f * as<T>(table.unit<Stored>()), in_units.unmeasured};
+}
+
+/// The BRDF at a point of the table, which is read in the format of `Stored`: that of the rung, if nothing else is
+/// said. Reads only the copy of the table that this and the lookup need. Logarithms are always stored in T's own
+/// precision.
+template <Number T, class Stored = TableRealOf<T>>
 MerlValue<T> merl_value(const MerlTable& table, MerlLookup lookup, const MerlPoint<T>& at) {
   using F = RealOf<T>;
+  const auto values = [&] { return MerlReader<T, Stored>{table.values<Stored>()}; };
+  const auto logarithms = [&] { return MerlReader<T>{table.log_values<F>()}; };
   switch (lookup) {
   case MerlLookup::nearest:
-    return merl_mean(MerlReader<T>{table.values<F>()}.nearest(at));
+    return from_units<Stored>(table, merl_mean(values().nearest(at)));
   case MerlLookup::trilinear:
-    return merl_mean(MerlReader<T>{table.values<F>()}.trilinear(at, 0.5));
+    return from_units<Stored>(table, merl_mean(values().trilinear(at, 0.5)));
   case MerlLookup::trilinear_edge:
-    return merl_mean(MerlReader<T>{table.values<F>()}.trilinear(at, 0));
+    return from_units<Stored>(table, merl_mean(values().trilinear(at, 0)));
   case MerlLookup::trilinear_log:
-    return from_logarithm(merl_mean(MerlReader<T>{table.log_values<F>()}.trilinear(at, 0.5)));
+    return from_logarithm(merl_mean(logarithms().trilinear(at, 0.5)));
   case MerlLookup::tricubic_log:
-    return from_logarithm(merl_mean(MerlReader<T>{table.log_values<F>()}.tricubic(at)));
+    return from_logarithm(merl_mean(logarithms().tricubic(at)));
   }
   return {Rgb<T>(T(0)), T(0) <= T(0)};
 }

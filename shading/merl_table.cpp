@@ -10,6 +10,26 @@ namespace refraster {
 
 namespace {
 
+bool is_measured(const double* rgb) {
+  return rgb[0] >= 0 && rgb[1] >= 0 && rgb[2] >= 0;
+}
+
+template <class Stored>
+constexpr double largest = static_cast<double>(std::numeric_limits<Stored>::max());
+template <>
+constexpr double largest<Half> = Half::largest;
+
+/// Every measured value encoded and rounded once to Stored; the others as -1.
+template <class Stored, class Encode>
+void encode_all(const PaddedVector<double>& rgb, const Encode& encode, PaddedVector<Stored>& stored) {
+  stored.resize(rgb.size());
+  for (std::size_t i = 0; i < rgb.size(); i += 3) {
+    const bool measured = is_measured(&rgb[i]);
+    for (std::size_t channel = i; channel < i + 3; ++channel)
+      stored[channel] = static_cast<Stored>(measured ? minimum(encode(rgb[channel]), largest<Stored>) : -1);
+  }
+}
+
 double unchanged(double f) {
   return f;
 }
@@ -18,25 +38,20 @@ double logarithm(double f) {
   return log2(1 + f / MerlTable::log_epsilon);
 }
 
+/// The least power of two in which the greatest value is not beyond the largest half. Within float, as lanes are.
+double unit_of(const PaddedVector<double>& rgb) {
+  double greatest = 0;
+  for (std::size_t i = 0; i < rgb.size(); i += 3)
+    if (is_measured(&rgb[i])) greatest = maximum(greatest, maximum(rgb[i], maximum(rgb[i + 1], rgb[i + 2])));
+  double unit = 0x1p-100;
+  while (greatest > Half::largest * unit && unit < 0x1p100) unit *= 2;
+  return unit;
+}
+
 } // namespace
 
 MerlTable::MerlTable(PaddedVector<double> rgb) : doubles_(std::move(rgb)) {
   assert(doubles_.size() == 3 * samples);
-}
-
-template <class F>
-const F* MerlTable::made_once(Copy<F>& copy, double (*encode)(double)) const {
-  std::call_once(copy.made, [&] {
-    copy.values.resize(doubles_.size());
-    for (std::size_t i = 0; i < doubles_.size(); i += 3) {
-      const bool measured = doubles_[i] >= 0 && doubles_[i + 1] >= 0 && doubles_[i + 2] >= 0;
-      for (std::size_t channel = i; channel < i + 3; ++channel) {
-        const double value = measured ? encode(doubles_[channel]) : -1;
-        copy.values[channel] = static_cast<F>(minimum(value, static_cast<double>(std::numeric_limits<F>::max())));
-      }
-    }
-  });
-  return copy.values.data();
 }
 
 template <>
@@ -45,15 +60,42 @@ const double* MerlTable::values<double>() const {
 }
 template <>
 const float* MerlTable::values<float>() const {
-  return made_once(floats_, unchanged);
+  std::call_once(floats_.made, [this] { encode_all(doubles_, unchanged, floats_.values); });
+  return floats_.values.data();
 }
 template <>
+const Half* MerlTable::values<Half>() const {
+  std::call_once(halves_.made, [this] {
+    const double unit = halves_.unit = unit_of(doubles_);
+    encode_all(
+        doubles_, [unit](double f) { return f / unit; }, halves_.values);
+  });
+  return halves_.values.data();
+}
+
+template <>
+double MerlTable::unit<double>() const {
+  return 1;
+}
+template <>
+double MerlTable::unit<float>() const {
+  return 1;
+}
+template <>
+double MerlTable::unit<Half>() const {
+  values<Half>();
+  return halves_.unit;
+}
+
+template <>
 const double* MerlTable::log_values<double>() const {
-  return made_once(log_doubles_, logarithm);
+  std::call_once(log_doubles_.made, [this] { encode_all(doubles_, logarithm, log_doubles_.values); });
+  return log_doubles_.values.data();
 }
 template <>
 const float* MerlTable::log_values<float>() const {
-  return made_once(log_floats_, logarithm);
+  std::call_once(log_floats_.made, [this] { encode_all(doubles_, logarithm, log_floats_.values); });
+  return log_floats_.values.data();
 }
 
 } // namespace refraster

@@ -1,6 +1,7 @@
 #pragma once
 // A measured BRDF: the MERL table.
 
+#include "math/half.h"
 #include "math/padded_vector.h"
 #include "math/vec.h"
 
@@ -26,11 +27,19 @@ public:
   /// Index of the first channel of a sample. 0 <= h, d < 90, 0 <= p < 180.
   static constexpr int offset(int h, int d, int p) { return 3 * ((h * theta_d_bins + d) * phi_d_bins + p); }
 
-  /// The values in the precision that a rung reads: double, or float (each value rounded once).
-  template <class F>
-  const F* values() const;
+  /// The values as a rung reads them: in double; in float, each rounded once; or in Half, in units of unit<Half>(),
+  /// each rounded once. A sample that was never measured has -1 in all channels; in double, what the file has.
+  template <class Stored>
+  const Stored* values() const;
+
+  /// The f that a stored value of 1 means. Of double and float 1; of Half a power of two, chosen so that the greatest
+  /// value of the table lies in (32752, 65504]: a metal's highlight is brighter than the largest half, and what is
+  /// 2^30 times darker still has all its digits.
+  template <class Stored>
+  double unit() const;
 
   /// g = log2(1 + f / log_epsilon) >= 0 in double or float; -1 in all channels of a sample that was never measured.
+  /// Not in Half: g goes up to 30, and half's 11 bits of that are a worse f than half's 11 bits of f.
   template <class F>
   const F* log_values() const;
 
@@ -44,18 +53,17 @@ public:
   }
 
 private:
-  template <class F>
+  template <class Stored>
   struct Copy {
     std::once_flag made;
-    PaddedVector<F> values;
+    PaddedVector<Stored> values;
+    double unit = 1;
   };
-
-  template <class F>
-  const F* made_once(Copy<F>& copy, double (*encode)(double)) const;
 
   PaddedVector<double> doubles_;
   mutable Copy<float> floats_, log_floats_;
   mutable Copy<double> log_doubles_;
+  mutable Copy<Half> halves_;
 };
 
 } // namespace refraster

@@ -63,16 +63,26 @@ void add_angles(const std::string& number, const std::vector<Pair>& pairs) {
     });
 }
 
+template <class T, class Stored>
+void add_lookup(const std::string& name, MerlLookup lookup, const Vectors<RealOf<T>>& points) {
+  add(name, points.x.size(), [points, lookup, table = synthetic_table()] {
+    for_each_packet_of<T>(points.x.size(), [&](std::size_t i) {
+      const Vec3<T> at = points.template at<T>(i);
+      return merl_value<T, Stored>(*table, lookup, MerlPoint<T>{at.x, at.y, at.z}).f;
+    });
+  });
+}
+
 template <class T>
 void add_lookups(const std::string& number, const char* order, const std::vector<Pair>& pairs) {
+  const Vectors<RealOf<T>> points = table_points<RealOf<T>>(pairs);
+  const std::string where = std::string("/") + order + "/" + number;
   for (const auto& [lookup, name] : EnumNames<MerlLookup>::names)
-    add("merl/" + std::string(name) + "/" + order + "/" + number, pairs.size(),
-        [points = table_points<RealOf<T>>(pairs), lookup = lookup, table = synthetic_table()] {
-          for_each_packet_of<T>(points.x.size(), [&](std::size_t i) {
-            const Vec3<T> at = points.template at<T>(i);
-            return merl_value(*table, lookup, MerlPoint<T>{at.x, at.y, at.z}).f;
-          });
-        });
+    add_lookup<T, RealOf<T>>("merl/" + std::string(name) + where, lookup, points);
+  if constexpr (std::is_same_v<RealOf<T>, float>) {
+    add_lookup<T, Half>("merl/nearest in halves" + where, MerlLookup::nearest, points);
+    add_lookup<T, Half>("merl/trilinear in halves" + where, MerlLookup::trilinear, points);
+  }
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "shading/merl.h"
 #include "shading/merl_synthesis.h"
 #include "tests/shading/directions.h"
+#include "tests/shading/merl_tables.h"
 
 #include <doctest/doctest.h>
 
@@ -17,36 +18,10 @@ namespace {
 constexpr MerlLookup all_lookups[] = {MerlLookup::nearest, MerlLookup::trilinear, MerlLookup::trilinear_edge,
                                       MerlLookup::trilinear_log, MerlLookup::tricubic_log};
 
-/// A table whose value at (h, d, p) is f(h, d, p).
-template <class F>
-std::shared_ptr<const MerlTable> table_of(F&& f) {
-  std::vector<double> rgb;
-  rgb.reserve(3 * MerlTable::samples);
-  for (int h = 0; h < 90; ++h)
-    for (int d = 0; d < 90; ++d)
-      for (int p = 0; p < 180; ++p) {
-        const Rgb<double> value = f(h, d, p);
-        rgb.insert(rgb.end(), {value.x, value.y, value.z});
-      }
-  return std::make_shared<const MerlTable>(std::move(rgb));
-}
-
 /// Each sample holds its own index.
 const MerlTable& index_table() {
   static const auto table = table_of([](int h, int d, int p) { return Rgb<double>(h, d, p); });
   return *table;
-}
-
-/// Random values; a third of the samples was never measured, so that there are cells with every number of them.
-std::shared_ptr<const MerlTable> ragged_table() {
-  static const auto table = [] {
-    std::mt19937_64 random(1);
-    return table_of([&](int, int, int) {
-      if (random() % 3 == 0) return Rgb<double>(-1);
-      return Rgb<double>(uniform(random, 0, 5), uniform(random, 0, 1), random_scale(random, -4, 4));
-    });
-  }();
-  return table;
 }
 
 template <class T>
