@@ -11,7 +11,6 @@
 #include "app/output.h"
 #include "app/progress_line.h"
 #include "io/scene_file.h"
-#include "math/rungs.h"
 #include "verify/gl/render_gl.h"
 
 #include <algorithm>
@@ -38,11 +37,6 @@ struct BenchArguments {
   Marginals marginals = Marginals::measured;
   Errors errors = Errors::measured;
 };
-
-template <class... Rung>
-std::vector<std::string> rung_names(const std::tuple<Rung...>*) {
-  return {std::string(Rung::name)...};
-}
 
 /// As it was typed, words with spaces in quotes.
 std::string command_line() {
@@ -154,7 +148,7 @@ ExitCode run(const BenchArguments& a) {
 
 /// Without an option: all rungs; one thread, and as many as there are CPUs.
 void fill_defaults(BenchArguments& a) {
-  if (a.rungs.empty()) a.rungs = rung_names(static_cast<const Rungs*>(nullptr));
+  if (a.rungs.empty()) a.rungs = rung_names();
   if (!a.threads.empty()) return;
   a.threads = {1};
   if (const auto usable = static_cast<int>(usable_cpus().size()); usable > 1) a.threads.push_back(usable);
@@ -172,15 +166,14 @@ void add_bench(CLI::App& program, Action& chosen) {
   add_parsed_option(command, "--size", a.size, size_from, "WxH",
                     "WIDTHxHEIGHT, each 1 to " + std::to_string(largest_side), "pixels of the image")
       ->default_str("1280x720");
-  add_list_option(command, "--rungs", a.rungs, rung_names(static_cast<const Rungs*>(nullptr)),
-                  "precisions, divided by commas")
-      ->default_str("all");
-  command.add_option("--threads", a.threads, "numbers of threads, divided by commas")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->check(CLI::Range(1, 1024))
-      ->type_name("1..1024,…")
-      ->default_str("one, all CPUs");
+  std::string listed;
+  for (const std::string& name : rung_names()) listed += (listed.empty() ? "" : ",") + name;
+  add_parsed_option(command, "--rungs", a.rungs, rungs_from, "NAME,…", "some of " + listed + ", each once",
+                    "precisions, divided by commas")
+      ->default_str(listed);
+  add_parsed_option(command, "--threads", a.threads, thread_counts_from, "N,…",
+                    "numbers from 1 to 1024 divided by commas, each once", "numbers of threads, divided by commas")
+      ->default_str("1 and all CPUs");
   add_number_option(command, "--frames", a.frames, Range{1, 1000000},
                     "rounds at least; each draws a frame of everything");
   add_number_option(command, "--seconds", a.seconds, Range{0, 86400},

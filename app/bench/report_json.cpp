@@ -143,6 +143,23 @@ void write_figures(JsonWriter& json, std::string_view name, const ImageError::Fi
   json.end_object();
 }
 
+void write_oracle(JsonWriter& json, const OracleError& error) {
+  json.key("against_oracle");
+  json.begin_object();
+  json.member("pixels", error.asked);
+  json.member("followed", error.followed);
+  text_or_null(json, "not_followed_because", error.reason);
+  const auto figure = [&](std::string_view name, double value) {
+    json.key(name);
+    if (error.followed > 0) json.value(value);
+    else json.null();
+  };
+  figure("max_relative", error.max_relative);
+  figure("mean_relative", error.mean_relative);
+  figure("max_levels", error.max_levels);
+  json.end_object();
+}
+
 void write_error(JsonWriter& json, const SceneResult& scene, const std::string& rung) {
   const auto found = std::find_if(scene.errors.begin(), scene.errors.end(),
                                   [&](const RungError& error) { return error.rung == rung; });
@@ -158,21 +175,7 @@ void write_error(JsonWriter& json, const SceneResult& scene, const std::string& 
     json.member("off_by_more", error.off_by_more);
     json.end_object();
   });
-  optional_member(json, "against_oracle", found->against_oracle, [&](const OracleError& error) {
-    json.begin_object();
-    json.member("pixels", error.asked);
-    json.member("followed", error.followed);
-    text_or_null(json, "not_followed_because", error.reason);
-    const auto figure = [&](std::string_view name, double value) {
-      json.key(name);
-      if (error.followed > 0) json.value(value);
-      else json.null();
-    };
-    figure("max_relative", error.max_relative);
-    figure("mean_relative", error.mean_relative);
-    figure("max_levels", error.max_levels);
-    json.end_object();
-  });
+  write_oracle(json, found->against_oracle);
   json.end_object();
 }
 

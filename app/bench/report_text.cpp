@@ -89,8 +89,8 @@ std::string errors(const SceneResult& scene) {
       more += rung.rung + ": in 8 bits " + with_commas(error.off_by_one) + " pixels are off by one, " +
               with_commas(error.off_by_more) + " by more\n";
     }
-    if (rung.against_oracle) {
-      const OracleError& error = *rung.against_oracle;
+    {
+      const OracleError& error = rung.against_oracle;
       if (error.followed > 0)
         table.add({rung.rung + " against 60 digits, relative", with_commas(error.followed),
                    three_digits(error.max_relative), none, three_digits(error.mean_relative)});

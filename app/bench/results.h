@@ -69,7 +69,7 @@ struct OracleError {
 struct RungError {
   std::string rung;
   std::optional<ImageError> against_double; // nothing for double itself
-  std::optional<OracleError> against_oracle;
+  OracleError against_oracle;
 };
 
 /// One rung with one number of threads.
