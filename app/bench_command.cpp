@@ -2,6 +2,7 @@
 
 #include "app/arguments.h"
 #include "app/bench/built_in.h"
+#include "app/bench/page/page.h"
 #include "app/bench/report_json.h"
 #include "app/bench/report_text.h"
 #include "app/bench/rung_errors.h"
@@ -17,6 +18,7 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <limits>
 #include <memory>
 
 namespace refraster {
@@ -26,13 +28,41 @@ using namespace bench;
 
 enum class Errors { measured, left_out };
 
+/// A curve that is asked for, and how far it goes.
+struct GrowthRequest {
+  Growth growth;
+  double most;
+};
+
+/// "triangles,pixels:1e6", "all", "all:100".
+std::optional<std::vector<GrowthRequest>> scaling_from(std::string_view text) {
+  std::vector<GrowthRequest> requests;
+  for (std::size_t start = 0; start <= text.size();) {
+    const std::size_t end = std::min(text.find(',', start), text.size());
+    const std::string_view word = text.substr(start, end - start), kind = word.substr(0, word.find(':'));
+    start = end + 1;
+    double most = std::numeric_limits<double>::infinity();
+    if (kind.size() < word.size()) {
+      const std::optional<double> limit = distance_from(word.substr(kind.size() + 1));
+      if (!limit || *limit < 1) return std::nullopt;
+      most = *limit;
+    }
+    const std::size_t before = requests.size();
+    for (const auto& [growth, name] : growth_names)
+      if (kind == name || kind == "all") requests.push_back({growth, most});
+    if (requests.size() == before) return std::nullopt;
+  }
+  return requests;
+}
+
 struct BenchArguments {
   std::vector<std::string> scenes, rungs;
   std::vector<int> threads;
+  std::vector<GrowthRequest> scaling;
   Size size;
   int samples = 1, frames = 9;
   double seconds = 3;
-  std::string gl = "llvmpipe", json;
+  std::string gl = "llvmpipe", json, html;
   bool gl_named = false; // by the user, who then does not want to do without
   Marginals marginals = Marginals::measured;
   Errors errors = Errors::measured;
@@ -98,6 +128,22 @@ public:
     run_.scenes.push_back(std::move(result));
   }
 
+  void add_scaling(const GrowthRequest& request) {
+    ScalingTask task{.growth = request.growth,
+                     .most = request.most,
+                     .size = {a_.size.width, a_.size.height},
+                     .threads = a_.threads.front(),
+                     .rungs = a_.rungs};
+    const PinnedTeams teams;
+    for (const LayerOrder order : {LayerOrder::back_to_front, LayerOrder::front_to_back}) {
+      if (order != LayerOrder::back_to_front && request.growth != Growth::overdraw) continue;
+      ProgressLine line("measuring how cost grows with " + std::string(name_of(request.growth)));
+      rounds_.progress = [&line](double share) { line.show(share); };
+      task.order = order;
+      for (ScalingCurve& curve : measure_scaling(task, rounds_, teams)) run_.scaling.push_back(std::move(curve));
+    }
+  }
+
   Run finished() {
     run_.ended = utc_now();
     run_.load_at_end = load_average();
@@ -127,12 +173,17 @@ private:
 };
 
 ExitCode run(const BenchArguments& a) {
-  if (!a.json.empty()) check_writable(a.json);
+  for (const std::string& path : {a.json, a.html})
+    if (!path.empty()) check_writable(path);
   Bench bench(a);
   try {
-    if (a.scenes.empty()) bench.add(built_in_name, built_in_scene());
+    if (a.scenes.empty() && a.scaling.empty()) bench.add(built_in_name, built_in_scene());
     for (const std::string& path : a.scenes) {
       bench.add(path, read_scene(path));
+      if (interrupted()) return ExitCode::interrupted;
+    }
+    for (const GrowthRequest& request : a.scaling) {
+      bench.add_scaling(request);
       if (interrupted()) return ExitCode::interrupted;
     }
   } catch (const NoOpenGl& error) {
@@ -142,7 +193,8 @@ ExitCode run(const BenchArguments& a) {
   if (interrupted()) return ExitCode::interrupted;
   const Run found = bench.finished();
   if (!a.json.empty()) write_text(a.json, run_json(found));
-  if (a.json != standard_output) std::cout << run_text(found);
+  if (!a.html.empty()) write_text(a.html, run_html(found));
+  if (a.json != standard_output && a.html != standard_output) std::cout << run_text(found);
   return ExitCode::ok;
 }
 
@@ -181,7 +233,13 @@ void add_bench(CLI::App& program, Action& chosen) {
   add_choice_option(command, "--samples", a.samples, {1, 2, 4, 8, 16}, "samples a pixel");
   add_choice_option(command, "--gl", a.gl, {"llvmpipe", "softpipe", "default", "none"},
                     "OpenGL to draw the same frames in between; left out where there is none, unless it is named here");
+  add_parsed_option(
+      command, "--scaling", a.scaling, scaling_from, "KIND[:MOST],…",
+      "some of triangles, pixels, lights, overdraw, threads, all, each with or without a number like :1e6",
+      "how cost grows with the number of triangles (up to 1e7), pixels (16384^2), lights (256), overdraw "
+      "(64), threads (CPUs), or all of them; MOST is where to stop");
   command.add_option("--json", a.json, "write the report as JSON; - is standard output")->type_name("FILE");
+  command.add_option("--html", a.html, "write the report as one HTML page with pictures")->type_name("FILE");
   command.add_flag_callback(
       "--no-marginal", [&a] { a.marginals = Marginals::left_out; },
       "only the scene as it is: no further light, texture, samples");
