@@ -1,5 +1,7 @@
 #include "app/arguments.h"
 
+#include "math/rungs.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -38,6 +40,11 @@ std::optional<std::vector<int>> numbers_from(std::string_view text, char separat
   return numbers;
 }
 
+template <class... Rung>
+std::vector<std::string> listed_names(const std::tuple<Rung...>*) {
+  return {std::string(Rung::name)...};
+}
+
 } // namespace
 
 std::optional<Size> size_from(std::string_view text) {
@@ -64,6 +71,32 @@ std::optional<std::vector<Aov>> aovs_from(std::string_view text) {
   return aovs;
 }
 
+std::vector<std::string> rung_names() {
+  return listed_names(static_cast<const Rungs*>(nullptr));
+}
+
+std::optional<std::vector<std::string>> rungs_from(std::string_view text) {
+  const std::vector<std::string> known = rung_names();
+  std::vector<std::string> rungs;
+  for (const std::string_view name : split(text, ',')) {
+    if (std::find(known.begin(), known.end(), name) == known.end()) return std::nullopt;
+    if (std::find(rungs.begin(), rungs.end(), name) != rungs.end()) return std::nullopt;
+    rungs.emplace_back(name);
+  }
+  return rungs;
+}
+
+std::optional<std::vector<int>> thread_counts_from(std::string_view text) {
+  std::vector<int> counts;
+  for (const std::string_view part : split(text, ',')) {
+    const std::optional<int> count = number_from<int>(part);
+    if (!count || *count < 1 || *count > 1024) return std::nullopt;
+    if (std::find(counts.begin(), counts.end(), *count) != counts.end()) return std::nullopt;
+    counts.push_back(*count);
+  }
+  return counts;
+}
+
 std::optional<Double3> reflectance_from(std::string_view text) {
   std::vector<double> numbers;
   for (const std::string_view part : split(text, ',')) {
@@ -83,21 +116,6 @@ std::optional<double> distance_from(std::string_view text) {
 
 std::optional<std::uint64_t> count_from(std::string_view text) {
   return number_from<std::uint64_t>(text);
-}
-
-CLI::Option* add_list_option(CLI::App& command, const std::string& name, std::vector<std::string>& values,
-                             const std::vector<std::string>& choices, const std::string& description) {
-  std::string form;
-  for (const std::string& choice : choices) form += (form.empty() ? "" : "|") + choice;
-  const auto fault = [choices, form](const std::string& given) {
-    const bool known = std::find(choices.begin(), choices.end(), given) != choices.end();
-    return known ? std::string() : "found \"" + given + "\", expected " + form;
-  };
-  return command.add_option(name, values, description)
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->type_name(form + ",…")
-      ->check(CLI::Validator(fault, ""));
 }
 
 } // namespace refraster

@@ -27,6 +27,15 @@ std::optional<Crop> crop_from(std::string_view text);
 /// "depth,normal": names from aov_names, each once.
 std::optional<std::vector<Aov>> aovs_from(std::string_view text);
 
+/// The names of all rungs.
+std::vector<std::string> rung_names();
+
+/// "double,float": some of these names, each once.
+std::optional<std::vector<std::string>> rungs_from(std::string_view text);
+
+/// "1,2,4": numbers of threads, each 1 to 1024 and once.
+std::optional<std::vector<int>> thread_counts_from(std::string_view text);
+
 /// "0.8" or "0.6,0.05,0.03": what is reflected of red, green and blue, each in [0, 1]. One number stands for all three.
 std::optional<Double3> reflectance_from(std::string_view text);
 
@@ -64,10 +73,6 @@ CLI::Option* add_choice_option(CLI::App& command, const std::string& name, Value
   };
   return command.add_option(name, value, description)->type_name(form)->check(CLI::Validator(fault, ""));
 }
-
-/// An option for some of a few words, divided by commas; the help shows them.
-CLI::Option* add_list_option(CLI::App& command, const std::string& name, std::vector<std::string>& values,
-                             const std::vector<std::string>& choices, const std::string& description);
 
 /// An option whose text `parse` turns into a value; nothing from parse is wrong usage, and the message says what was
 /// found and expected. `form` stands for the value in the help.

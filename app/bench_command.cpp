@@ -2,6 +2,7 @@
 
 #include "app/arguments.h"
 #include "app/bench/built_in.h"
+#include "app/bench/page/page.h"
 #include "app/bench/report_json.h"
 #include "app/bench/report_text.h"
 #include "app/bench/rung_errors.h"
@@ -11,13 +12,13 @@
 #include "app/output.h"
 #include "app/progress_line.h"
 #include "io/scene_file.h"
-#include "math/rungs.h"
 #include "verify/gl/render_gl.h"
 
 #include <algorithm>
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <limits>
 #include <memory>
 
 namespace refraster {
@@ -27,22 +28,45 @@ using namespace bench;
 
 enum class Errors { measured, left_out };
 
+/// A curve that is asked for, and how far it goes.
+struct GrowthRequest {
+  Growth growth;
+  double most;
+};
+
+/// "triangles,pixels:1e6", "all", "all:100".
+std::optional<std::vector<GrowthRequest>> scaling_from(std::string_view text) {
+  std::vector<GrowthRequest> requests;
+  for (std::size_t start = 0; start <= text.size();) {
+    const std::size_t end = std::min(text.find(',', start), text.size());
+    const std::string_view word = text.substr(start, end - start), kind = word.substr(0, word.find(':'));
+    start = end + 1;
+    double most = std::numeric_limits<double>::infinity();
+    if (kind.size() < word.size()) {
+      const std::optional<double> limit = distance_from(word.substr(kind.size() + 1));
+      if (!limit || *limit < 1) return std::nullopt;
+      most = *limit;
+    }
+    const std::size_t before = requests.size();
+    for (const auto& [growth, name] : growth_names)
+      if (kind == name || kind == "all") requests.push_back({growth, most});
+    if (requests.size() == before) return std::nullopt;
+  }
+  return requests;
+}
+
 struct BenchArguments {
   std::vector<std::string> scenes, rungs;
   std::vector<int> threads;
+  std::vector<GrowthRequest> scaling;
   Size size;
   int samples = 1, frames = 9;
   double seconds = 3;
-  std::string gl = "llvmpipe", json;
+  std::string gl = "llvmpipe", json, html;
   bool gl_named = false; // by the user, who then does not want to do without
   Marginals marginals = Marginals::measured;
   Errors errors = Errors::measured;
 };
-
-template <class... Rung>
-std::vector<std::string> rung_names(const std::tuple<Rung...>*) {
-  return {std::string(Rung::name)...};
-}
 
 /// As it was typed, words with spaces in quotes.
 std::string command_line() {
@@ -104,6 +128,22 @@ public:
     run_.scenes.push_back(std::move(result));
   }
 
+  void add_scaling(const GrowthRequest& request) {
+    ScalingTask task{.growth = request.growth,
+                     .most = request.most,
+                     .size = {a_.size.width, a_.size.height},
+                     .threads = a_.threads.front(),
+                     .rungs = a_.rungs};
+    const PinnedTeams teams;
+    for (const LayerOrder order : {LayerOrder::back_to_front, LayerOrder::front_to_back}) {
+      if (order != LayerOrder::back_to_front && request.growth != Growth::overdraw) continue;
+      ProgressLine line("measuring how cost grows with " + std::string(name_of(request.growth)));
+      rounds_.progress = [&line](double share) { line.show(share); };
+      task.order = order;
+      for (ScalingCurve& curve : measure_scaling(task, rounds_, teams)) run_.scaling.push_back(std::move(curve));
+    }
+  }
+
   Run finished() {
     run_.ended = utc_now();
     run_.load_at_end = load_average();
@@ -133,12 +173,17 @@ private:
 };
 
 ExitCode run(const BenchArguments& a) {
-  if (!a.json.empty()) check_writable(a.json);
+  for (const std::string& path : {a.json, a.html})
+    if (!path.empty()) check_writable(path);
   Bench bench(a);
   try {
-    if (a.scenes.empty()) bench.add(built_in_name, built_in_scene());
+    if (a.scenes.empty() && a.scaling.empty()) bench.add(built_in_name, built_in_scene());
     for (const std::string& path : a.scenes) {
       bench.add(path, read_scene(path));
+      if (interrupted()) return ExitCode::interrupted;
+    }
+    for (const GrowthRequest& request : a.scaling) {
+      bench.add_scaling(request);
       if (interrupted()) return ExitCode::interrupted;
     }
   } catch (const NoOpenGl& error) {
@@ -148,13 +193,14 @@ ExitCode run(const BenchArguments& a) {
   if (interrupted()) return ExitCode::interrupted;
   const Run found = bench.finished();
   if (!a.json.empty()) write_text(a.json, run_json(found));
-  if (a.json != standard_output) std::cout << run_text(found);
+  if (!a.html.empty()) write_text(a.html, run_html(found));
+  if (a.json != standard_output && a.html != standard_output) std::cout << run_text(found);
   return ExitCode::ok;
 }
 
 /// Without an option: all rungs; one thread, and as many as there are CPUs.
 void fill_defaults(BenchArguments& a) {
-  if (a.rungs.empty()) a.rungs = rung_names(static_cast<const Rungs*>(nullptr));
+  if (a.rungs.empty()) a.rungs = rung_names();
   if (!a.threads.empty()) return;
   a.threads = {1};
   if (const auto usable = static_cast<int>(usable_cpus().size()); usable > 1) a.threads.push_back(usable);
@@ -172,15 +218,14 @@ void add_bench(CLI::App& program, Action& chosen) {
   add_parsed_option(command, "--size", a.size, size_from, "WxH",
                     "WIDTHxHEIGHT, each 1 to " + std::to_string(largest_side), "pixels of the image")
       ->default_str("1280x720");
-  add_list_option(command, "--rungs", a.rungs, rung_names(static_cast<const Rungs*>(nullptr)),
-                  "precisions, divided by commas")
-      ->default_str("all");
-  command.add_option("--threads", a.threads, "numbers of threads, divided by commas")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->check(CLI::Range(1, 1024))
-      ->type_name("1..1024,…")
-      ->default_str("one, all CPUs");
+  std::string listed;
+  for (const std::string& name : rung_names()) listed += (listed.empty() ? "" : ",") + name;
+  add_parsed_option(command, "--rungs", a.rungs, rungs_from, "NAME,…", "some of " + listed + ", each once",
+                    "precisions, divided by commas")
+      ->default_str(listed);
+  add_parsed_option(command, "--threads", a.threads, thread_counts_from, "N,…",
+                    "numbers from 1 to 1024 divided by commas, each once", "numbers of threads, divided by commas")
+      ->default_str("1 and all CPUs");
   add_number_option(command, "--frames", a.frames, Range{1, 1000000},
                     "rounds at least; each draws a frame of everything");
   add_number_option(command, "--seconds", a.seconds, Range{0, 86400},
@@ -188,7 +233,13 @@ void add_bench(CLI::App& program, Action& chosen) {
   add_choice_option(command, "--samples", a.samples, {1, 2, 4, 8, 16}, "samples a pixel");
   add_choice_option(command, "--gl", a.gl, {"llvmpipe", "softpipe", "default", "none"},
                     "OpenGL to draw the same frames in between; left out where there is none, unless it is named here");
+  add_parsed_option(
+      command, "--scaling", a.scaling, scaling_from, "KIND[:MOST],…",
+      "some of triangles, pixels, lights, overdraw, threads, all, each with or without a number like :1e6",
+      "how cost grows with the number of triangles (up to 1e7), pixels (16384^2), lights (256), overdraw "
+      "(64), threads (CPUs), or all of them; MOST is where to stop");
   command.add_option("--json", a.json, "write the report as JSON; - is standard output")->type_name("FILE");
+  command.add_option("--html", a.html, "write the report as one HTML page with pictures")->type_name("FILE");
   command.add_flag_callback(
       "--no-marginal", [&a] { a.marginals = Marginals::left_out; },
       "only the scene as it is: no further light, texture, samples");

@@ -8,7 +8,6 @@
 #include "io/image_file.h"
 #include "io/report.h"
 #include "io/scene_file.h"
-#include "math/rungs.h"
 #include "raster/render.h"
 
 #include <chrono>
@@ -30,11 +29,6 @@ struct RenderArguments {
   Transfer transfer = Transfer::linear;
   Progress progress = Progress::shown;
 };
-
-template <class... Rung>
-std::vector<std::string> rung_names(const std::tuple<Rung...>*) {
-  return {std::string(Rung::name)...};
-}
 
 /// Seconds since it was made.
 class Stopwatch {
@@ -167,8 +161,7 @@ void add_render(CLI::App& program, Action& chosen) {
       ->default_str("1280x720");
   add_parsed_option(command, "--crop", a.crop, crop_from, "X,Y,W,H", "x,y,width,height in pixels from the top left",
                     "make only this part of the image, with the same pixels");
-  add_choice_option(command, "--rung", a.rung, rung_names(static_cast<const Rungs*>(nullptr)),
-                    "precision of shading; `refraster list rungs`");
+  add_choice_option(command, "--rung", a.rung, rung_names(), "precision of shading; `refraster list rungs`");
   add_choice_option(command, "--samples", a.samples, {1, 2, 4, 8, 16},
                     "samples a pixel, at the standard positions; shaded once a triangle");
   add_number_option(command, "--threads", a.threads, Range{0, 1024}, "threads; 0: as many as this machine has");

@@ -122,7 +122,7 @@ void write_functions(JsonWriter& json, const std::vector<FunctionCost>& function
 }
 
 void write_marginal(JsonWriter& json, const std::optional<Marginal>& marginal) {
-  optional_member(json, "marginal_ns_per_pixel", marginal, [&](const Marginal& m) {
+  optional_member(json, "marginal_cpu_ns_per_pixel", marginal, [&](const Marginal& m) {
     json.begin_object();
     spread_member(json, "light", m.light);
     optional_spread(json, "texture", m.texture);
@@ -143,6 +143,23 @@ void write_figures(JsonWriter& json, std::string_view name, const ImageError::Fi
   json.end_object();
 }
 
+void write_oracle(JsonWriter& json, const OracleError& error) {
+  json.key("against_oracle");
+  json.begin_object();
+  json.member("pixels", error.asked);
+  json.member("followed", error.followed);
+  text_or_null(json, "not_followed_because", error.reason);
+  const auto figure = [&](std::string_view name, double value) {
+    json.key(name);
+    if (error.followed > 0) json.value(value);
+    else json.null();
+  };
+  figure("max_relative", error.max_relative);
+  figure("mean_relative", error.mean_relative);
+  figure("max_levels", error.max_levels);
+  json.end_object();
+}
+
 void write_error(JsonWriter& json, const SceneResult& scene, const std::string& rung) {
   const auto found = std::find_if(scene.errors.begin(), scene.errors.end(),
                                   [&](const RungError& error) { return error.rung == rung; });
@@ -158,21 +175,7 @@ void write_error(JsonWriter& json, const SceneResult& scene, const std::string& 
     json.member("off_by_more", error.off_by_more);
     json.end_object();
   });
-  optional_member(json, "against_oracle", found->against_oracle, [&](const OracleError& error) {
-    json.begin_object();
-    json.member("pixels", error.asked);
-    json.member("followed", error.followed);
-    text_or_null(json, "not_followed_because", error.reason);
-    const auto figure = [&](std::string_view name, double value) {
-      json.key(name);
-      if (error.followed > 0) json.value(value);
-      else json.null();
-    };
-    figure("max_relative", error.max_relative);
-    figure("mean_relative", error.mean_relative);
-    figure("max_levels", error.max_levels);
-    json.end_object();
-  });
+  write_oracle(json, found->against_oracle);
   json.end_object();
 }
 
@@ -235,6 +238,51 @@ void write_opengl(JsonWriter& json, const SceneResult& scene) {
   }
 }
 
+void write_point(JsonWriter& json, const MeasuredPoint& measured, double time_at_first) {
+  const ScalingPoint& point = measured.point;
+  json.begin_object();
+  json.member("n", point.n);
+  json.member("size", std::vector<int>{point.width, point.height});
+  json.member("threads", point.threads);
+  json.member("frames", measured.frames);
+  spread_member(json, "frame_ms", measured.frame_ms);
+  spread_member(json, "cpu_ms", measured.cpu_ms);
+  json.member("ns_per_unit", measured.frame_ms.median * 1e6 / point.n);
+  json.member("speed_up", time_at_first / measured.frame_ms.median);
+  optional_member(json, "peak_memory_bytes", measured.peak_memory_bytes,
+                  [&](std::uint64_t bytes) { json.value(bytes); });
+  write_counts(json, measured.counts);
+  json.end_object();
+}
+
+void write_curve(JsonWriter& json, const ScalingCurve& curve) {
+  json.begin_object();
+  json.member("growth", name_of(curve.growth));
+  json.key("order");
+  if (curve.growth == Growth::overdraw) json.value(name_of(curve.order));
+  else json.null();
+  json.member("rung", curve.rung);
+  json.key("points");
+  json.begin_array();
+  for (const MeasuredPoint& point : curve.points) write_point(json, point, curve.points.front().frame_ms.median);
+  json.end_array();
+  optional_member(json, "slope", curve.slope(), [&](const Slope& slope) {
+    json.begin_object();
+    json.member("value", slope.value);
+    json.member("standard_error", slope.error);
+    json.end_object();
+  });
+  optional_member(json, "steepest", curve.steepest(), [&](const ScalingCurve::Steepest& steepest) {
+    json.begin_object();
+    json.member("slope", steepest.slope);
+    json.member("from", steepest.from);
+    json.end_object();
+  });
+  optional_member(json, "no_faster_than_linear", curve.no_faster_than_linear(), [&](bool yes) { json.value(yes); });
+  json.member("same_fragments", curve.same_fragments());
+  json.end_object();
+}
+
 } // namespace
 
 std::string run_json(const Run& run) {
@@ -256,6 +304,10 @@ std::string run_json(const Run& run) {
   json.key("opengl");
   json.begin_array();
   for (const SceneResult& scene : run.scenes) write_opengl(json, scene);
+  json.end_array();
+  json.key("scaling");
+  json.begin_array();
+  for (const ScalingCurve& curve : run.scaling) write_curve(json, curve);
   json.end_array();
   json.end_object();
   return json.text();

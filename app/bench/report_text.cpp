@@ -55,7 +55,7 @@ std::string split(const SceneResult& scene) {
 }
 
 std::string costs(const SceneResult& scene) {
-  TextTable table({"what adds how much", "ns", "lower quartile", "upper quartile"});
+  TextTable table({"what adds how much", "ns of CPU", "lower quartile", "upper quartile"});
   const auto row = [&](const std::string& rung, const std::string& what, const Spread& ns) {
     table.add({rung + ": " + what, three_digits(ns.median), three_digits(ns.lower), three_digits(ns.upper)});
   };
@@ -89,8 +89,8 @@ std::string errors(const SceneResult& scene) {
       more += rung.rung + ": in 8 bits " + with_commas(error.off_by_one) + " pixels are off by one, " +
               with_commas(error.off_by_more) + " by more\n";
     }
-    if (rung.against_oracle) {
-      const OracleError& error = *rung.against_oracle;
+    {
+      const OracleError& error = rung.against_oracle;
       if (error.followed > 0)
         table.add({rung.rung + " against 60 digits, relative", with_commas(error.followed),
                    three_digits(error.max_relative), none, three_digits(error.mean_relative)});
@@ -100,6 +100,40 @@ std::string errors(const SceneResult& scene) {
     }
   }
   return table.text() + more;
+}
+
+/// ns of one of what grows; a shaded pixel, where each is met by all of them.
+double ns_each(const ScalingCurve& curve, const MeasuredPoint& one) {
+  const bool everywhere = curve.growth == Growth::lights || curve.growth == Growth::overdraw;
+  return one.frame_ms.median * 1e6 / one.point.n / (everywhere ? static_cast<double>(one.counts.shaded) : 1);
+}
+
+std::string scaling(const ScalingCurve& curve) {
+  const bool threads = curve.growth == Growth::threads;
+  std::string text = std::string(name_of(curve.growth)) + ", " + curve.rung;
+  if (curve.growth == Growth::overdraw) text.append(", ").append(name_of(curve.order));
+  if (const auto slope = curve.slope(); slope && !threads) {
+    text += format(": slope %.3f, standard error %.3f", slope->value, slope->error);
+    if (const auto linear = curve.no_faster_than_linear())
+      text += *linear ? ": no faster than linearly" : ": FASTER THAN LINEARLY";
+  }
+  if (curve.growth == Growth::overdraw) text += curve.same_fragments() ? "; no shading added" : "; SHADING ADDED";
+  const bool everywhere = curve.growth == Growth::lights || curve.growth == Growth::overdraw;
+  TextTable table({std::string(name_of(curve.growth)), "image", "threads", "frame ms", "quartiles",
+                   threads      ? "speed-up"
+                   : everywhere ? "ns/px each"
+                                : "ns each",
+                   "fragments", "peak MB"});
+  for (const MeasuredPoint& one : curve.points) {
+    const double ms = one.frame_ms.median;
+    table.add({with_commas(static_cast<unsigned long long>(one.point.n)),
+               format("%dx%d", one.point.width, one.point.height), std::to_string(one.point.threads),
+               format("%.3f", ms), middle(one.frame_ms),
+               three_digits(threads ? curve.points.front().frame_ms.median / ms : ns_each(curve, one)),
+               with_commas(one.counts.fragments),
+               one.peak_memory_bytes ? format("%.1f", static_cast<double>(*one.peak_memory_bytes) * 1e-6) : none});
+  }
+  return text + "\n" + table.text();
 }
 
 } // namespace
@@ -123,6 +157,7 @@ std::string run_text(const Run& run) {
     if (scene.rungs.front().marginal) text += "\n" + costs(scene);
     if (!scene.errors.empty()) text += "\n" + errors(scene);
   }
+  for (const ScalingCurve& curve : run.scaling) text += "\n" + scaling(curve);
   return text;
 }
 

@@ -2,6 +2,7 @@
 // What a run of `refraster bench` finds out. docs/reports.md says what each figure means.
 
 #include "app/bench/machine.h"
+#include "app/bench/scaling.h"
 #include "app/bench/statistics.h"
 #include "app/bench/variants.h"
 #include "raster/render.h"
@@ -40,7 +41,7 @@ struct FunctionCost {
 
 enum class TextureChange { removed, added };
 
-/// What a change adds to a frame, in ns of wall time a shaded pixel. Nothing where the scene lets it not be changed.
+/// What a change adds to a frame, in ns of CPU time a shaded pixel. Nothing where the scene lets it not be changed.
 struct Marginal {
   Spread light;
   std::optional<Spread> texture;
@@ -69,7 +70,7 @@ struct OracleError {
 struct RungError {
   std::string rung;
   std::optional<ImageError> against_double; // nothing for double itself
-  std::optional<OracleError> against_oracle;
+  OracleError against_oracle;
 };
 
 /// One rung with one number of threads.
@@ -110,6 +111,7 @@ struct Run {
   double seconds = 0;
   std::vector<std::string> notes; // what a reader must know: threads without a CPU of their own, no OpenGL
   std::vector<SceneResult> scenes;
+  std::vector<ScalingCurve> scaling;
 };
 
 } // namespace refraster::bench

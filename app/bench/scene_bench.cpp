@@ -76,6 +76,9 @@ Spread paired_difference(const Frames& changed, const Frames& base, const Value&
 double wall(const FrameTimes& times) {
   return times.wall_ms;
 }
+double cpu(const FrameTimes& times) {
+  return times.cpu_ms;
+}
 double thread_shading(const FrameTimes& times) {
   return times.tiles.shading;
 }
@@ -167,14 +170,14 @@ RungFrames plan(const SceneTask& task, const std::string& rung, Contenders& cont
 Marginal marginal_of(const RungFrames& frames, const Contenders& contenders, const SceneTask& task, double shaded) {
   const double ns_per_pixel = 1e6 / shaded;
   const Frames& base = contenders.of(frames.ways.front().lit);
-  const auto added = [&](std::size_t i) { return paired_difference(contenders.of(i), base, wall) * ns_per_pixel; };
+  const auto added = [&](std::size_t i) { return paired_difference(contenders.of(i), base, cpu) * ns_per_pixel; };
   Marginal marginal;
   marginal.light = added(*frames.light);
   if (frames.double_samples) marginal.double_samples = added(*frames.double_samples);
   if (!frames.other_texture) return marginal;
   if (has_textures(task.scene)) {
     marginal.texture_change = TextureChange::removed;
-    marginal.texture = paired_difference(base, contenders.of(*frames.other_texture), wall) * ns_per_pixel;
+    marginal.texture = paired_difference(base, contenders.of(*frames.other_texture), cpu) * ns_per_pixel;
   } else {
     marginal.texture = added(*frames.other_texture);
   }

@@ -1,0 +1,28 @@
+#include "app/bench/page/charts.h"
+
+#include <algorithm>
+
+namespace refraster::bench {
+
+std::vector<std::string> rungs_of(const Run& run) {
+  std::vector<std::string> rungs;
+  const auto add = [&](const std::string& rung) {
+    if (std::find(rungs.begin(), rungs.end(), rung) == rungs.end()) rungs.push_back(rung);
+  };
+  for (const SceneResult& scene : run.scenes)
+    for (const RungResult& result : scene.rungs) add(result.rung);
+  for (const ScalingCurve& curve : run.scaling) add(curve.rung);
+  return rungs;
+}
+
+std::size_t place_of(const std::vector<std::string>& rungs, const std::string& rung) {
+  return static_cast<std::size_t>(std::find(rungs.begin(), rungs.end(), rung) - rungs.begin());
+}
+
+std::string short_name(const std::string& scene) {
+  const std::size_t folder = scene.rfind('/');
+  const std::string name = folder == std::string::npos ? scene : scene.substr(folder + 1);
+  return name.ends_with(".json") ? name.substr(0, name.size() - 5) : name;
+}
+
+} // namespace refraster::bench
