@@ -41,12 +41,12 @@ struct Shown {
 
 class Judge {
 public:
-  Judge(const Scene& scene, const GlOptions& options, const DriverTolerances& tolerances)
-      : scene_(scene), options_(options), bound_(scene, options.width, options.height, tolerances) {}
+  Judge(const Scene& scene, int width, int height, const DriverTolerances& tolerances)
+      : scene_(scene), width_(width), height_(height), rounded_apart_(rounded_apart(tolerances)),
+        bound_(scene, width, height, tolerances) {}
 
   PixelVerdict verdict(const Shown& ours, const Shown& gl, int x, int y, double& distance) const {
     if (ours == gl) return PixelVerdict::same_surface;
-    constexpr double lattice_step = 1.0 / 256;
     distance = 1e300;
     bool edge = false;
     for (const Shown& shown : {ours, gl}) {
@@ -55,9 +55,9 @@ public:
       // So what counts is the edge with exact corners too, and what lies between the two.
       std::array<Where, 2> found{};
       for (const Corners corners : {Corners::snapped, Corners::exact}) {
-        const WindowTriangle triangle = drawn_triangle(scene_, bound_, bound_.ref(shown.object - 1, shown.triangle - 1),
-                                                       options_.width, options_.height, corners);
-        found[static_cast<std::size_t>(corners)] = where(triangle, x + 0.5, y + 0.5, lattice_step);
+        const WindowTriangle triangle =
+            drawn_triangle(scene_, bound_, bound_.ref(shown.object - 1, shown.triangle - 1), width_, height_, corners);
+        found[static_cast<std::size_t>(corners)] = where(triangle, x + 0.5, y + 0.5, rounded_apart_);
         if (!triangle.flat) distance = std::min(distance, edge_distance(triangle, x + 0.5, y + 0.5));
       }
       edge |= found[0] == Where::on_edge || found[1] == Where::on_edge || found[0] != found[1];
@@ -79,7 +79,8 @@ public:
 
 private:
   const Scene& scene_;
-  const GlOptions& options_;
+  int width_, height_;
+  double rounded_apart_;
   ColourBound bound_;
 };
 
@@ -91,28 +92,36 @@ SideBySide side_by_side(const Scene& scene, int width, int height, const DriverP
   options.width = width;
   options.height = height;
   options.renderer = profile.renderer;
-  options.want_levels = options.want_radiance = options.want_ids = true;
-  const GlFrame gl = render_gl(scene, options);
+  options.want_radiance = options.want_ids = true;
+  GlFrame frame = render_gl(scene, options);
+  return side_by_side(scene,
+                      {frame.driver.renderer + ", OpenGL " + frame.driver.version, std::move(frame.radiance),
+                       std::move(frame.ids), std::move(frame.levels)},
+                      profile.tolerances);
+}
+
+SideBySide side_by_side(const Scene& scene, const OtherImages& gl, const DriverTolerances& tolerances) {
+  const int width = gl.radiance.width, height = gl.radiance.height;
   RenderOptions ours_options;
-  ours_options.width = options.width;
-  ours_options.height = options.height;
+  ours_options.width = width;
+  ours_options.height = height;
   ours_options.want_radiance = true;
   ours_options.aovs = {Aov::object, Aov::triangle};
   const Frame ours = render(scene, ours_options);
-  const Judge judge(scene, options, profile.tolerances);
+  const Judge judge(scene, width, height, tolerances);
 
   SideBySide found;
-  found.driver = gl.driver.renderer + ", OpenGL " + gl.driver.version;
-  found.width = options.width;
-  found.height = options.height;
+  found.driver = gl.driver;
+  found.width = width;
+  found.height = height;
   const auto keep_worst = [](WorstPixel& worst, const WorstPixel& pixel) {
     if (pixel.difference > worst.difference) worst = pixel;
   };
   const auto tell = [&](const WorstPixel& pixel) {
     if (found.unexplained.size() < 10) found.unexplained.push_back(pixel);
   };
-  for (int y = 0; y < options.height; ++y) {
-    for (int x = 0; x < options.width; ++x) {
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
       const auto count = [](float number) { return static_cast<std::uint32_t>(number); };
       const Shown here{count(*ours.aovs[0].at(x, y)), count(*ours.aovs[1].at(x, y))};
       const Shown there{count(gl.ids.at(x, y)[0]), count(gl.ids.at(x, y)[1])};
@@ -120,10 +129,11 @@ SideBySide side_by_side(const Scene& scene, int width, int height, const DriverP
       double distance = 0, difference = 0;
       int levels_apart = 0;
       for (int c = 0; c < 3; ++c) {
-        levels_apart = std::max(levels_apart, std::abs(ours.levels.at(x, y)[c] - gl.levels.at(x, y)[c]));
+        const int level = gl.levels.empty() ? rounded_level(b[c]) : gl.levels.at(x, y)[c];
+        levels_apart = std::max(levels_apart, std::abs(ours.levels.at(x, y)[c] - level));
         // What is too bright for the image is compared as the image shows it.
         difference = std::max(difference, 255 * std::abs(static_cast<double>(a[c]) - static_cast<double>(b[c])));
-        found.levels_not_rounded += rounded_level(b[c]) != gl.levels.at(x, y)[c];
+        found.levels_not_rounded += rounded_level(b[c]) != level;
       }
       if (std::isnan(difference)) difference = 1e300;
       ++(levels_apart == 0 ? found.equal : levels_apart == 1 ? found.off_by_one : found.off_by_more);
