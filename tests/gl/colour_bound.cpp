@@ -115,8 +115,19 @@ public:
     exact_ = shader_.colour(here_);
   }
 
-  AllowedColour allowed(std::size_t lights) const {
-    return {exact_, by_shift() + by_attributes() + by_texture() + by_table() + by_arithmetic(lights)};
+  AllowedColour allowed(std::size_t lights, BoundPart part) const {
+    if (part == BoundPart::least) return {exact_, by_shift(1) + by_texel() + by_arithmetic(lights), {}};
+    const std::pair<std::string_view, Double3> causes[] = {
+        {"corners on a lattice", by_shift(4)}, {"interpolation", by_attributes() + by_uv()},
+        {"texel filter", by_texel()},          {"level of detail", by_detail()},
+        {"table point", by_table()},           {"arithmetic", by_arithmetic(lights)}};
+    AllowedColour sum{exact_, Double3(0), {}};
+    double most = -1;
+    for (const auto& [name, moved] : causes) {
+      sum.either_way += moved;
+      if (const double size = std::max({moved.x, moved.y, moved.z}); size > most) most = size, sum.main_cause = name;
+    }
+    return sum;
   }
 
 private:
@@ -131,12 +142,13 @@ private:
   }
   Double3 change(const IdealShader& shader, const Varyings& at) const { return absolute(shader.colour(at) - exact_); }
 
-  /// Corners that are snapped here and rounded there: the same as another sample nearby. Not at the corners of the box
-  /// alone: a highlight's edge or a light's horizon may run through it.
-  Double3 by_shift() const {
+  /// Corners that are snapped here and rounded there: the same as another sample nearby. Looked at in so many steps
+  /// across the box, since a highlight's edge or a light's horizon may run through it.
+  Double3 by_shift(int steps) const {
+    const auto along = [&](int i) { return (2.0 * i / steps - 1) * shift_; };
     Double3 most(0);
-    for (int i = -2; i <= 2; ++i)
-      for (int j = -2; j <= 2; ++j) most = larger(most, change(shader_, shifted(i * shift_ / 2, j * shift_ / 2)));
+    for (int i = 0; i <= steps; ++i)
+      for (int j = 0; j <= steps; ++j) most = larger(most, change(shader_, shifted(along(i), along(j))));
     return most;
   }
 
@@ -156,22 +168,30 @@ private:
     return sum;
   }
 
-  Double3 by_texture() const {
-    if (!shader_.material.texture) return Double3(0);
-    Double3 by_uv(0), by_texel(0);
+  /// What a texture's filter makes of the texels.
+  Double3 by_texel() const {
+    Double3 most(0);
+    if (!shader_.material.texture) return most;
+    both_ways(driver_.texel_error + 4 * u, [&](double e) {
+      IdealShader moved = shader_;
+      moved.texture_moved = Double3(e);
+      most = larger(most, change(moved, here_));
+    });
+    return most;
+  }
+
+  /// Where a texture is read.
+  Double3 by_uv() const {
+    Double3 most(0);
+    if (!shader_.material.texture) return most;
     both_ways(error_.uv.x, [&](double e_u) {
       both_ways(error_.uv.y, [&](double e_v) {
         Varyings there = here_;
         there.uv += Double2(e_u, e_v);
-        by_uv = larger(by_uv, change(shader_, there));
+        most = larger(most, change(shader_, there));
       });
     });
-    both_ways(driver_.texel_error + 4 * u, [&](double e) {
-      IdealShader moved = shader_;
-      moved.texture_moved = Double3(e);
-      by_texel = larger(by_texel, change(moved, here_));
-    });
-    return by_uv + by_texel + by_detail();
+    return most;
   }
 
   /// The level of detail. Derivatives may be differences between any neighbours of the pixel's 2 x 2 block, and one for
@@ -179,7 +199,7 @@ private:
   static constexpr int detail_steps = 10;
   Double3 by_detail() const {
     Double3 most(0);
-    if (shader_.material.texture_filter != TextureFilter::trilinear) return most;
+    if (!shader_.material.texture || shader_.material.texture_filter != TextureFilter::trilinear) return most;
     for (const auto& [dx, dy] : {Double2(0, 0), Double2(-1, -1), Double2(-1, 1), Double2(1, -1), Double2(1, 1)}) {
       const Varyings at = shifted(dx * shift_, dy * shift_);
       const Rgb<double> ideal = shader_.colour(at);
@@ -246,8 +266,9 @@ private:
 
 } // namespace
 
-AllowedColour ColourBound::at(std::size_t object, std::uint32_t triangle, int pixel_x, int pixel_y) const {
-  const AllowedColour anything{Double3(0), Double3(infinite)};
+AllowedColour ColourBound::at(std::size_t object, std::uint32_t triangle, int pixel_x, int pixel_y,
+                              BoundPart part) const {
+  const AllowedColour anything{Double3(0), Double3(infinite), "no float can tell"};
   const Setup setup = set_up(object, triangle);
   if (setup.planes.flat) return anything;
   const double x = pixel_x + 0.5, y = pixel_y + 0.5;
@@ -294,7 +315,7 @@ AllowedColour ColourBound::at(std::size_t object, std::uint32_t triangle, int pi
   const IdealShader shader{scene_, scene_.objects[object].material, Double2(0), Double2(0)};
   const PixelBound pixel(shader, driver_, inverse_w, planes, setup.corner_error, shift, {pixel_x & 1, pixel_y & 1},
                          snapped_detail);
-  return pixel.allowed(scene_.point_lights.size() + scene_.direction_lights.size());
+  return pixel.allowed(scene_.point_lights.size() + scene_.direction_lights.size(), part);
 }
 
 double ColourBound::depth(std::size_t object, std::uint32_t triangle, int x, int y) const {

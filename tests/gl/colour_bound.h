@@ -67,10 +67,14 @@ constexpr double rounded_apart(const DriverTolerances& driver) {
 }
 
 /// The exact colour of a surface at a pixel centre, from corners that are not snapped; and, for each channel, how far a
-/// right image may be from it.
+/// right image may be from it, and the largest of the causes that this is the sum of.
 struct AllowedColour {
   Double3 exact, either_way;
+  std::string_view main_cause;
 };
+
+/// How much of the bound to add up. The least costs a seventh; it is never above the whole.
+enum class BoundPart { least, whole };
 
 /// Bounds for the pixels of one scene at one size.
 class ColourBound {
@@ -78,7 +82,7 @@ public:
   ColourBound(const Scene& scene, int width, int height, const DriverTolerances& driver);
 
   /// For this triangle at this pixel. Infinitely far where floats decide nothing.
-  AllowedColour at(std::size_t object, std::uint32_t triangle, int x, int y) const;
+  AllowedColour at(std::size_t object, std::uint32_t triangle, int x, int y, BoundPart part) const;
 
   /// How far window depth may be off there.
   double depth_error(std::size_t object, std::uint32_t triangle, int x, int y) const;

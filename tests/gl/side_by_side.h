@@ -21,7 +21,7 @@ struct WorstPixel {
   double difference = 0; // in levels
   Float3 ours{0}, gl{0};
   Double3 allowed{0}; // by ColourBound; 0 where it was not asked
-  std::string cause;
+  std::string cause;  // edge, depth, coverage, or the largest part of the colour's bound
   std::string object; // what we show there
 };
 
