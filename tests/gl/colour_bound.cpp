@@ -146,9 +146,34 @@ private:
   /// across the box, since a highlight's edge or a light's horizon may run through it.
   Double3 by_shift(int steps) const {
     const auto along = [&](int i) { return (2.0 * i / steps - 1) * shift_; };
+    // Where a colour jumps at a horizon just beyond the exact point, the largest colour is at the jump, between two
+    // steps: so also as if it went on without one.
+    IdealShader opened = shader_;
+    if (shader_.jumps()) opened.below_horizon = cosine_reach();
+    const bool at_horizon = shader_.jumps() && change(opened, here_) != Double3(0);
     Double3 most(0);
     for (int i = 0; i <= steps; ++i)
-      for (int j = 0; j <= steps; ++j) most = larger(most, change(shader_, shifted(along(i), along(j))));
+      for (int j = 0; j <= steps; ++j) {
+        const Varyings there = shifted(along(i), along(j));
+        most = larger(most, change(shader_, there));
+        if (at_horizon) most = larger(most, change(opened, there));
+      }
+    return most;
+  }
+
+  /// How far the shift may move a cosine between the normal and the eye or a light.
+  double cosine_reach() const {
+    const Fragment<double> here = shader_.fragment(here_);
+    double most = 0;
+    both_ways(shift_, [&](double dx) {
+      both_ways(shift_, [&](double dy) {
+        const Fragment<double> there = shader_.fragment(shifted(dx, dy));
+        double turned = length(there.to_eye - here.to_eye);
+        for (const PointLight& light : shader_.scene.point_lights)
+          turned = std::max(turned, length(arriving(light, there).direction - arriving(light, here).direction));
+        most = std::max(most, length(there.normal - here.normal) + turned);
+      });
+    });
     return most;
   }
 

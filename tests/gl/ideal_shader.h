@@ -20,13 +20,25 @@ inline double& component(Varyings& v, int i) {
   return i < 3 ? v.position[i] : i < 6 ? v.normal[i - 3] : v.uv[i - 6];
 }
 
-/// The colour of a surface with these varyings, in double; with a measured BRDF's table point moved, in bins.
+/// The colour of a surface with these varyings, in double; with a measured BRDF's table point moved, in bins, or with
+/// what is cut off at a horizon going on a little below it.
 struct IdealShader {
   const Scene& scene;
   const Material& material;
   Double2 uv_right, uv_down; // for the level of detail
   MerlPoint<double> moved{0, 0, 0};
   Double3 texture_moved{0};
+  double below_horizon = 0; // a cosine
+
+  /// Whether the colour jumps at a horizon: that of the eye for a measured BRDF, of a light for a gated highlight.
+  bool jumps() const {
+    return std::visit(
+        [](const auto& model) {
+          if constexpr (requires { model.specular_gate; }) return model.specular_gate != SpecularGate::open;
+          return std::is_same_v<std::decay_t<decltype(model)>, Merl>;
+        },
+        material.model);
+  }
 
   Rgb<double> texture(const Varyings& at) const {
     if (!material.texture) return Rgb<double>(1);
@@ -39,13 +51,16 @@ struct IdealShader {
 
   Rgb<double> reflected(const Merl& model, const Fragment<double>& at, const Incident<double>& light) const {
     const double n_l = dot(at.normal, light.direction);
-    if (!(std::min(n_l, dot(at.normal, at.to_eye)) > 0)) return Rgb<double>(0);
+    if (!(n_l > 0 && dot(at.normal, at.to_eye) > -below_horizon)) return Rgb<double>(0);
     MerlPoint<double> point = merl_point(half_difference(model.angles, at.normal, light.direction, at.to_eye));
     point.u = std::max(point.u + moved.u, 0.0), point.v += moved.v, point.w += moved.w;
     return merl_value(*model.table, model.lookup, point).f * n_l * light.radiance;
   }
   template <class Model>
-  Rgb<double> reflected(const Model& model, const Fragment<double>& at, const Incident<double>& light) const {
+  Rgb<double> reflected(Model model, const Fragment<double>& at, const Incident<double>& light) const {
+    if constexpr (requires { model.specular_gate; })
+      if (below_horizon > 0 && dot(at.normal, light.direction) > -below_horizon)
+        model.specular_gate = SpecularGate::open;
     return model(at, light);
   }
 
