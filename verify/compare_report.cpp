@@ -130,8 +130,9 @@ std::string comparison_text(const ComparisonReport& report) {
   std::string text = verdict(report) + "\n";
   text += line("a", report.file_a);
   text += line("b", report.file_b);
-  text += line("size", format("%d x %d, %d channels, compared in %s", found.width, found.height, found.channels,
-                              found.unit == CompareUnit::levels ? "levels of 255" : "values"));
+  text += line("size",
+               format("%d x %d, %d channel%s, compared in %s", found.width, found.height, found.channels,
+                      found.channels == 1 ? "" : "s", found.unit == CompareUnit::levels ? "levels of 255" : "values"));
   if (found.incomparable_pixels > 0) {
     text += line("NaN, infinite", count_text(found.incomparable_pixels, found.pixels()));
     text += line("  NaN in a, b", format("%llu, %llu", static_cast<unsigned long long>(found.nan_pixels_a),

@@ -10,8 +10,10 @@ namespace refraster {
 namespace {
 
 constexpr Rgb8 ground = {0x30, 0x30, 0x30}, ink = {0xff, 0xff, 0xff};
+// Points, each of scale x scale pixels.
 constexpr int margin = 4, bar_height = 8, strip_height = 28;
 constexpr int ramp_width = 200, least_width = ramp_width + 130;
+constexpr int pixels_for_a_scale = 640; // so that a large image has letters to match
 
 /// Glyphs of 3 x 5 points, a row in three bits, the top row first.
 struct Glyph {
@@ -26,11 +28,11 @@ constexpr Glyph glyphs[] = {
 
 class Strip {
 public:
-  Strip(Image<std::uint8_t>& image, int top) : image_(image), top_(top) {}
+  Strip(Image<std::uint8_t>& image, int top, int scale) : image_(image), top_(top), scale_(scale) {}
 
   void fill(int x, int y, int width, int height, const Rgb8& colour) {
-    for (int j = y; j < y + height; ++j)
-      for (int i = x; i < x + width; ++i)
+    for (int j = y * scale_; j < (y + height) * scale_; ++j)
+      for (int i = x * scale_; i < (x + width) * scale_; ++i)
         if (i < image_.width && top_ + j < image_.height)
           std::copy(colour.begin(), colour.end(), image_.at(i, top_ + j));
   }
@@ -50,7 +52,7 @@ public:
 
 private:
   Image<std::uint8_t>& image_;
-  int top_;
+  int top_, scale_;
 };
 
 std::string short_number(double x) {
@@ -67,25 +69,28 @@ double difference_at(double t, const Comparison& found) {
 }
 
 Image<std::uint8_t> with_legend(const Image<std::uint8_t>& heat, const Comparison& found) {
-  Image<std::uint8_t> image(std::max(heat.width, least_width), heat.height + strip_height, 3);
-  Strip whole(image, 0);
+  const int scale = std::max(heat.width / pixels_for_a_scale, 1);
+  Image<std::uint8_t> image(std::max(heat.width, least_width), heat.height + scale * strip_height, 3);
+  Strip whole(image, 0, 1);
   whole.fill(0, 0, image.width, image.height, ground);
   for (int y = 0; y < heat.height; ++y)
     std::copy_n(heat.at(0, y), 3 * static_cast<std::size_t>(heat.width), image.at(0, y));
 
-  Strip strip(image, heat.height);
+  Strip strip(image, heat.height, scale);
   const int label_y = margin + bar_height + 3;
   int x = margin;
   strip.fill(x, margin, 16, bar_height, {0, 0, 0});
   x = std::max(x + 16, strip.write(x, label_y, "equal")) + 8;
   if (found.max > 0) {
     for (int i = 0; i < ramp_width; ++i) strip.fill(x + i, margin, 1, bar_height, heat_colour((i + 0.5) / ramp_width));
+    int label_end = x;
     for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
       const int tick = x + static_cast<int>(std::lround(t * (ramp_width - 1)));
       strip.fill(tick, margin + bar_height, 1, 2, ink);
-      strip.write(tick, label_y, short_number(difference_at(t, found)));
+      label_end = strip.write(tick, label_y, short_number(difference_at(t, found)));
     }
-    x += ramp_width + 28;
+    strip.write(label_end + 2, label_y, unit_name(found.unit));
+    x += ramp_width + 64;
   }
   if (found.incomparable_pixels > 0) {
     strip.fill(x, margin, 16, bar_height, incomparable_colour);

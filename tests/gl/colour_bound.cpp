@@ -1,6 +1,6 @@
 #include "tests/gl/colour_bound.h"
 
-#include "raster/shade_packet.h"
+#include "tests/gl/ideal_shader.h"
 #include "tests/gl/window_triangle.h"
 
 #include <limits>
@@ -9,7 +9,7 @@
 namespace refraster {
 namespace {
 
-constexpr double u = 0x1p-24; // half a unit in the last place of a float at 1
+constexpr double u = float_rounding;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 Double3 absolute(const Double3& a) {
@@ -17,99 +17,6 @@ Double3 absolute(const Double3& a) {
 }
 Double3 larger(const Double3& a, const Double3& b) {
   return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
-}
-
-/// Everything that is interpolated.
-struct Varyings {
-  Double3 position, normal;
-  Double2 uv;
-};
-constexpr int varying_components = 8;
-
-double& component(Varyings& v, int i) {
-  return i < 3 ? v.position[i] : i < 6 ? v.normal[i - 3] : v.uv[i - 6];
-}
-
-/// The colour of a surface with these varyings, in double; with a measured BRDF's table point moved, in bins.
-struct Shader {
-  const Scene& scene;
-  const Material& material;
-  Double2 uv_right, uv_down; // for the level of detail
-  MerlPoint<double> moved{0, 0, 0};
-  Double3 texture_moved{0};
-
-  Rgb<double> texture(const Varyings& at) const {
-    if (!material.texture) return Rgb<double>(1);
-    return sample(*material.texture, material.texture_filter, at.uv, uv_right, uv_down) + texture_moved;
-  }
-
-  Fragment<double> fragment(const Varyings& at) const {
-    return {at.position, normalize(at.normal), normalize(scene.camera.position - at.position), texture(at)};
-  }
-
-  Rgb<double> reflected(const Merl& model, const Fragment<double>& at, const Incident<double>& light) const {
-    const double n_l = dot(at.normal, light.direction);
-    if (!(std::min(n_l, dot(at.normal, at.to_eye)) > 0)) return Rgb<double>(0);
-    MerlPoint<double> point = merl_point(half_difference(model.angles, at.normal, light.direction, at.to_eye));
-    point.u = std::max(point.u + moved.u, 0.0), point.v += moved.v, point.w += moved.w;
-    return merl_value(*model.table, model.lookup, point).f * n_l * light.radiance;
-  }
-  template <class Model>
-  Rgb<double> reflected(const Model& model, const Fragment<double>& at, const Incident<double>& light) const {
-    return model(at, light);
-  }
-
-  template <class Model>
-  Rgb<double> colour(const Model& model, const Varyings& at) const {
-    const Fragment<double> here = fragment(at);
-    Rgb<double> sum = model.ambient(here);
-    for (const PointLight& light : scene.point_lights) sum += reflected(model, here, arriving(light, here));
-    for (const DirectionLight& light : scene.direction_lights) sum += reflected(model, here, arriving(light, here));
-    return sum;
-  }
-  Rgb<double> colour(const Varyings& at) const {
-    return std::visit([&](const auto& model) { return colour(model, at); }, material.model);
-  }
-};
-
-/// The share of a colour that comes from highlights, and their exponent.
-std::pair<Rgb<double>, double> highlights(const Shader& shader, const Varyings& at) {
-  return std::visit(
-      [&](const auto& model) -> std::pair<Rgb<double>, double> {
-        if constexpr (requires { model.ks; }) {
-          auto dull = model;
-          dull.ks = Double3(0);
-          return {shader.colour(model, at) - shader.colour(dull, at), model.glossiness};
-        }
-        return {Rgb<double>(0), 0};
-      },
-      shader.material.model);
-}
-
-/// How far float angles may move the point of the table, in bins.
-MerlPoint<double> table_error(const Shader& shader, const Varyings& at, double atan_ulp) {
-  const Merl* const model = std::get_if<Merl>(&shader.material.model);
-  MerlPoint<double> most{0, 0, 0};
-  if (!model) return most;
-  const Fragment<double> here = shader.fragment(at);
-  const auto see = [&](const Incident<double>& light) {
-    const Double3 n = here.normal, i = light.direction, o = here.to_eye;
-    const HalfDifference<double> angles = half_difference(model->angles, n, i, o);
-    constexpr double bins_per_radian = 180 / std::numbers::pi;
-    const double s = length(i + o), d = length(i - o);
-    const double theta_h_error = atan_ulp * u * angles.theta_h + 8 * u;
-    const double highest = 90 * std::sqrt((angles.theta_h + theta_h_error) * 2 / std::numbers::pi);
-    most.u = std::max(most.u,
-                      highest - 90 * std::sqrt(std::max(angles.theta_h - theta_h_error, 0.0) * 2 / std::numbers::pi));
-    most.v = std::max(most.v, bins_per_radian * (atan_ulp * u * angles.theta_d + 8 * u));
-    const double azimuth = length(Double3(s * dot(n, i - o), 2 * dot(n, cross(i, o)), 0));
-    const double turn =
-        azimuth > 0 ? std::min(16 * u * s * std::max(d, 4 * u) / azimuth, std::numbers::pi / 2) : std::numbers::pi / 2;
-    most.w = std::max(most.w, bins_per_radian * (atan_ulp * u * angles.phi_d + 4 * u + turn));
-  };
-  for (const PointLight& light : shader.scene.point_lights) see(arriving(light, here));
-  for (const DirectionLight& light : shader.scene.direction_lights) see(arriving(light, here));
-  return most;
 }
 
 } // namespace
@@ -190,7 +97,7 @@ void both_ways(double x, Visit&& visit) {
 /// One pixel of one triangle: what changes its colour, cause by cause. To first order the bound is their sum.
 class PixelBound {
 public:
-  PixelBound(const Shader& shader, const DriverTolerances& driver, const Plane& inverse_w,
+  PixelBound(const IdealShader& shader, const DriverTolerances& driver, const Plane& inverse_w,
              const std::array<Plane, varying_components>& planes, const Varyings& corner_error, double shift,
              const std::array<int, 2>& place_in_block, double snapped_detail)
       : shader_(shader), driver_(driver), h_(inverse_w), planes_(planes), shift_(shift),
@@ -210,8 +117,19 @@ public:
     exact_ = shader_.colour(here_);
   }
 
-  AllowedColour allowed(std::size_t lights) const {
-    return {exact_, by_shift() + by_attributes() + by_texture() + by_table() + by_arithmetic(lights)};
+  AllowedColour allowed(std::size_t lights, BoundPart part) const {
+    if (part == BoundPart::least) return {exact_, by_shift(1) + by_texel() + by_arithmetic(lights), {}};
+    const std::pair<std::string_view, Double3> causes[] = {
+        {"corners on a lattice", by_shift(4)}, {"interpolation", by_attributes() + by_uv()},
+        {"texel filter", by_texel()},          {"level of detail", by_detail()},
+        {"table point", by_table()},           {"arithmetic", by_arithmetic(lights)}};
+    AllowedColour sum{exact_, Double3(0), {}};
+    double most = -1;
+    for (const auto& [name, moved] : causes) {
+      sum.either_way += moved;
+      if (const double size = std::max({moved.x, moved.y, moved.z}); size > most) most = size, sum.main_cause = name;
+    }
+    return sum;
   }
 
 private:
@@ -224,14 +142,40 @@ private:
     }
     return result;
   }
-  Double3 change(const Shader& shader, const Varyings& at) const { return absolute(shader.colour(at) - exact_); }
+  Double3 change(const IdealShader& shader, const Varyings& at) const { return absolute(shader.colour(at) - exact_); }
 
-  /// Corners that are snapped here and rounded there: the same as another sample nearby. Not at the corners of the box
-  /// alone: a highlight's edge or a light's horizon may run through it.
-  Double3 by_shift() const {
+  /// Corners that are snapped here and rounded there: the same as another sample nearby. Looked at in so many steps
+  /// across the box, since a highlight's edge or a light's horizon may run through it.
+  Double3 by_shift(int steps) const {
+    const auto along = [&](int i) { return (2.0 * i / steps - 1) * shift_; };
+    // Where a colour jumps at a horizon just beyond the exact point, the largest colour is at the jump, between two
+    // steps: so also as if it went on without one.
+    IdealShader opened = shader_;
+    if (shader_.jumps()) opened.below_horizon = cosine_reach();
+    const bool at_horizon = shader_.jumps() && change(opened, here_) != Double3(0);
     Double3 most(0);
-    for (int i = -2; i <= 2; ++i)
-      for (int j = -2; j <= 2; ++j) most = larger(most, change(shader_, shifted(i * shift_ / 2, j * shift_ / 2)));
+    for (int i = 0; i <= steps; ++i)
+      for (int j = 0; j <= steps; ++j) {
+        const Varyings there = shifted(along(i), along(j));
+        most = larger(most, change(shader_, there));
+        if (at_horizon) most = larger(most, change(opened, there));
+      }
+    return most;
+  }
+
+  /// How far the shift may move a cosine between the normal and the eye or a light.
+  double cosine_reach() const {
+    const Fragment<double> here = shader_.fragment(here_);
+    double most = 0;
+    both_ways(shift_, [&](double dx) {
+      both_ways(shift_, [&](double dy) {
+        const Fragment<double> there = shader_.fragment(shifted(dx, dy));
+        double turned = length(there.to_eye - here.to_eye);
+        for (const PointLight& light : shader_.scene.point_lights)
+          turned = std::max(turned, length(arriving(light, there).direction - arriving(light, here).direction));
+        most = std::max(most, length(there.normal - here.normal) + turned);
+      });
+    });
     return most;
   }
 
@@ -251,53 +195,63 @@ private:
     return sum;
   }
 
-  Double3 by_texture() const {
-    if (!shader_.material.texture) return Double3(0);
-    Double3 by_uv(0), by_texel(0);
+  /// What a texture's filter makes of the texels.
+  Double3 by_texel() const {
+    Double3 most(0);
+    if (!shader_.material.texture) return most;
+    both_ways(driver_.texel_error + 4 * u, [&](double e) {
+      IdealShader moved = shader_;
+      moved.texture_moved = Double3(e);
+      most = larger(most, change(moved, here_));
+    });
+    return most;
+  }
+
+  /// Where a texture is read.
+  Double3 by_uv() const {
+    Double3 most(0);
+    if (!shader_.material.texture) return most;
     both_ways(error_.uv.x, [&](double e_u) {
       both_ways(error_.uv.y, [&](double e_v) {
         Varyings there = here_;
         there.uv += Double2(e_u, e_v);
-        by_uv = larger(by_uv, change(shader_, there));
+        most = larger(most, change(shader_, there));
       });
     });
-    both_ways(driver_.texel_error + 4 * u, [&](double e) {
-      Shader moved = shader_;
-      moved.texture_moved = Double3(e);
-      by_texel = larger(by_texel, change(moved, here_));
-    });
-    return by_uv + by_texel + by_detail();
+    return most;
   }
 
   /// The level of detail. Derivatives may be differences between any neighbours of the pixel's 2 x 2 block, and one for
   /// the whole block. Looked at in the corners of the box of by_shift too, where other texels are near.
+  static constexpr int detail_steps = 10;
   Double3 by_detail() const {
     Double3 most(0);
-    if (shader_.material.texture_filter != TextureFilter::trilinear) return most;
+    if (!shader_.material.texture || shader_.material.texture_filter != TextureFilter::trilinear) return most;
     for (const auto& [dx, dy] : {Double2(0, 0), Double2(-1, -1), Double2(-1, 1), Double2(1, -1), Double2(1, 1)}) {
       const Varyings at = shifted(dx * shift_, dy * shift_);
       const Rgb<double> ideal = shader_.colour(at);
       for (const int row : {0, 1})
         for (const int column : {0, 1})
-          for (int k = 0; k <= 4; ++k) // in steps, since a colour may rise and fall along a mip chain
+          for (int k = 0; k <= detail_steps; ++k) // a colour may rise and fall along a mip chain
             most = larger(most, absolute(with_detail(row, column, k).colour(at) - ideal));
     }
     return most;
   }
 
   /// With the differences along this row and column of the block, and a level of detail between the least (k = 0) and
-  /// the most (k = 4) that the driver may take.
-  Shader with_detail(int row, int column, int k) const {
+  /// the most (k = detail_steps) that the driver may take.
+  IdealShader with_detail(int row, int column, int k) const {
     const double moved =
-        std::exp2(std::lerp(-driver_.detail_below - snapped_detail_, driver_.detail_above + snapped_detail_, k / 4.0));
+        std::exp2(std::lerp(-driver_.detail_below - snapped_detail_, driver_.detail_above + snapped_detail_,
+                            k / static_cast<double>(detail_steps)));
     const auto step = [&](const Double2& from, const Double2& to) { // each of the two values is off by its error
       const auto along = [&](int c) {
-        return std::max(std::abs(to[c] - from[c]) + (k - 2) * error_.uv[c], 0.0) * moved;
+        return std::max(std::abs(to[c] - from[c]) + (4.0 * k / detail_steps - 2) * error_.uv[c], 0.0) * moved;
       };
       return Double2(along(0), along(1));
     };
     const auto uv = [&](int x, int y) { return shifted(x - place_in_block_[0], y - place_in_block_[1]).uv; };
-    Shader shader = shader_;
+    IdealShader shader = shader_;
     shader.uv_right = step(uv(0, row), uv(1, row));
     shader.uv_down = step(uv(column, 0), uv(column, 1));
     return shader;
@@ -310,7 +264,7 @@ private:
     for (const auto member : {&MerlPoint<double>::u, &MerlPoint<double>::v, &MerlPoint<double>::w}) {
       Double3 most(0);
       both_ways(bins.*member, [&](double e) {
-        Shader moved = shader_;
+        IdealShader moved = shader_;
         moved.moved.*member = e;
         most = larger(most, change(moved, here_));
       });
@@ -326,7 +280,7 @@ private:
            absolute(shine) * ((16 + (driver_.power_ulp + 6) * glossiness) * u);
   }
 
-  Shader shader_;
+  IdealShader shader_;
   const DriverTolerances& driver_;
   Plane h_; // 1 / w
   std::array<Plane, varying_components> planes_;
@@ -339,8 +293,9 @@ private:
 
 } // namespace
 
-AllowedColour ColourBound::at(std::size_t object, std::uint32_t triangle, int pixel_x, int pixel_y) const {
-  const AllowedColour anything{Double3(0), Double3(infinite)};
+AllowedColour ColourBound::at(std::size_t object, std::uint32_t triangle, int pixel_x, int pixel_y,
+                              BoundPart part) const {
+  const AllowedColour anything{Double3(0), Double3(infinite), "no float can tell"};
   const Setup setup = set_up(object, triangle);
   if (setup.planes.flat) return anything;
   const double x = pixel_x + 0.5, y = pixel_y + 0.5;
@@ -374,19 +329,20 @@ AllowedColour ColourBound::at(std::size_t object, std::uint32_t triangle, int pi
   const std::array<double, 3> weight = setup.planes.at(x, y);
   for (std::size_t i = 0; i < 3; ++i) snapped += std::max(weight[i] * setup.w_clip[i], 0.0);
   const Double3& error = setup.homogeneous_error;
-  const double shift = 0.5 / 256 * snapped + (error.x + std::max(x, y) * error.z) * inverse_w.value;
-  // Snapping moves two corners against each other by up to 1/256 pixel both ways: along an altitude so much of every
+  const double step = std::max(our_lattice, driver_.lattice);
+  const double shift = step / 2 * snapped + (error.x + std::max(x, y) * error.z) * inverse_w.value;
+  // Snapping moves two corners against each other by up to a step both ways: along an altitude so much of every
   // derivative, in levels.
   double altitude = infinite;
   for (std::size_t i = 0; i < 3; ++i)
     if (setup.w_clip[i] > 0)
       altitude = std::min(altitude, 1 / setup.w_clip[i] / std::hypot(setup.planes.l[i].x, setup.planes.l[i].y));
-  const double snapped_detail = std::log2(1 + std::numbers::sqrt2 / 256 / altitude);
+  const double snapped_detail = std::log2(1 + std::numbers::sqrt2 * step / altitude);
 
-  const Shader shader{scene_, scene_.objects[object].material, Double2(0), Double2(0)};
+  const IdealShader shader{scene_, scene_.objects[object].material, Double2(0), Double2(0)};
   const PixelBound pixel(shader, driver_, inverse_w, planes, setup.corner_error, shift, {pixel_x & 1, pixel_y & 1},
                          snapped_detail);
-  return pixel.allowed(scene_.point_lights.size() + scene_.direction_lights.size());
+  return pixel.allowed(scene_.point_lights.size() + scene_.direction_lights.size(), part);
 }
 
 double ColourBound::depth(std::size_t object, std::uint32_t triangle, int x, int y) const {
@@ -403,7 +359,8 @@ double ColourBound::depth_error(std::size_t object, std::uint32_t triangle, int 
   Double3 z(0), h(0);
   for (std::size_t i = 0; i < 3; ++i) z += setup.planes.l[i] * setup.z_clip[i], h += setup.planes.l[i];
   const double w = 1 / (h.x * x + h.y * y + h.z);
-  const double shift = 1.0 / 256 + (setup.homogeneous_error.x + std::max(x, y) * setup.homogeneous_error.z) / w;
+  const double shift =
+      rounded_apart(driver_) + (setup.homogeneous_error.x + std::max(x, y) * setup.homogeneous_error.z) / w;
   // z lies in [0, 1] on the screen, and its plane is anchored at the origin like any other.
   const double corner_error = (setup.homogeneous_error.y + setup.homogeneous_error.z) / w;
   return 0.5 * (corner_error + driver_.plane_ulp * u * (1 + std::abs(z.x) * x + std::abs(z.y) * y) +

@@ -2,6 +2,7 @@
 // How far the colour of a pixel on a GPU may be from ours when nothing is wrong: docs/verification.md derives it.
 
 #include "raster/render.h"
+#include "raster/subpixel.h"
 #include "raster/transform.h"
 #include "verify/gl/gl_names.h"
 
@@ -9,8 +10,11 @@
 
 namespace refraster {
 
+inline constexpr double our_lattice = 1.0 / subpixels; // pixels: the step to which window positions are rounded
+
 /// What the bound assumes of a driver. Units in the last place are of float: 2^-24 relative.
 struct DriverTolerances {
+  double lattice = our_lattice;
   double plane_ulp = 6;    // of plane equations anchored at the framebuffer's origin
   double atan_ulp = 348;   // of atan(y, x)
   double power_ulp = 2.1;  // of pow(x, s), for each unit of s; and 16 beside
@@ -49,11 +53,28 @@ inline constexpr DriverProfile driver_profiles[] = {
      {.texel_error = mip_rounding, .detail_below = 0.5 + logarithm_error, .detail_above = logarithm_error}},
 };
 
+/// SwiftShader, Chromium's software driver, as tests/webgl uses it. WebGL tells its lattice, 2^-SUBPIXEL_BITS pixel.
+constexpr DriverTolerances swiftshader_tolerances(double lattice) {
+  return {.lattice = lattice,
+          .texel_error = 1.07 / 255,
+          .detail_below = 0.5 + logarithm_error,
+          .detail_above = logarithm_error};
+}
+
+/// How far apart two renderers' roundings of one window position may be, along each axis: half a step of each lattice.
+constexpr double rounded_apart(const DriverTolerances& driver) {
+  return (our_lattice + driver.lattice) / 2;
+}
+
 /// The exact colour of a surface at a pixel centre, from corners that are not snapped; and, for each channel, how far a
-/// right image may be from it.
+/// right image may be from it, and the largest of the causes that this is the sum of.
 struct AllowedColour {
   Double3 exact, either_way;
+  std::string_view main_cause;
 };
+
+/// How much of the bound to add up. The least costs a seventh; it is never above the whole.
+enum class BoundPart { least, whole };
 
 /// Bounds for the pixels of one scene at one size.
 class ColourBound {
@@ -61,7 +82,7 @@ public:
   ColourBound(const Scene& scene, int width, int height, const DriverTolerances& driver);
 
   /// For this triangle at this pixel. Infinitely far where floats decide nothing.
-  AllowedColour at(std::size_t object, std::uint32_t triangle, int x, int y) const;
+  AllowedColour at(std::size_t object, std::uint32_t triangle, int x, int y, BoundPart part) const;
 
   /// How far window depth may be off there.
   double depth_error(std::size_t object, std::uint32_t triangle, int x, int y) const;

@@ -1,5 +1,6 @@
 #include "tests/gl/side_by_side.h"
 
+#include "tests/gl/ideal_shader.h"
 #include "tests/gl/window_triangle.h"
 
 #include <algorithm>
@@ -41,12 +42,12 @@ struct Shown {
 
 class Judge {
 public:
-  Judge(const Scene& scene, const GlOptions& options, const DriverTolerances& tolerances)
-      : scene_(scene), options_(options), bound_(scene, options.width, options.height, tolerances) {}
+  Judge(const Scene& scene, int width, int height, const DriverTolerances& tolerances)
+      : scene_(scene), width_(width), height_(height), rounded_apart_(rounded_apart(tolerances)),
+        bound_(scene, width, height, tolerances) {}
 
   PixelVerdict verdict(const Shown& ours, const Shown& gl, int x, int y, double& distance) const {
     if (ours == gl) return PixelVerdict::same_surface;
-    constexpr double lattice_step = 1.0 / 256;
     distance = 1e300;
     bool edge = false;
     for (const Shown& shown : {ours, gl}) {
@@ -55,9 +56,9 @@ public:
       // So what counts is the edge with exact corners too, and what lies between the two.
       std::array<Where, 2> found{};
       for (const Corners corners : {Corners::snapped, Corners::exact}) {
-        const WindowTriangle triangle = drawn_triangle(scene_, bound_, bound_.ref(shown.object - 1, shown.triangle - 1),
-                                                       options_.width, options_.height, corners);
-        found[static_cast<std::size_t>(corners)] = where(triangle, x + 0.5, y + 0.5, lattice_step);
+        const WindowTriangle triangle =
+            drawn_triangle(scene_, bound_, bound_.ref(shown.object - 1, shown.triangle - 1), width_, height_, corners);
+        found[static_cast<std::size_t>(corners)] = where(triangle, x + 0.5, y + 0.5, rounded_apart_);
         if (!triangle.flat) distance = std::min(distance, edge_distance(triangle, x + 0.5, y + 0.5));
       }
       edge |= found[0] == Where::on_edge || found[1] == Where::on_edge || found[0] != found[1];
@@ -72,15 +73,139 @@ public:
     return std::abs(apart) <= allowed ? PixelVerdict::depth : PixelVerdict::coverage;
   }
 
-  AllowedColour allowed(const Shown& shown, int x, int y) const {
-    if (shown.object == 0) return {scene_.background, scene_.background * 0x1p-24}; // rounded to float
-    return bound_.at(shown.object - 1, shown.triangle - 1, x, y);
+  AllowedColour allowed(const Shown& shown, int x, int y, BoundPart part) const {
+    if (shown.object == 0) return {scene_.background, scene_.background * float_rounding, "background"};
+    return bound_.at(shown.object - 1, shown.triangle - 1, x, y, part);
   }
 
 private:
   const Scene& scene_;
-  const GlOptions& options_;
+  int width_, height_;
+  double rounded_apart_;
   ColourBound bound_;
+};
+
+Frame rendered_here(const Scene& scene, int width, int height) {
+  RenderOptions options;
+  options.width = width;
+  options.height = height;
+  options.want_radiance = true;
+  options.aovs = {Aov::object, Aov::triangle};
+  return render(scene, options);
+}
+
+/// Goes over the pixels and counts.
+class Pixels {
+public:
+  Pixels(const Scene& scene, const OtherImages& other, const DriverTolerances& tolerances)
+      : scene_(scene), other_(other), width_(other.radiance.width), height_(other.radiance.height),
+        ours_(rendered_here(scene, width_, height_)), judge_(scene, width_, height_, tolerances) {}
+
+  SideBySide all() {
+    found_.driver = other_.driver;
+    found_.width = width_;
+    found_.height = height_;
+    for (int y = 0; y < height_; ++y)
+      for (int x = 0; x < width_; ++x) look_at(x, y);
+    name_cause(found_.worst);
+    name_cause(found_.worst_same);
+    return found_;
+  }
+
+private:
+  static std::uint32_t count(float number) { return static_cast<std::uint32_t>(number); }
+  Shown here(int x, int y) const { return {count(*ours_.aovs[0].at(x, y)), count(*ours_.aovs[1].at(x, y))}; }
+  Shown there(int x, int y) const { return {count(other_.ids.at(x, y)[0]), count(other_.ids.at(x, y)[1])}; }
+
+  void look_at(int x, int y) {
+    const Shown here = this->here(x, y), there = this->there(x, y);
+    WorstPixel pixel = compared(x, y);
+    pixel.object = here.object == 0 ? "background" : scene_.objects[here.object - 1].name;
+    double distance = 0;
+    const PixelVerdict verdict = judge_.verdict(here, there, x, y, distance);
+    if (verdict == PixelVerdict::edge) {
+      ++found_.edge_pixels;
+      found_.farthest_edge = std::max(found_.farthest_edge, distance);
+      pixel.cause = "edge";
+    } else if (verdict == PixelVerdict::depth) {
+      ++found_.depth_pixels;
+      pixel.cause = "depth";
+    } else if (verdict == PixelVerdict::coverage) {
+      ++found_.coverage_pixels;
+      pixel.cause = "coverage: object " + std::to_string(here.object) + " triangle " + std::to_string(here.triangle) +
+                    " here, " + std::to_string(there.object) + " " + std::to_string(there.triangle) + " there";
+      tell(pixel);
+    } else {
+      keep_worst(found_.worst_same, pixel);
+      judge_colour(here, pixel);
+    }
+    keep_worst(found_.worst, pixel);
+  }
+
+  /// Both colours; counts what the 8-bit images show.
+  WorstPixel compared(int x, int y) {
+    const float *a = ours_.radiance.at(x, y), *b = other_.radiance.at(x, y);
+    WorstPixel pixel;
+    pixel.x = x, pixel.y = y;
+    int levels_apart = 0;
+    for (int c = 0; c < 3; ++c) {
+      pixel.ours[c] = a[c], pixel.gl[c] = b[c];
+      const int level = other_.levels.empty() ? rounded_level(b[c]) : other_.levels.at(x, y)[c];
+      levels_apart = std::max(levels_apart, std::abs(ours_.levels.at(x, y)[c] - level));
+      pixel.difference =
+          std::max(pixel.difference, 255 * std::abs(static_cast<double>(a[c]) - static_cast<double>(b[c])));
+      found_.levels_not_rounded += rounded_level(b[c]) != level;
+      if (std::isnan(a[c]) || std::isnan(b[c])) pixel.difference = 1e300;
+    }
+    ++(levels_apart == 0 ? found_.equal : levels_apart == 1 ? found_.off_by_one : found_.off_by_more);
+    return pixel;
+  }
+
+  void judge_colour(const Shown& here, WorstPixel& pixel) {
+    constexpr double never_over = 255 * 40 * float_rounding; // each bound has this share of the colour in it
+    const Float3& ours = pixel.ours;
+    if (pixel.difference <= never_over * static_cast<double>(std::min({ours.x, ours.y, ours.z}))) return;
+    // Within the least of the bound, and no new record even so: the whole would tell nothing.
+    if (share_of_bound(here, pixel, BoundPart::least) <= std::min(found_.worst_share_of_bound, 1.0)) return;
+    const double share = share_of_bound(here, pixel, BoundPart::whole);
+    found_.worst_share_of_bound = std::max(found_.worst_share_of_bound, share);
+    if (share <= 1) return;
+    ++found_.over_bound;
+    pixel.cause = "over the bound";
+    tell(pixel);
+  }
+
+  /// Of the image that is farther from the exact colour.
+  double share_of_bound(const Shown& here, WorstPixel& pixel, BoundPart part) const {
+    const AllowedColour allowed = judge_.allowed(here, pixel.x, pixel.y, part);
+    pixel.allowed = allowed.either_way;
+    double share = 0;
+    for (int c = 0; c < 3; ++c)
+      for (const float value : {pixel.ours[c], pixel.gl[c]}) {
+        const double apart = std::abs(static_cast<double>(value) - allowed.exact[c]);
+        if (std::isnan(apart)) return 1e300;
+        share = std::max(share, apart == 0 ? 0 : apart / allowed.either_way[c]);
+      }
+    return share;
+  }
+
+  static void keep_worst(WorstPixel& worst, const WorstPixel& pixel) {
+    if (pixel.difference > worst.difference) worst = pixel;
+  }
+  void tell(const WorstPixel& pixel) {
+    if (found_.unexplained.size() < 10) found_.unexplained.push_back(pixel);
+  }
+  void name_cause(WorstPixel& pixel) const {
+    if (pixel.cause.empty())
+      pixel.cause = judge_.allowed(here(pixel.x, pixel.y), pixel.x, pixel.y, BoundPart::whole).main_cause;
+  }
+
+  const Scene& scene_;
+  const OtherImages& other_;
+  int width_, height_;
+  Frame ours_;
+  Judge judge_;
+  SideBySide found_;
 };
 
 } // namespace
@@ -91,86 +216,16 @@ SideBySide side_by_side(const Scene& scene, int width, int height, const DriverP
   options.width = width;
   options.height = height;
   options.renderer = profile.renderer;
-  options.want_levels = options.want_radiance = options.want_ids = true;
-  const GlFrame gl = render_gl(scene, options);
-  RenderOptions ours_options;
-  ours_options.width = options.width;
-  ours_options.height = options.height;
-  ours_options.want_radiance = true;
-  ours_options.aovs = {Aov::object, Aov::triangle};
-  const Frame ours = render(scene, ours_options);
-  const Judge judge(scene, options, profile.tolerances);
+  options.want_radiance = options.want_ids = true;
+  GlFrame frame = render_gl(scene, options);
+  return side_by_side(scene,
+                      {frame.driver.renderer + ", OpenGL " + frame.driver.version, std::move(frame.radiance),
+                       std::move(frame.ids), std::move(frame.levels)},
+                      profile.tolerances);
+}
 
-  SideBySide found;
-  found.driver = gl.driver.renderer + ", OpenGL " + gl.driver.version;
-  found.width = options.width;
-  found.height = options.height;
-  const auto keep_worst = [](WorstPixel& worst, const WorstPixel& pixel) {
-    if (pixel.difference > worst.difference) worst = pixel;
-  };
-  const auto tell = [&](const WorstPixel& pixel) {
-    if (found.unexplained.size() < 10) found.unexplained.push_back(pixel);
-  };
-  for (int y = 0; y < options.height; ++y) {
-    for (int x = 0; x < options.width; ++x) {
-      const auto count = [](float number) { return static_cast<std::uint32_t>(number); };
-      const Shown here{count(*ours.aovs[0].at(x, y)), count(*ours.aovs[1].at(x, y))};
-      const Shown there{count(gl.ids.at(x, y)[0]), count(gl.ids.at(x, y)[1])};
-      const float *a = ours.radiance.at(x, y), *b = gl.radiance.at(x, y);
-      double distance = 0, difference = 0;
-      int levels_apart = 0;
-      for (int c = 0; c < 3; ++c) {
-        levels_apart = std::max(levels_apart, std::abs(ours.levels.at(x, y)[c] - gl.levels.at(x, y)[c]));
-        // What is too bright for the image is compared as the image shows it.
-        difference = std::max(difference, 255 * std::abs(static_cast<double>(a[c]) - static_cast<double>(b[c])));
-        found.levels_not_rounded += rounded_level(b[c]) != gl.levels.at(x, y)[c];
-      }
-      if (std::isnan(difference)) difference = 1e300;
-      ++(levels_apart == 0 ? found.equal : levels_apart == 1 ? found.off_by_one : found.off_by_more);
-
-      WorstPixel pixel{x,
-                       y,
-                       difference,
-                       {a[0], a[1], a[2]},
-                       {b[0], b[1], b[2]},
-                       Double3(0),
-                       "shading",
-                       here.object == 0 ? "background" : scene.objects[here.object - 1].name};
-      const PixelVerdict verdict = judge.verdict(here, there, x, y, distance);
-      if (verdict == PixelVerdict::edge) {
-        ++found.edge_pixels;
-        found.farthest_edge = std::max(found.farthest_edge, distance);
-        pixel.cause = "edge";
-      } else if (verdict == PixelVerdict::depth) {
-        ++found.depth_pixels;
-        pixel.cause = "depth";
-      } else if (verdict == PixelVerdict::coverage) {
-        ++found.coverage_pixels;
-        pixel.cause = "coverage: object " + std::to_string(here.object) + " triangle " + std::to_string(here.triangle) +
-                      " here, " + std::to_string(there.object) + " " + std::to_string(there.triangle) + " there";
-        tell(pixel);
-      }
-      keep_worst(found.worst, pixel);
-      if (verdict != PixelVerdict::same_surface) continue;
-
-      keep_worst(found.worst_same, pixel);
-      constexpr double never_over = 255 * 40 * 0x1p-24; // each bound has this share of the colour in it
-      if (difference <= never_over * static_cast<double>(std::min({a[0], a[1], a[2]}))) continue;
-      const AllowedColour allowed = judge.allowed(here, x, y);
-      pixel.allowed = allowed.either_way;
-      double share = 0;
-      for (int c = 0; c < 3; ++c)
-        for (const float value : {a[c], b[c]}) {
-          const double apart = std::abs(static_cast<double>(value) - allowed.exact[c]);
-          share = std::max(share, apart == 0 ? 0 : apart / allowed.either_way[c]);
-        }
-      found.worst_share_of_bound = std::max(found.worst_share_of_bound, share);
-      if (share <= 1) continue;
-      ++found.over_bound;
-      tell(pixel);
-    }
-  }
-  return found;
+SideBySide side_by_side(const Scene& scene, const OtherImages& other, const DriverTolerances& tolerances) {
+  return Pixels(scene, other, tolerances).all();
 }
 
 } // namespace refraster

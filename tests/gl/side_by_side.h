@@ -21,7 +21,7 @@ struct WorstPixel {
   double difference = 0; // in levels
   Float3 ours{0}, gl{0};
   Double3 allowed{0}; // by ColourBound; 0 where it was not asked
-  std::string cause;
+  std::string cause;  // edge, depth, coverage, or the largest part of the colour's bound
   std::string object; // what we show there
 };
 
@@ -43,7 +43,17 @@ struct SideBySide {
   std::uint64_t pixels() const { return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height); }
 };
 
-/// Sets the environment of the process as the profile says.
+/// Another renderer's images of a scene.
+struct OtherImages {
+  std::string driver;
+  Image<float> radiance;      // 3 channels
+  Image<float> ids;           // 2 channels, as in GlFrame
+  Image<std::uint8_t> levels; // 3 channels; may be empty
+};
+
+SideBySide side_by_side(const Scene& scene, const OtherImages& other, const DriverTolerances& tolerances);
+
+/// The same with what render_gl makes. Sets the environment of the process as the profile says.
 SideBySide side_by_side(const Scene& scene, int width, int height, const DriverProfile& profile);
 
 } // namespace refraster

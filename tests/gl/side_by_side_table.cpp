@@ -11,25 +11,27 @@ namespace {
 
 using namespace refraster;
 
-void print_head(const std::string& driver) {
+void print_head(const std::string& driver, int width, int height) {
   std::printf(
-      "%s\n\n| scene | equal | off by 1 | off by more | edge (farthest, in 1/256 pixel) | depth | coverage | worst "
-      "pixel, levels | worst of the same surface | over the bound | largest share of the bound |\n"
-      "|---|---|---|---|---|---|---|---|---|---|---|\n",
-      driver.c_str());
+      "%s, %d x %d\n\n"
+      "| scene | equal | off by 1 | off by more | edge (farthest) | depth | unexplained | worst pixel | worst of "
+      "the same surface | largest share of the bound |\n|---|---|---|---|---|---|---|---|---|---|\n",
+      driver.c_str(), width, height);
 }
 
 void print(const std::string& scene, const SideBySide& s) {
   const auto pixel = [](const WorstPixel& p) {
     if (p.difference == 0) return std::string("none");
-    char text[160];
-    std::snprintf(text, sizeof text, "(%d, %d) %.4g %s", p.x, p.y, p.difference, p.cause.c_str());
+    char text[200];
+    std::snprintf(text, sizeof text, "(%d, %d) %s: %.3g, %s", p.x, p.y, p.object.c_str(), p.difference,
+                  p.cause.c_str());
     return std::string(text);
   };
   const auto n = [](std::uint64_t count) { return static_cast<unsigned long long>(count); };
-  std::printf("| %s | %llu | %llu | %llu | %llu (%.2g) | %llu | %llu | %s | %s | %llu | %.3g |\n", scene.c_str(),
-              n(s.equal), n(s.off_by_one), n(s.off_by_more), n(s.edge_pixels), s.farthest_edge * 256, n(s.depth_pixels),
-              n(s.coverage_pixels), pixel(s.worst).c_str(), pixel(s.worst_same).c_str(), n(s.over_bound),
+  std::printf("| %s | %llu | %llu | %llu | %llu (%.2g) | %llu | %llu | %s | %s | %.2f |\n", scene.c_str(), n(s.equal),
+              n(s.off_by_one), n(s.off_by_more), n(s.edge_pixels), s.farthest_edge * 256, n(s.depth_pixels),
+              n(s.coverage_pixels + s.over_bound), pixel(s.worst).c_str(),
+              s.worst.difference > s.worst_same.difference ? pixel(s.worst_same).c_str() : "the same",
               s.worst_share_of_bound);
   for (const WorstPixel& p : s.unexplained)
     std::fprintf(stderr, "%s: (%d, %d) %s, %s: %g levels; ours %g %g %g, gl %g %g %g, allowed %g %g %g\n",
@@ -53,7 +55,7 @@ int main(int argc, char** argv) try {
   }
   for (int i = 3; i < argc; ++i) {
     const SideBySide found = side_by_side(read_scene(argv[i]), width, height, *profile);
-    if (i == 3) print_head(found.driver);
+    if (i == 3) print_head(found.driver, width, height);
     print(std::filesystem::path(argv[i]).stem(), found);
   }
   return 0;

@@ -47,17 +47,22 @@ std::string scene_with(const std::string& material) {
 const std::string plastic =
     R"("material": {"ka": "0.05 0.05 0.05", "kd": "0.6 0.3 0.2", "ks": "0.5 0.5 0.5", "glossiness": 40})";
 const std::string lecture_shaders = std::string(REFRASTER_SOURCE_DIR) + "/scenes/lecture/shader/";
+/// Scenes of the same ball whose GLSL has one fault each; docs/verification.md shows what compare says of them.
+const std::string wrong_shaders = std::string(REFRASTER_SOURCE_DIR) + "/tests/gl/wrong_shaders/";
 
-/// What `compare` says of our image of scene.json and OpenGL's: allowed is what the filters of 8-bit images and edges
-/// of a lattice step cost, an off-by-one anywhere and three pixels of anything.
-Finished compared(const TemporaryFolder& folder, const std::string& scene) {
-  save_text(folder / "scene.json", scene);
-  const Finished ours = run_program(folder.path, {"render", "scene.json", "-o", "ours.png", "--size", "320x240", "-q"});
+/// What `compare` says of our image of the scene and OpenGL's: allowed is what the filters of 8-bit images and edges of
+/// a lattice step cost, an off-by-one anywhere and three pixels of anything.
+Finished compared_file(const TemporaryFolder& folder, const std::string& scene) {
+  const Finished ours = run_program(folder.path, {"render", scene, "-o", "ours.png", "--size", "320x240", "-q"});
   REQUIRE_MESSAGE(ours.exit_code == 0, ours.err);
   const Finished theirs =
-      run_program(folder.path, {"gl", "scene.json", "-o", "gl.png", "--size", "320x240", "--renderer", "llvmpipe"});
+      run_program(folder.path, {"gl", scene, "-o", "gl.png", "--size", "320x240", "--renderer", "llvmpipe"});
   REQUIRE_MESSAGE(theirs.exit_code == 0, theirs.err);
   return run_program(folder.path, {"compare", "ours.png", "gl.png", "--max-abs", "1", "--max-count", "3"});
+}
+Finished compared(const TemporaryFolder& folder, const std::string& scene) {
+  save_text(folder / "scene.json", scene);
+  return compared_file(folder, "scene.json");
 }
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
@@ -83,18 +88,19 @@ TEST_CASE("render and gl agree where nothing is wrong") {
 
 TEST_CASE("compare finds Phong where Blinn-Phong is asked for") {
   const TemporaryFolder folder;
-  const Finished found =
-      compared(folder, scene_with(R"("fragment_function": "blinn_phong", "fragment_shader_file_path": ")" +
-                                  lecture_shaders + "phong_fs.glsl\", " + plastic));
+  const Finished found = compared_file(folder, wrong_shaders + "highlight.json");
   CHECK_MESSAGE(found.exit_code == 1, found.out);
+  const Finished none = compared(folder, scene_with(R"("fragment_function": "phong", "fragment_shader_file_path": ")" +
+                                                    lecture_shaders + "phong_fs.glsl\", " + plastic));
+  CHECK_MESSAGE(none.exit_code == 0, none.out);
 }
 
 TEST_CASE("compare finds normals that are transformed like positions, on an object that is stretched") {
   const TemporaryFolder folder;
   const std::string right = text_of(lecture_shaders + "vertex.glsl");
-  save_text(folder / "vertex.glsl", replaced(right, "mat3(transpose(inverse(model)))", "mat3(model)"));
-  const Finished found = compared(
-      folder, scene_with(R"("fragment_function": "phong", "vertex_shader_file_path": "vertex.glsl", )" + plastic));
+  REQUIRE(replaced(right, "mat3(transpose(inverse(model)))", "mat3(model)") ==
+          text_of(wrong_shaders + "normals_vs.glsl"));
+  const Finished found = compared_file(folder, wrong_shaders + "normals.json");
   CHECK_MESSAGE(found.exit_code == 1, found.out);
   save_text(folder / "vertex.glsl", right);
   const Finished none = compared(
@@ -104,16 +110,17 @@ TEST_CASE("compare finds normals that are transformed like positions, on an obje
 
 TEST_CASE("compare finds a measured BRDF that is cut off at phi_d = 0 instead of going on at pi") {
   const TemporaryFolder folder;
-  REQUIRE(run_program(folder.path, {"merl", "synth", "brass-like", "-o", "brass.binary"}).exit_code == 0);
-  const std::string scene = scene_with(R"("fragment_function": "merl", "fragment_shader_file_path": "merl_fs.glsl",
-    "material": {"brdf_file_path": "brass.binary"})");
   const std::string right = text_of(std::string(REFRASTER_SOURCE_DIR) + "/tests/gl/merl_fs.glsl");
-  save_text(folder / "merl_fs.glsl", right);
-  const Finished none = compared(folder, scene);
-  CHECK_MESSAGE(none.exit_code == 0, none.out);
-  save_text(folder / "merl_fs.glsl", replaced(right, "if (phi_d < 0.0) phi_d += pi;", "phi_d = max(phi_d, 0.0);"));
-  const Finished found = compared(folder, scene);
+  REQUIRE(replaced(right, "if (phi_d < 0.0) phi_d += pi;", "phi_d = max(phi_d, 0.0);") ==
+          text_of(wrong_shaders + "phi_d_fs.glsl"));
+  const Finished found = compared_file(folder, wrong_shaders + "phi_d.json");
   CHECK_MESSAGE(found.exit_code == 1, found.out);
+  REQUIRE(run_program(folder.path, {"merl", "synth", "brass-like", "-o", "brass.binary"}).exit_code == 0);
+  save_text(folder / "merl_fs.glsl", right);
+  const Finished none =
+      compared(folder, scene_with(R"("fragment_function": "merl", "fragment_shader_file_path": "merl_fs.glsl",
+    "material": {"brdf_file_path": "brass.binary"})"));
+  CHECK_MESSAGE(none.exit_code == 0, none.out);
 }
 
 TEST_CASE("a line for each object says whose shaders draw it") {

@@ -154,7 +154,7 @@ TEST_CASE("the logs of other compilers are understood") {
     const LogLine parsed = parse_log_line(line);
     return std::tuple(parsed.line, parsed.column, parsed.message);
   };
-  CHECK(place("0:12(5): error: syntax error") == std::tuple(12, 5, "error: syntax error"));
+  CHECK(place("0:12(5): error: syntax error") == std::tuple(12, 5, "syntax error"));
   CHECK(place("0(7) : error C0000: syntax error") == std::tuple(7, 0, "error C0000: syntax error"));
   CHECK(place("ERROR: 0:31: 'x' : undeclared identifier") == std::tuple(31, 0, "'x' : undeclared identifier"));
   CHECK(place("internal error") == std::tuple(0, 0, "internal error"));

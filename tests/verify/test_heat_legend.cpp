@@ -33,6 +33,14 @@ TEST_CASE("the legend is below the heat image, which stays as it is") {
   CHECK(std::equal(heat.values.begin(), heat.values.end(), image.values.begin()));
 }
 
+TEST_CASE("the strip grows with the image, so that its letters can be read") {
+  const auto strip_height = [](int width) {
+    return with_legend(Image<std::uint8_t>(width, 1, 3), comparison(10)).height - 1;
+  };
+  CHECK(strip_height(1279) == strip_height(100));
+  CHECK(strip_height(1280) == 2 * strip_height(100));
+}
+
 TEST_CASE("a narrow image is filled up, pixel by pixel as it is") {
   const Image<std::uint8_t> image = with_legend(Image<std::uint8_t>(2, 2, 3, 77), comparison(1));
   REQUIRE(image.width > 2);

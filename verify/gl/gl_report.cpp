@@ -46,7 +46,7 @@ std::string gl_report_json(const std::string& scene, const GlOptions& options, c
   json.key("environment"); // what changes how fast Mesa's software drivers are
   json.begin_object();
   for (const char* const name :
-       {"GALLIUM_DRIVER", "LIBGL_ALWAYS_SOFTWARE", "LP_NUM_THREADS", "LP_NATIVE_VECTOR_WIDTH"}) {
+       {"GALLIUM_DRIVER", "LIBGL_ALWAYS_SOFTWARE", "LP_NUM_THREADS", "LP_NATIVE_VECTOR_WIDTH", "GALLIVM_PERF"}) {
     json.key(name);
     if (const char* const value = std::getenv(name)) json.value(value);
     else json.null();

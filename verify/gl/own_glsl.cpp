@@ -32,24 +32,34 @@ void define(std::ostream& text, std::string_view name, bool wanted) {
   if (wanted) text << "#define " << name << "\n";
 }
 
-std::string_view define_model(std::ostream& text, const PhongParameters& model, const Material& material) {
+void define_model(std::ostream& text, const PhongParameters& model, const Material& material, MerlFilter) {
   define(text, "TEXTURED", material.texture != nullptr);
   define(text, "SPECULAR", model.ks != Double3(0));
   define(text, "ZERO_GLOSSINESS", model.glossiness == 0);
   define(text, "SPECULAR_GATE", model.specular_gate == SpecularGate::cut_below_horizon);
   define(text, "BLINN", std::holds_alternative<BlinnPhong>(material.model));
-  return glsl_text.phong;
 }
 
-std::string_view define_model(std::ostream& text, const Merl& model, MerlFilter filter) {
+void define_model(std::ostream& text, const Merl& model, const Material&, MerlFilter filter) {
   define_choice(text, "MERL_LOOKUP", "LOOKUP_", model.lookup);
   define_choice(text, "MERL_ANGLES", "ANGLES_", model.angles);
   define(text, "MERL_HARDWARE_FILTER", filter == MerlFilter::hardware);
   text << "#define MERL_LOG_EPSILON " << std::showpoint << MerlTable::log_epsilon << "\n";
-  return glsl_text.merl;
+}
+
+/// The part of glsl_text; none of a fragment function that was added since.
+template <class Model>
+std::string_view formulas_of(const Model&) {
+  if constexpr (std::is_same_v<Model, Phong> || std::is_same_v<Model, BlinnPhong>) return glsl_text.phong;
+  if constexpr (std::is_same_v<Model, Merl>) return glsl_text.merl;
+  return {};
 }
 
 } // namespace
+
+bool has_own_glsl(const Material& material) {
+  return std::visit([](const auto& model) { return !formulas_of(model).empty(); }, material.model);
+}
 
 bool reads_logarithms(MerlLookup lookup) {
   return lookup == MerlLookup::trilinear_log || lookup == MerlLookup::tricubic_log;
@@ -64,16 +74,13 @@ std::string own_fragment_glsl(const Scene& scene, const Material& material, Merl
   text << version(dialect);
   text << "#define POINT_LIGHTS " << scene.point_lights.size() << "\n";
   text << "#define DIRECTION_LIGHTS " << scene.direction_lights.size() << "\n";
-  const Merl* const merl = std::get_if<Merl>(&material.model);
-  const std::string_view formulas =
-      merl ? define_model(text, *merl, filter)
-           : std::visit(
-                 [&](const auto& model) {
-                   if constexpr (std::is_base_of_v<PhongParameters, std::decay_t<decltype(model)>>)
-                     return define_model(text, model, material);
-                   return std::string_view();
-                 },
-                 material.model);
+  const std::string_view formulas = std::visit(
+      [&](const auto& model) {
+        if constexpr (requires { define_model(text, model, material, filter); })
+          define_model(text, model, material, filter);
+        return formulas_of(model);
+      },
+      material.model);
   text << glsl_text.surface << formulas << glsl_text.main;
   return text.str();
 }

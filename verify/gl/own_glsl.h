@@ -20,6 +20,9 @@ enum class GlslDialect { core_330, es_300 };
 
 std::string own_vertex_glsl(GlslDialect dialect);
 
+/// Whether there is GLSL of ours for this fragment function.
+bool has_own_glsl(const Material& material);
+
 /// For one object's material under the scene's lights: how many lights there are, whether there is a texture, how a
 /// table is read, is compiled in, so that no pixel pays for what the scene does not use.
 std::string own_fragment_glsl(const Scene& scene, const Material& material, MerlFilter filter, GlslDialect dialect);

@@ -1,5 +1,6 @@
 #include "verify/gl/shader_choice.h"
 
+#include "io/input_error.h"
 #include "io/input_file.h"
 #include "verify/gl/own_glsl.h"
 
@@ -37,6 +38,11 @@ std::pair<ShaderText, std::string> choose(const std::string& path, std::string o
 
 ShaderChoice choose_shaders(const Scene& scene, const Object& object, MerlFilter filter, int newest_version) {
   const std::string_view model = std::visit([](const auto& m) { return m.name; }, object.material.model);
+  if (std::error_code ignored;
+      !has_own_glsl(object.material) && !std::filesystem::exists(object.fragment_shader_path, ignored))
+    throw InputError({object.name, 0, 0, "/fragment_shader_file_path",
+                      object.fragment_shader_path.empty() ? "none" : "no file " + object.fragment_shader_path,
+                      "a GLSL file: there is none of ours of " + std::string(model)});
   const auto [vertex, vertex_from] =
       choose(object.vertex_shader_path, own_vertex_glsl(GlslDialect::core_330), "our vertex shader", newest_version);
   const auto [fragment, fragment_from] =
