@@ -119,6 +119,16 @@ struct NumberTraits<Wide<F, N, A>> {
   static constexpr int lanes = N;
 };
 
+struct Half; // math/half.h
+template <int N>
+struct NumberTraits<Wide<float, N, Arithmetic::quick>> {
+  using Real = float;
+  using TableReal = Half;
+  using Mask = WideMask<float, N>;
+  using Index = WideIndex<N>;
+  static constexpr int lanes = N;
+};
+
 template <class F, int N, Arithmetic A>
 Wide<F, N, A> select(WideMask<F, N> m, Wide<F, N, A> x, Wide<F, N, A> y) {
   if constexpr (registers::has_mask<F, N>) return VectorOf<F, N>(registers::select(m.m, x.v, y.v));

@@ -48,10 +48,9 @@ void list_runs(const TileVisibility& visibility, const Crop& tile, int samples, 
 template <class Real>
 void TileSurfaces<Real>::set_up(const Scene& scene, const Geometry& geometry, const Bins& bins,
                                 std::span<const std::uint32_t> triangles) {
-  surfaces_.clear();
-  uncommon_lines_ = {};
   groups_.clear();
   next_.clear();
+  visible_.clear();
   surface_of_.resize(triangles.size());
   TriangleCursor cursor(scene, geometry);
   std::uint32_t runs = 0;
@@ -59,13 +58,26 @@ void TileSurfaces<Real>::set_up(const Scene& scene, const Geometry& geometry, co
     const Seen seen = seen_[place];
     if (seen.runs == 0) continue;
     const TriangleRef ref = cursor.at(triangles[place]);
-    surface_of_[place] = static_cast<std::int32_t>(surfaces_.size());
-    set_up_surface<Real>(scene, geometry, bins, triangles[place], ref, surfaces_.emplace_back(), uncommon_lines_);
+    surface_of_[place] = static_cast<std::int32_t>(visible_.size());
+    visible_.push_back({ref, triangles[place]});
     if (groups_.empty() || groups_.back().object != ref.object) groups_.push_back({ref.object, runs, runs, 0});
     next_.push_back(runs);
     runs += seen.runs;
     groups_.back().end_run = runs;
     groups_.back().fragments += seen.fragments;
+  }
+
+  uncommon_lines_ = {};
+  surfaces_.resize(visible_.size());
+  constexpr std::size_t ahead = 8; // vertices come from far: asked for while others are worked on
+  for (std::size_t i = 0; i < visible_.size(); ++i) {
+    if (i + ahead < visible_.size())
+      for (const std::uint32_t vertex : visible_[i + ahead].ref.vertex) {
+        __builtin_prefetch(&geometry.world[vertex]);
+        __builtin_prefetch(&geometry.window.placed[vertex]);
+        __builtin_prefetch(&geometry.window.inverse_w[vertex]);
+      }
+    set_up_surface<Real>(scene, geometry, bins, visible_[i].number, visible_[i].ref, surfaces_[i], uncommon_lines_);
   }
 }
 

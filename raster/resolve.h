@@ -117,7 +117,8 @@ private:
     const Rgb<Real> background = as<Real>(context.scene.background);
     const auto put = [](Value* at, const Rgb<Real>& rgb) {
       using Narrow = std::conditional_t<sizeof(Value) < sizeof(Real), Value, Real>;
-      constexpr Real largest = static_cast<Real>(std::numeric_limits<Narrow>::max()); // a finite double may lie beyond a float's
+      constexpr Real largest =
+          static_cast<Real>(std::numeric_limits<Narrow>::max()); // a finite double may lie beyond a float's
       for (int c = 0; c < 3; ++c) at[c] = static_cast<Value>(minimum(maximum(rgb[c], -largest), largest));
     };
     for (int y = 0; y < tile.height; ++y)

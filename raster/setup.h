@@ -33,13 +33,11 @@ struct SnappedTriangle {
   }
 };
 
-/// The weights of perspective interpolation, in the order of `corner`: attribute f at a sample = sum of mu_k f_k / sum
-/// of mu_k with mu_k = line[k].at(sample) weight[k]. 0 < weight <= 1.
-inline std::array<double, 3> perspective_weights(const std::array<WindowVertex, 3>& v,
-                                                 const std::array<std::uint8_t, 3>& corner) {
-  const std::array<double, 3> w{v[corner[0]].inverse_w, v[corner[1]].inverse_w, v[corner[2]].inverse_w};
-  const double nearest = std::max(w[0], std::max(w[1], w[2]));
-  return {w[0] / nearest, w[1] / nearest, w[2] / nearest};
+/// The weights of perspective interpolation, from 1 / w > 0 of the corners: attribute f at a sample = sum of mu_k f_k /
+/// sum of mu_k with mu_k = line[k].at(sample) weight[k]. 0 < weight <= 1.
+inline std::array<double, 3> perspective_weights(const std::array<double, 3>& inverse_w) {
+  const double nearest = std::max(inverse_w[0], std::max(inverse_w[1], inverse_w[2]));
+  return {inverse_w[0] / nearest, inverse_w[1] / nearest, inverse_w[2] / nearest};
 }
 
 /// Part of a triangle with a corner at or behind the eye plane, or beyond the guard band: a triangle all of whose

@@ -21,12 +21,11 @@ constexpr double least_weight = sizeof(Real) == 4 ? 0x1p-70 : 0x1p-900;
 
 // Which submitted vertex stands at each place: in the order of set_up_snapped, by x and then y. Keys hold both, and the
 // corner's number, so that no branch is needed: the order of corners is as good as random.
-[[gnu::always_inline]] inline std::array<std::uint8_t, 3> sorted_corners(const std::array<WindowVertex, 3>& v) {
+[[gnu::always_inline]] inline std::array<std::uint8_t, 3> sorted_corners(const PlacedVertex& v0, const PlacedVertex& v1,
+                                                                         const PlacedVertex& v2) {
   constexpr std::int64_t bias = std::int64_t{1} << 25; // both in [-2^24, 2^24]
-  const auto key = [&](std::size_t k) {
-    return (v[k].x + bias) << 32 | (v[k].y + bias) << 2 | static_cast<std::int64_t>(k);
-  };
-  const std::int64_t k0 = key(0), k1 = key(1), k2 = key(2);
+  const auto key = [](const PlacedVertex& v, std::int64_t k) { return (v.x() + bias) << 32 | (v.y() + bias) << 2 | k; };
+  const std::int64_t k0 = key(v0, 0), k1 = key(v1, 1), k2 = key(v2, 2);
   const std::int64_t low = std::min(k0, k1), high = std::max(k0, k1), most = std::max(high, k2);
   const std::int64_t middle = std::max(low, std::min(high, k2)), least = std::min(low, k2);
   const auto corner = [](std::int64_t k) { return static_cast<std::uint8_t>(k & 3); };
@@ -38,15 +37,15 @@ struct AreaAndLines {
   std::int64_t area = 0;
   std::array<SnappedLine, 3> line;
 };
-[[gnu::always_inline]] inline AreaAndLines lines_between(const WindowVertex& p0, const WindowVertex& p1,
-                                                         const WindowVertex& p2) {
+[[gnu::always_inline]] inline AreaAndLines lines_between(const PlacedVertex& p0, const PlacedVertex& p1,
+                                                         const PlacedVertex& p2) {
   AreaAndLines result;
-  const std::int64_t area =
-      static_cast<std::int64_t>(p1.x - p0.x) * (p2.y - p0.y) - static_cast<std::int64_t>(p2.x - p0.x) * (p1.y - p0.y);
+  const std::int64_t area = static_cast<std::int64_t>(p1.x() - p0.x()) * (p2.y() - p0.y()) -
+                            static_cast<std::int64_t>(p2.x() - p0.x()) * (p1.y() - p0.y());
   const int sign = area > 0 ? 1 : -1;
-  const auto line = [sign](const WindowVertex& p, const WindowVertex& q) {
-    SnappedLine l{sign * (p.y - q.y), sign * (q.x - p.x), 0};
-    l.c = -(l.a * p.x + l.b * p.y);
+  const auto line = [sign](const PlacedVertex& p, const PlacedVertex& q) {
+    SnappedLine l{sign * (p.y() - q.y()), sign * (q.x() - p.x()), 0};
+    l.c = -(l.a * p.x() + l.b * p.y());
     return l;
   };
   return {sign * area, {line(p1, p2), line(p2, p0), line(p0, p1)}};
@@ -134,21 +133,28 @@ UvComponent uv_component(const Mesh& mesh, const std::array<std::uint32_t, 3>& v
 template <class Real>
 void set_up_surface(const Scene& scene, const Geometry& geometry, const Bins& bins, std::uint32_t number,
                     const TriangleRef& ref, SurfaceTriangle<Real>& t, UncommonLines& uncommon) {
-  const std::array<WindowVertex, 3> v = window_corners(geometry, ref);
+  const PlacedVertex &v0 = geometry.window.placed[ref.vertex[0]], &v1 = geometry.window.placed[ref.vertex[1]],
+                     &v2 = geometry.window.placed[ref.vertex[2]];
   t.object = ref.object;
   t.number = number;
 
   std::array<std::uint8_t, 3> corner{};
   std::array<double, 3> weight{1, 1, 1}; // projective: line values bring their weights
-  if ((v[0].outcode | v[1].outcode | v[2].outcode) & outcode::unsnapped) [[unlikely]] {
+  if ((v0.outcode() | v1.outcode() | v2.outcode()) & outcode::unsnapped) [[unlikely]] {
     const ProjectiveTriangle& set_up = bins.projective_triangle(number);
+    t.large = nullptr;
     t.projective = &uncommon.projective.emplace_back(set_up);
     corner = set_up.corner;
   } else {
-    corner = sorted_corners(v);
-    const AreaAndLines set_up = lines_between(v[corner[0]], v[corner[1]], v[corner[2]]);
-    weight = perspective_weights(v, corner);
+    corner = sorted_corners(v0, v1, v2);
+    const auto placed = [&](std::size_t k) -> const PlacedVertex& {
+      return geometry.window.placed[ref.vertex[corner[k]]];
+    };
+    const AreaAndLines set_up = lines_between(placed(0), placed(1), placed(2));
+    const auto inverse_w = [&](std::size_t k) { return geometry.window.inverse_w[ref.vertex[corner[k]]]; };
+    weight = perspective_weights({inverse_w(0), inverse_w(1), inverse_w(2)});
     for (double& w : weight) w = w < least_weight<Real> ? 0 : w;
+    t.large = nullptr, t.projective = nullptr;
     if (wraps(set_up)) {
       for (std::size_t k = 0; k < 3; ++k) {
         const SnappedLine& l = set_up.line[k];
