@@ -18,7 +18,7 @@ struct SceneTask {
   std::vector<std::string> rungs;
   std::vector<int> threads; // at least one
   Marginals marginals = Marginals::measured;
-  std::optional<GlRenderer> opengl; // draws too; with one sample a pixel
+  std::optional<GlRenderer> opengl = {}; // draws too; with one sample a pixel
 };
 
 /// Timings only; RungError comes from elsewhere. Throws NoOpenGl, before any frame of ours. After `rounds.stop` became

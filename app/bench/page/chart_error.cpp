@@ -4,6 +4,7 @@
 #include "app/bench/page/svg.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace refraster::bench {
 namespace {
@@ -26,7 +27,7 @@ std::vector<Place> places(const Run& run) {
                                       [&](const RungError& e) { return e.rung == result.rung; });
       if (error == scene.errors.end() || error->against_oracle.followed == 0) continue;
       const double ns = result.frame_ms.median * 1e6 / scene.shaded(), mean = error->against_oracle.mean_relative;
-      if (!(mean > 0)) continue; // a logarithm has no place for it
+      if (!(mean > 0 && ns < std::numeric_limits<double>::infinity())) continue; // nothing that has a logarithm
       all.push_back({s, place_of(rungs, result.rung), ns, mean,
                      format("%s, %s: %.3g ns, %.2g", short_name(scene.scene).c_str(), result.rung.c_str(), ns, mean)});
     }

@@ -56,9 +56,11 @@ std::string splits_section(const Run& run) {
     content += "<span class=\"part" + std::to_string(number++) + "\">" + words + "</span>";
   }
   content += "</div>\n";
-  for (const SceneResult& scene : run.scenes)
+  for (const SceneResult& scene : run.scenes) {
+    if (scene.counts.shaded == 0) continue; // no pixel that its time could go to
     content +=
         "<h3>" + escaped(short_name(scene.scene)) + "</h3>\n<div class=\"wide\">" + split_chart(scene) + "</div>\n";
+  }
   return section(
       "Where a pixel's time goes",
       "Wall time of a frame by shaded pixel. Interpolation is what a frame without lights spends in shading; "

@@ -61,7 +61,7 @@ std::vector<Tick> logarithmic_ticks(double least, double most) {
 }
 
 std::vector<Tick> linear_ticks(double least, double most, double smallest_step) {
-  const double step = std::max(round_step(std::max(most - least, 1e-300), 5), smallest_step);
+  const double step = std::max(round_step(most - least, 5), smallest_step);
   const double first = std::floor(least / step + 1e-9), last = std::ceil(most / step - 1e-9);
   std::vector<Tick> ticks;
   for (double i = first; i <= std::max(last, first + 1); ++i) ticks.push_back({i * step, format("%g", i * step)});
@@ -71,6 +71,8 @@ std::vector<Tick> linear_ticks(double least, double most, double smallest_step) 
 } // namespace
 
 Scale Scale::around(Kind kind, double least, double most, double a, double b) {
+  if (!(std::isfinite(least) && std::isfinite(most) && least <= most)) least = 1, most = 2; // nothing to be shown
+  if (least == most && kind != Kind::logarithmic) most += std::max(std::abs(most), 1.0);
   Scale scale;
   scale.kind_ = kind;
   scale.a_ = a, scale.b_ = b;

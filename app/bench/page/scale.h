@@ -21,7 +21,7 @@ public:
     logarithmic
   };
 
-  /// Covers least..most, and the round numbers around them. Logarithmic: both > 0.
+  /// Covers least..most, and the round numbers around them; 1..2 if they are no range. Logarithmic: both > 0.
   static Scale around(Kind kind, double least, double most, double a, double b);
 
   double operator()(double value) const;
