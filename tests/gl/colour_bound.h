@@ -16,7 +16,7 @@ inline constexpr double our_lattice = 1.0 / subpixels; // pixels: the step to wh
 struct DriverTolerances {
   double lattice = our_lattice;
   double plane_ulp = 6;    // of plane equations anchored at the framebuffer's origin
-  double atan_ulp = 348;   // of atan(y, x)
+  double atan_ulp = 352;   // of atan(y, x)
   double power_ulp = 2.1;  // of pow(x, s), for each unit of s; and 16 beside
   double texel_error = 0;  // of a filtered texel, in units of the texture's full scale
   double detail_below = 0; // the level of detail, in levels of the mip chain: so much less

@@ -86,6 +86,28 @@ TEST_CASE("render and gl agree where nothing is wrong") {
   }
 }
 
+TEST_CASE("the example of docs/glsl-interface.md draws what render draws, without a warning") {
+  const TemporaryFolder folder;
+  std::string page = text_of(std::string(REFRASTER_SOURCE_DIR) + "/docs/glsl-interface.md");
+  const auto next_block = [&](const std::string& language, const std::string& file) {
+    const std::string opening = "\n```" + language + "\n", closing = "\n```\n";
+    const std::size_t begin = page.find(opening) + opening.size(), end = page.find(closing, begin);
+    REQUIRE(begin < end);
+    save_text(folder / file, page.substr(begin, end + 1 - begin));
+    page.erase(0, end + closing.size());
+  };
+  page.erase(0, page.find("## A complete example"));
+  next_block("glsl", "vertex.glsl");
+  next_block("glsl", "diffuse.glsl");
+  next_block("json", "scene.json");
+  CHECK(text_of(folder / "vertex.glsl") == text_of(lecture_shaders + "vertex.glsl"));
+  const Finished run =
+      run_program(folder.path, {"gl", "scene.json", "-o", "gl.png", "--size", "32x24", "--renderer", "llvmpipe"});
+  CHECK(run.err == "torus: vertex shader vertex.glsl, fragment shader of phong diffuse.glsl\n");
+  const Finished found = compared_file(folder, "scene.json");
+  CHECK_MESSAGE(found.exit_code == 0, found.out);
+}
+
 TEST_CASE("compare finds Phong where Blinn-Phong is asked for") {
   const TemporaryFolder folder;
   const Finished found = compared_file(folder, wrong_shaders + "highlight.json");

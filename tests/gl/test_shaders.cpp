@@ -171,15 +171,6 @@ TEST_CASE("shaders that do not fit each other are told with both names") {
   CHECK_THROWS_WITH_AS(through_gl(scene), doctest::Contains(("our vertex shader + " + path).c_str()), InputError);
 }
 
-TEST_CASE("the example of docs/glsl-interface.md draws without a warning") {
-  const std::string page = text_of(std::string(REFRASTER_SOURCE_DIR) + "/docs/glsl-interface.md");
-  const std::size_t begin = page.find("```glsl\n") + 8, end = page.find("```", begin);
-  REQUIRE(begin < end);
-  const GlFrame frame = with_fragment_shader(ball(Phong{}), page.substr(begin, end - begin));
-  CHECK(frame.warnings.empty());
-  CHECK(frame.radiance.at(80, 40)[0] > 0.1f); // lit from above
-}
-
 TEST_CASE("our GLSL compiles for every fragment function, lookup, angle method and filter") {
   const std::shared_ptr<const MerlTable> table(new MerlTable(merl_table_from(Lambert{})));
   for (const auto& [lookup, lookup_name] : EnumNames<MerlLookup>::names)
