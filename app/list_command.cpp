@@ -4,8 +4,11 @@
 #include "io/scene_file.h"
 #include "math/rungs.h"
 #include "shading/models.h"
+#include "shading/precision_bounds.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <iostream>
 #include <type_traits>
 
@@ -52,11 +55,37 @@ void print_models(const std::variant<Models...>*) {
   (print_model<Models>(), ...);
 }
 
+std::string digits(double x) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.2g", x);
+  return text.data();
+}
+
+/// "phong 9.5e-07, …": how far each fragment function may be from double.
+template <class Rung>
+std::string stated_errors() {
+  std::string text;
+  const auto add = [&](std::string_view model, double error) {
+    text.append(text.empty() ? "" : ", ").append(model).append(" ").append(digits(error));
+  };
+  if constexpr (std::is_same_v<Rung, FloatRung>) {
+    for (const PrecisionBound& bound : precision_bounds)
+      if (bound.inputs == "ordinary") add(bound.model, bound.float_from_double);
+  } else if constexpr (std::is_same_v<Rung, FastRung>) {
+    for (const FastBound& bound : fast_bounds) add(bound.model, bound.max);
+  }
+  return text;
+}
+
 template <class... Rung>
 void print_rungs(const std::tuple<Rung...>*) {
-  ((std::cout << padded(Rung::name, 8) << Rung::purpose << "; " << NumberTraits<typename Rung::Number>::lanes
-              << " lanes here\n"),
-   ...);
+  const auto print = []<class R>(R) {
+    std::cout << padded(R::name, 8) << R::purpose << "; " << NumberTraits<typename R::Number>::lanes << " lanes here\n";
+    if (const std::string errors = stated_errors<R>(); !errors.empty())
+      std::cout << padded("", 8) << "at most from double: " << errors << "\n";
+  };
+  (print(Rung{}), ...);
+  std::cout << "Errors are of the radiance from a light of radiance 1, in ordinary directions; docs/precision.md.\n";
 }
 
 } // namespace

@@ -60,6 +60,23 @@ int float_difference(const Scene& scene, int width, int height) {
   return most;
 }
 
+/// What 999 of 1000 values of a fast image keep to, as difference from double in levels of an 8-bit image.
+double fast_difference(const Scene& scene, int width, int height) {
+  RenderOptions options;
+  options.width = width, options.height = height;
+  options.want_levels = false, options.want_radiance = true;
+  const Frame reference = render(scene, options);
+  options.rung = "fast";
+  const Frame quick = render(scene, options);
+  std::vector<double> levels;
+  const auto level = [](float x) { return 255 * std::clamp(static_cast<double>(x), 0.0, 1.0); };
+  for (std::size_t i = 0; i < reference.radiance.values.size(); ++i)
+    levels.push_back(std::abs(level(reference.radiance.values[i]) - level(quick.radiance.values[i])));
+  const auto place = levels.begin() + static_cast<std::ptrdiff_t>(levels.size() / 1000 * 999);
+  std::nth_element(levels.begin(), place, levels.end());
+  return *place;
+}
+
 /// Each law is checked on the scenes that are quickly read in every run, and on all in the slow suite.
 template <class Law>
 void for_scenes(const std::vector<std::string>& paths, const Law& law) {
@@ -70,7 +87,7 @@ void for_scenes(const std::vector<std::string>& paths, const Law& law) {
 }
 
 void check_finite(const Scene& scene) {
-  for (const std::string_view rung : {"double", "float"}) {
+  for (const std::string_view rung : {"double", "float", "fast"}) {
     const Frame frame = render(scene, everything(160, 90, rung));
     const auto finite = [](const Image<float>& image) {
       return std::all_of(image.values.begin(), image.values.end(), [](float x) { return std::isfinite(x); });
@@ -94,12 +111,16 @@ void check_crop(const Scene& scene, const Frame& whole_frame, RenderOptions opti
 
 } // namespace
 
-TEST_CASE("every value of an image is a finite number, in double and in float") {
+TEST_CASE("every value of an image is a finite number, in every rung") {
   for_scenes(quick_scenes(), check_finite);
 }
 
 TEST_CASE("no pixel of a float image is more than one level from the double image") {
   for_scenes(quick_scenes(), [](const Scene& scene) { CHECK(float_difference(scene, 320, 180) <= 1); });
+}
+
+TEST_CASE("999 of 1000 values of a fast image are within half a level of double") {
+  for_scenes(quick_scenes(), [](const Scene& scene) { CHECK(fast_difference(scene, 320, 180) <= 0.5); });
 }
 
 TEST_CASE("threads and tiles change no bit, and a crop is a part of the whole image") {
@@ -169,6 +190,10 @@ TEST_SUITE("slow") {
 
   TEST_CASE("at full size, no pixel of a float image is more than one level from the double image") {
     for_scenes(listed_scenes(), [](const Scene& scene) { CHECK(float_difference(scene, 1280, 720) <= 1); });
+  }
+
+  TEST_CASE("at full size, 999 of 1000 values of a fast image are within half a level of double") {
+    for_scenes(listed_scenes(), [](const Scene& scene) { CHECK(fast_difference(scene, 1280, 720) <= 0.5); });
   }
 
   TEST_CASE("every thread count with every tile size gives the same bits, in double and in float") {
