@@ -263,7 +263,7 @@ template <class F, int N>
 std::uint32_t lane_set(WideMask<F, N> m) {
   if constexpr (registers::has_mask<F, N>) {
     return m.m;
-  } else if constexpr (requires { registers::sign_bits(std::bit_cast<VectorOf<F, N>>(m.m)); }) {
+  } else if constexpr (requires(VectorOf<F, N> v) { registers::sign_bits(v); }) {
     return registers::sign_bits(std::bit_cast<VectorOf<F, N>>(m.m));
   } else {
     std::uint32_t set = 0;

@@ -31,9 +31,11 @@ using Ints = VectorOf<std::int32_t, lanes>; // a triangle in each lane
 using LaneSet = std::uint32_t;              // a bit for each lane
 
 // The lanes in which x is negative, as true is.
-LaneSet set_where(const Ints& x) {
-  if constexpr (requires { registers::sign_bits(std::bit_cast<VectorOf<float, lanes>>(x)); }) {
-    return registers::sign_bits(std::bit_cast<VectorOf<float, lanes>>(x));
+template <class V>
+LaneSet set_where(const V& x) {
+  using Floats = VectorOf<float, sizeof(V) / sizeof(float)>;
+  if constexpr (requires(Floats v) { registers::sign_bits(v); }) {
+    return registers::sign_bits(std::bit_cast<Floats>(x));
   } else {
     LaneSet set = 0;
     for (int lane = 0; lane < lanes; ++lane) set |= (x[lane] < 0 ? 1u : 0u) << lane;
