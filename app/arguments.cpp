@@ -53,6 +53,16 @@ std::optional<Size> size_from(std::string_view text) {
   return Size{(*numbers)[0], (*numbers)[1]};
 }
 
+std::optional<std::vector<Size>> sizes_from(std::string_view text) {
+  std::vector<Size> sizes;
+  for (const std::string_view part : split(text, ',')) {
+    const std::optional<Size> size = size_from(part);
+    if (!size || std::find(sizes.begin(), sizes.end(), *size) != sizes.end()) return std::nullopt;
+    sizes.push_back(*size);
+  }
+  return sizes;
+}
+
 std::optional<Crop> crop_from(std::string_view text) {
   const auto numbers = numbers_from(text, ',', 4);
   if (!numbers || (*numbers)[2] < 1 || (*numbers)[3] < 1) return std::nullopt;

@@ -15,11 +15,15 @@ namespace refraster {
 
 struct Size {
   int width = 1280, height = 720;
+  bool operator==(const Size&) const = default;
 };
 inline constexpr int largest_side = 16384; // pixels; as RenderOptions allows
 
 /// "1280x720", each side 1 to largest_side.
 std::optional<Size> size_from(std::string_view text);
+
+/// "1280x720,1920x1080", each once.
+std::optional<std::vector<Size>> sizes_from(std::string_view text);
 
 /// "x,y,width,height", none negative, width and height at least 1.
 std::optional<Crop> crop_from(std::string_view text);

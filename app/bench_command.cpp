@@ -59,7 +59,7 @@ struct BenchArguments {
   std::vector<std::string> scenes, rungs;
   std::vector<int> threads;
   std::vector<GrowthRequest> scaling;
-  Size size;
+  std::vector<Size> sizes = {Size{}};
   int samples = 1, frames = 9;
   double seconds = 3;
   std::string gl = "llvmpipe", json, html;
@@ -111,11 +111,16 @@ public:
     }
   }
 
-  void add(const std::string& name, Scene scene) {
+  void add(const std::string& name, const Scene& scene) {
+    for (const Size& size : a_.sizes)
+      if (!interrupted()) add(name, scene, size);
+  }
+
+  void add(const std::string& name, const Scene& scene, const Size& size) {
     SceneTask task{.name = name,
-                   .scene = std::move(scene),
-                   .width = a_.size.width,
-                   .height = a_.size.height,
+                   .scene = scene,
+                   .width = size.width,
+                   .height = size.height,
                    .samples = a_.samples,
                    .rungs = a_.rungs,
                    .threads = a_.threads,
@@ -131,7 +136,7 @@ public:
   void add_scaling(const GrowthRequest& request) {
     ScalingTask task{.growth = request.growth,
                      .most = request.most,
-                     .size = {a_.size.width, a_.size.height},
+                     .size = {a_.sizes.front().width, a_.sizes.front().height},
                      .threads = a_.threads.front(),
                      .rungs = a_.rungs};
     const PinnedTeams teams;
@@ -215,8 +220,9 @@ void add_bench(CLI::App& program, Action& chosen) {
   command.add_option("scenes", a.scenes, "scene files; without one, a sphere that fills the image")
       ->type_name("SCENE")
       ->default_str("");
-  add_parsed_option(command, "--size", a.size, size_from, "WxH",
-                    "WIDTHxHEIGHT, each 1 to " + std::to_string(largest_side), "pixels of the image")
+  add_parsed_option(command, "--size", a.sizes, sizes_from, "WxH,…",
+                    "WIDTHxHEIGHT, each 1 to " + std::to_string(largest_side) + ", divided by commas, each once",
+                    "pixels of the image, or several sizes")
       ->default_str("1280x720");
   std::string listed;
   for (const std::string& name : rung_names()) listed += (listed.empty() ? "" : ",") + name;

@@ -9,11 +9,12 @@ class FrameMaker {
 public:
   /// Valid until the next call.
   const Frame& draw(const Scene& scene, const RenderOptions& options) {
-    frame_ = render(scene, options);
+    renderer_.render(scene, options, frame_);
     return frame_;
   }
 
 private:
+  Renderer renderer_;
   Frame frame_;
 };
 

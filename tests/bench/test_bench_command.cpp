@@ -99,6 +99,19 @@ TEST_CASE("what is left out is null or empty") {
   CHECK(json["scaling"].Empty());
 }
 
+TEST_CASE("several sizes are measured one after the other") {
+  const BallFolder folder;
+  const Finished run = run_program(folder.path, {"bench", "ball.json", "--size", "64x36,32x18", "--frames", "1",
+                                                 "--seconds", "0", "--gl", "none", "--rungs", "float", "--threads", "1",
+                                                 "--no-marginal", "--json", "a.json", "--html", "a.html"});
+  REQUIRE_MESSAGE(run.exit_code == 0, run.err);
+  const Json json = parsed(text_of(folder / "a.json"));
+  REQUIRE(json["results"].Size() == 2);
+  CHECK(json["results"][0]["size"][0].GetInt() == 64);
+  CHECK(json["results"][1]["size"][0].GetInt() == 32);
+  CHECK(holds(text_of(folder / "a.html"), "ball, 32 × 18"));
+}
+
 TEST_CASE("a scene that shows nothing is measured too") {
   const BallFolder folder;
   save_text(folder / "empty.json", empty_scene);

@@ -124,6 +124,8 @@ TEST_CASE("every wrong argument is answered with exit code 2, one line and a hin
       {"bench", "ball.json", "--rungs", "half"},
       {"bench", "ball.json", "--rungs", "float,float"},
       {"bench", "ball.json", "--rungs", ""},
+      {"bench", "ball.json", "--size", "64x36,64x36"},
+      {"bench", "ball.json", "--size", "64x36,"},
       {"bench", "ball.json", "--threads", "0"},
       {"bench", "ball.json", "--threads", "1,1"},
       {"bench", "ball.json", "--threads", "1,1025"},

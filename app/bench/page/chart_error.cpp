@@ -29,7 +29,7 @@ std::vector<Place> places(const Run& run) {
       const double ns = result.frame_ms.median * 1e6 / scene.shaded(), mean = error->against_oracle.mean_relative;
       if (!(mean > 0 && ns < std::numeric_limits<double>::infinity())) continue; // nothing that has a logarithm
       all.push_back({s, place_of(rungs, result.rung), ns, mean,
-                     format("%s, %s: %.3g ns, %.2g", short_name(scene.scene).c_str(), result.rung.c_str(), ns, mean)});
+                     format("%s, %s: %.3g ns, %.2g", label(run, scene).c_str(), result.rung.c_str(), ns, mean)});
     }
   }
   return all;

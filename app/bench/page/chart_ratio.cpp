@@ -18,7 +18,7 @@ std::string ratio_chart(const Run& run) {
   for (const SceneResult& scene : run.scenes)
     for (const OpenGlResult& opengl : scene.opengl) {
       Row& row = rows.emplace_back();
-      row.name = short_name(scene.scene) + format(", %d thread%s", opengl.threads, opengl.threads == 1 ? "" : "s");
+      row.name = label(run, scene) + format(", %d thread%s", opengl.threads, opengl.threads == 1 ? "" : "s");
       for (const RungResult& rung : scene.rungs) {
         if (rung.threads != opengl.threads || !rung.opengl_ratio) continue;
         row.results.push_back(&rung);

@@ -1,5 +1,7 @@
 #include "app/bench/page/charts.h"
 
+#include "app/bench/format.h"
+
 #include <algorithm>
 
 namespace refraster::bench {
@@ -19,10 +21,17 @@ std::size_t place_of(const std::vector<std::string>& rungs, const std::string& r
   return static_cast<std::size_t>(std::find(rungs.begin(), rungs.end(), rung) - rungs.begin());
 }
 
-std::string short_name(const std::string& scene) {
-  const std::size_t folder = scene.rfind('/');
-  const std::string name = folder == std::string::npos ? scene : scene.substr(folder + 1);
+std::string short_name(const SceneResult& scene) {
+  const std::size_t folder = scene.scene.rfind('/');
+  const std::string name = folder == std::string::npos ? scene.scene : scene.scene.substr(folder + 1);
   return name.ends_with(".json") ? name.substr(0, name.size() - 5) : name;
+}
+
+std::string label(const Run& run, const SceneResult& scene) {
+  const bool several = std::any_of(run.scenes.begin(), run.scenes.end(), [&](const SceneResult& other) {
+    return other.width != scene.width || other.height != scene.height;
+  });
+  return several ? short_name(scene) + format(", %d × %d", scene.width, scene.height) : short_name(scene);
 }
 
 } // namespace refraster::bench

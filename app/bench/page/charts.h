@@ -14,7 +14,9 @@ std::vector<std::string> rungs_of(const Run& run);
 std::size_t place_of(const std::vector<std::string>& rungs, const std::string& rung);
 
 /// A scene's path without folders and ending.
-std::string short_name(const std::string& scene);
+std::string short_name(const SceneResult& scene);
+/// The same, with its size where the run has several.
+std::string label(const Run& run, const SceneResult& scene);
 
 /// Mean relative error against the oracle, over ns a shaded pixel: a point for each scene and rung, those of a scene
 /// joined. Empty if there is no such error.

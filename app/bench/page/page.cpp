@@ -31,7 +31,7 @@ std::string scene_numbers(const Run& run) {
   if (run.scenes.size() < 2) return {};
   std::string list = "<p class=\"soft\">";
   for (std::size_t i = 0; i < run.scenes.size(); ++i)
-    list += (i == 0 ? "" : ", ") + std::to_string(i + 1) + " " + escaped(short_name(run.scenes[i].scene));
+    list += (i == 0 ? "" : ", ") + std::to_string(i + 1) + " " + escaped(label(run, run.scenes[i]));
   return list + "</p>\n";
 }
 
@@ -58,8 +58,7 @@ std::string splits_section(const Run& run) {
   content += "</div>\n";
   for (const SceneResult& scene : run.scenes) {
     if (scene.counts.shaded == 0) continue; // no pixel that its time could go to
-    content +=
-        "<h3>" + escaped(short_name(scene.scene)) + "</h3>\n<div class=\"wide\">" + split_chart(scene) + "</div>\n";
+    content += "<h3>" + escaped(label(run, scene)) + "</h3>\n<div class=\"wide\">" + split_chart(scene) + "</div>\n";
   }
   return section(
       "Where a pixel's time goes",

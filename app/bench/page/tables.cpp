@@ -48,7 +48,7 @@ std::string frames_table(const Run& run) {
                          const std::string& ratio) {
       const bool first = group == HtmlTable::Group::first;
       const double ns = frame.median * 1e6 / scene.shaded();
-      table.add({first ? short_name(scene.scene) : "", first ? format("%d × %d", scene.width, scene.height) : "", who,
+      table.add({first ? short_name(scene) : "", first ? format("%d × %d", scene.width, scene.height) : "", who,
                  std::to_string(threads), format("%.2f", frame.median), plus_minus(frame), format("%.2f", cpu.median),
                  three_digits(ns), three_digits(ns * run.machine.time_stamp_ghz), ratio},
                 group);
@@ -70,7 +70,7 @@ std::string errors_table(const Run& run) {
     auto group = HtmlTable::Group::first;
     for (const RungError& error : scene.errors) {
       const OracleError& oracle = error.against_oracle;
-      std::vector<std::string> row = {group == HtmlTable::Group::first ? short_name(scene.scene) : "", error.rung,
+      std::vector<std::string> row = {group == HtmlTable::Group::first ? label(run, scene) : "", error.rung,
                                       oracle.followed > 0 ? format("%.1e", oracle.mean_relative) : "–",
                                       oracle.followed > 0 ? format("%.1e", oracle.max_relative) : "–"};
       if (error.against_double) {
@@ -96,7 +96,7 @@ std::string costs_table(const Run& run) {
     auto group = HtmlTable::Group::first;
     for (const RungResult& rung : scene.rungs) {
       const auto row = [&](const std::string& what, const Spread& ns, const char* of) {
-        table.add({group == HtmlTable::Group::first ? short_name(scene.scene) : "", rung.rung, what, of,
+        table.add({group == HtmlTable::Group::first ? label(run, scene) : "", rung.rung, what, of,
                    three_digits(ns.median), three_digits(ns.lower), three_digits(ns.upper)},
                   group);
         group = HtmlTable::Group::same;
