@@ -173,22 +173,22 @@ TEST_CASE("shaders that do not fit each other are told with both names") {
 
 TEST_CASE("our GLSL compiles for every fragment function, lookup, angle method and filter") {
   const std::shared_ptr<const MerlTable> table(new MerlTable(merl_table_from(Lambert{})));
-  for (const auto& [lookup, lookup_name] : EnumNames<MerlLookup>::names)
-    for (const auto& [angles, angles_name] : EnumNames<MerlAngles>::names)
-      for (const auto& [filter, filter_name] : EnumNames<MerlFilter>::names) {
+  for (const auto& lookup : EnumNames<MerlLookup>::names)
+    for (const auto& angles : EnumNames<MerlAngles>::names)
+      for (const auto& filter : EnumNames<MerlFilter>::names) {
         Merl model;
         model.table = table;
-        model.lookup = lookup;
-        model.angles = angles;
+        model.lookup = lookup.first;
+        model.angles = angles.first;
         GlOptions options;
         options.width = options.height = 32;
         options.renderer = GlRenderer::llvmpipe;
-        options.merl_filter = filter;
+        options.merl_filter = filter.first;
         options.want_radiance = true;
         Scene scene = ball(model);
         scene.direction_lights.clear();
         const GlFrame frame = render_gl(scene, options);
-        INFO(lookup_name << ", " << angles_name << ", " << filter_name);
+        INFO(name_of(model.lookup) << ", " << name_of(model.angles) << ", " << name_of(options.merl_filter));
         CHECK(frame.warnings.empty());
         CHECK(frame.radiance.at(14, 14)[0] > 0.05f); // lit
       }
