@@ -77,7 +77,7 @@ T length(const Vec3<T>& a) {
 /// Whether squares can be added up as they are. Where they can, scaling by a power of two first would change no bit.
 template <class T>
 MaskOf<T> square_in_range(const T& squared_length) {
-  constexpr RealOf<T> far = sizeof(RealOf<T>) == 4 ? 0x1p40 : 0x1p400;
+  constexpr auto far = static_cast<RealOf<T>>(sizeof(RealOf<T>) == 4 ? 0x1p40 : 0x1p400);
   return (squared_length >= T(1 / far)) & (squared_length <= T(far));
 }
 

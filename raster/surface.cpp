@@ -39,7 +39,6 @@ struct AreaAndLines {
 };
 [[gnu::always_inline]] inline AreaAndLines lines_between(const PlacedVertex& p0, const PlacedVertex& p1,
                                                          const PlacedVertex& p2) {
-  AreaAndLines result;
   const std::int64_t area = static_cast<std::int64_t>(p1.x() - p0.x()) * (p2.y() - p0.y()) -
                             static_cast<std::int64_t>(p2.x() - p0.x()) * (p1.y() - p0.y());
   const int sign = area > 0 ? 1 : -1;
@@ -161,7 +160,7 @@ void set_up_surface(const Scene& scene, const Geometry& geometry, const Bins& bi
         t.line[k] = {static_cast<std::int32_t>(l.a), static_cast<std::int32_t>(l.b), static_cast<std::int32_t>(l.c)};
       }
     } else {
-      t.large = &uncommon.large.emplace_back(set_up.line);
+      t.large = &uncommon.large.emplace_back(LargeLines{set_up.line});
     }
   }
 

@@ -57,7 +57,7 @@ public:
 
   /// Empty lists. What they held is lost.
   void reset(std::size_t runs, std::size_t tiles);
-  Run& run(std::size_t i) { return runs_[i]; }
+  Run& run(std::size_t i);
 
   /// Calls body(span of entries) for the pieces of a tile's list.
   template <class Body>
@@ -100,6 +100,10 @@ private:
   std::vector<std::unique_ptr<TileEntry[]>> blocks_;
   std::size_t block_ = 0, used_ = 0; // where the next chunk goes
 };
+
+inline TileLists::Run& TileLists::run(std::size_t i) {
+  return runs_[i];
+}
 
 template <class Body>
 void TileLists::for_each_piece(std::size_t tile, Body&& body) const {

@@ -36,7 +36,8 @@ WindowLanes<T> window_lanes(const Vec4<T>& clip, int width, int height) {
   const auto finite = [](const T& c) { return magnitude(c) <= T(std::numeric_limits<double>::max()); };
   const auto one_where = [](auto m, double one) { return select(m, T(one), T(0.0)); };
   const T &w = clip.w, behind = -w;
-  const auto ok = finite(clip.x) & finite(clip.y) & finite(clip.z) & finite(w);
+  const auto x_ok = finite(clip.x), y_ok = finite(clip.y), z_ok = finite(clip.z), w_ok = finite(w);
+  const auto ok = x_ok & y_ok & z_ok & w_ok;
   const T sides = one_where(clip.x < behind, 1) + one_where(clip.x > w, 2) + one_where(clip.y < behind, 4) +
                   one_where(clip.y > w, 8) + one_where(clip.z < behind, 16) + one_where(clip.z > w, 32);
 
