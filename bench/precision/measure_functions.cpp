@@ -201,7 +201,7 @@ std::vector<FunctionRow> measure_functions(int trials) {
       atan2_bounds("every magnitude",
                    []<class F>(F, Random& r) -> Trial {
                      const F y = r.any_finite<F>(), x = r.any_finite<F>();
-                     if (std::abs(atan2(y, x)) < 4 * std::numeric_limits<F>::min()) return {0, ""}; // 2 ulp there
+                     if (std::abs(atan2(y, x)) < F(4 * least_wide_product<F>)) return {0, ""}; // 2 ulp there
                      return atan2_trial(y, x);
                    }),
       of_degrees(
