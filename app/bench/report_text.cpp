@@ -74,7 +74,6 @@ std::string costs(const SceneResult& scene) {
 }
 
 std::string errors(const SceneResult& scene) {
-  if (scene.errors.empty()) return "errors not measured: the image is too large\n";
   TextTable table({"error", "pixels", "max", "99.9%", "mean"});
   std::string more;
   for (const RungError& rung : scene.errors) {
@@ -89,50 +88,55 @@ std::string errors(const SceneResult& scene) {
       more += rung.rung + ": in 8 bits " + with_commas(error.off_by_one) + " pixels are off by one, " +
               with_commas(error.off_by_more) + " by more\n";
     }
-    {
-      const OracleError& error = rung.against_oracle;
-      if (error.followed > 0)
-        table.add({rung.rung + " against 60 digits, relative", with_commas(error.followed),
-                   three_digits(error.max_relative), none, three_digits(error.mean_relative)});
-      if (!error.reason.empty())
-        more += rung.rung + ": 60 digits follow " + with_commas(error.followed) + " of " + with_commas(error.asked) +
-                " pixels: " + error.reason + "\n";
-    }
+    const OracleError& oracle = rung.against_oracle;
+    if (oracle.followed > 0)
+      table.add({rung.rung + " against 60 digits, relative", with_commas(oracle.followed),
+                 three_digits(oracle.max_relative), none, three_digits(oracle.mean_relative)});
+    if (!oracle.reason.empty())
+      more += rung.rung + ": 60 digits follow " + with_commas(oracle.followed) + " of " + with_commas(oracle.asked) +
+              " pixels: " + oracle.reason + "\n";
   }
   return table.text() + more;
 }
 
-/// ns of one of what grows; a shaded pixel, where each is met by all of them.
-double ns_each(const ScalingCurve& curve, const MeasuredPoint& one) {
-  const bool everywhere = curve.growth == Growth::lights || curve.growth == Growth::overdraw;
-  return one.frame_ms.median * 1e6 / one.point.n / (everywhere ? static_cast<double>(one.counts.shaded) : 1);
+/// What one of what grows costs: ns; of a shaded pixel, where each pixel meets all of them. Of threads: how many times as
+/// fast they are as the first.
+std::string each(const ScalingCurve& curve, const MeasuredPoint& one) {
+  const double ms = one.frame_ms.median, ns = ms * 1e6 / one.point.n;
+  switch (curve.growth) {
+  case Growth::threads:
+    return three_digits(curve.points.front().frame_ms.median / ms);
+  case Growth::lights:
+  case Growth::overdraw:
+    return three_digits(ns / static_cast<double>(one.counts.shaded));
+  case Growth::triangles:
+  case Growth::pixels:
+    return three_digits(ns);
+  }
+  return none;
+}
+const char* heading_of_each(Growth growth) {
+  if (growth == Growth::threads) return "speed-up";
+  return growth == Growth::lights || growth == Growth::overdraw ? "ns/px each" : "ns each";
 }
 
 std::string scaling(const ScalingCurve& curve) {
-  const bool threads = curve.growth == Growth::threads;
   std::string text = std::string(name_of(curve.growth)) + ", " + curve.rung;
   if (curve.growth == Growth::overdraw) text.append(", ").append(name_of(curve.order));
-  if (const auto slope = curve.slope(); slope && !threads) {
+  if (const auto slope = curve.slope(); slope && curve.growth != Growth::threads) {
     text += format(": slope %.3f, standard error %.3f", slope->value, slope->error);
     if (const auto linear = curve.no_faster_than_linear())
       text += *linear ? ": no faster than linearly" : ": FASTER THAN LINEARLY";
   }
   if (curve.growth == Growth::overdraw) text += curve.same_fragments() ? "; no shading added" : "; SHADING ADDED";
-  const bool everywhere = curve.growth == Growth::lights || curve.growth == Growth::overdraw;
   TextTable table({std::string(name_of(curve.growth)), "image", "threads", "frame ms", "quartiles",
-                   threads      ? "speed-up"
-                   : everywhere ? "ns/px each"
-                                : "ns each",
-                   "fragments", "peak MB"});
-  for (const MeasuredPoint& one : curve.points) {
-    const double ms = one.frame_ms.median;
+                   heading_of_each(curve.growth), "fragments", "peak MB"});
+  for (const MeasuredPoint& one : curve.points)
     table.add({with_commas(static_cast<unsigned long long>(one.point.n)),
                format("%dx%d", one.point.width, one.point.height), std::to_string(one.point.threads),
-               format("%.3f", ms), middle(one.frame_ms),
-               three_digits(threads ? curve.points.front().frame_ms.median / ms : ns_each(curve, one)),
+               format("%.3f", one.frame_ms.median), middle(one.frame_ms), each(curve, one),
                with_commas(one.counts.fragments),
                one.peak_memory_bytes ? format("%.1f", static_cast<double>(*one.peak_memory_bytes) * 1e-6) : none});
-  }
   return text + "\n" + table.text();
 }
 
