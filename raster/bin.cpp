@@ -46,19 +46,8 @@ LaneSet set_where(const V& x) {
 Ints ints(std::int32_t x) {
   return x - Ints{};
 }
-Ints least(const Ints& x, const Ints& y) {
-  return x < y ? x : y;
-}
-Ints greatest(const Ints& x, const Ints& y) {
-  return x > y ? x : y;
-}
-Doubles doubles(const Ints& x) {
-  return __builtin_convertvector(x, VectorOf<double, lanes>);
-}
-template <class Element, class Lanes>
-std::array<Element, lanes> listed(const Lanes& x) {
-  static_assert(sizeof(x) == lanes * sizeof(Element));
-  return std::bit_cast<std::array<Element, lanes>>(x);
+std::array<std::int32_t, lanes> listed(const Ints& x) {
+  return std::bit_cast<std::array<std::int32_t, lanes>>(x);
 }
 
 // Calls body(lane) for each lane of a set, in order.
@@ -142,13 +131,13 @@ private:
   BoxLanes bounding_box(const Window& window) const {
     const auto& [v0, v1, v2] = window.corner;
     const auto ceiling = [](const Ints& a) { return (a + (subpixels - 1)) >> 8; };
-    return {ceiling(least(v0.x_subpixel, least(v1.x_subpixel, v2.x_subpixel)) - last_x_) - grid_.x,
-            ceiling(least(v0.y_subpixel, least(v1.y_subpixel, v2.y_subpixel)) - last_y_) - grid_.y,
-            ((greatest(v0.x_subpixel, greatest(v1.x_subpixel, v2.x_subpixel)) - first_x_) >> 8) - grid_.x,
-            ((greatest(v0.y_subpixel, greatest(v1.y_subpixel, v2.y_subpixel)) - first_y_) >> 8) - grid_.y};
+    return {ceiling(lesser(v0.x_subpixel, lesser(v1.x_subpixel, v2.x_subpixel)) - last_x_) - grid_.x,
+            ceiling(lesser(v0.y_subpixel, lesser(v1.y_subpixel, v2.y_subpixel)) - last_y_) - grid_.y,
+            ((greater(v0.x_subpixel, greater(v1.x_subpixel, v2.x_subpixel)) - first_x_) >> 8) - grid_.x,
+            ((greater(v0.y_subpixel, greater(v1.y_subpixel, v2.y_subpixel)) - first_y_) >> 8) - grid_.y};
   }
 
-  void bin_register(const Batch& batch, const Output& output) const {
+  [[gnu::flatten]] void bin_register(const Batch& batch, const Output& output) const {
     const Window window = window_of(batch);
     const auto& [v0, v1, v2] = window.corner;
     using Words = VectorOf<std::int32_t, 2 * lanes>;
@@ -182,8 +171,8 @@ private:
     if (scene_.objects[batch.object].cull == Cull::back) counts.culled += count(leave(lane_set(area > Doubles(0.0))));
     BoxLanes box = bounding_box(window);
     counts.between_samples += count(leave(box.empty()));
-    box.left = greatest(box.left, Ints{}), box.right = least(box.right, ints(grid_.width - 1));
-    box.top = greatest(box.top, Ints{}), box.bottom = least(box.bottom, ints(grid_.height - 1));
+    box.left = greater(box.left, Ints{}), box.right = lesser(box.right, ints(grid_.width - 1));
+    box.top = greater(box.top, Ints{}), box.bottom = lesser(box.bottom, ints(grid_.height - 1));
     counts.outside += count(leave(box.empty()));
 
     counts.drawn += count(left);
@@ -205,7 +194,7 @@ private:
   };
   SampleLanes covered_samples(const Window& window, const BoxLanes& box, LaneSet small) const {
     const auto sample = [](const Ints& pixel, int corner, int offset) {
-      return doubles((pixel + corner) * subpixels + offset);
+      return numbers<lanes>((pixel + corner) * subpixels + offset);
     };
     const auto coverage = cover_small(set_up_lanes(window.corner[0], window.corner[1], window.corner[2]),
                                       sample(box.left, grid_.x, first_x_), sample(box.top, grid_.y, first_y_));
@@ -217,11 +206,10 @@ private:
     for (int i = 0; i < 4; ++i) {
       const auto at = static_cast<std::size_t>(i);
       const Ints x = box.left + (i & 1), y = box.top + (i >> 1), in_tile = ints(grid_.tile_size - 1);
-      result.tile[at] = listed<std::int32_t>((y >> tile_shift_) * columns_ + (x >> tile_shift_));
-      result.place[at] =
-          listed<std::int32_t>((x & in_tile) | (y & in_tile) << 8 |
-                               static_cast<std::int32_t>(TileEntry::bytes(0, 0, TileEntry::sample_mark, 0)));
-      result.z[at] = listed<double>(coverage.z[at].v);
+      result.tile[at] = listed((y >> tile_shift_) * columns_ + (x >> tile_shift_));
+      result.place[at] = listed((x & in_tile) | (y & in_tile) << 8 |
+                                static_cast<std::int32_t>(TileEntry::bytes(0, 0, TileEntry::sample_mark, 0)));
+      result.z[at] = refraster::listed(coverage.z[at]);
       result.covered |= every_fourth[coverage.lanes[at] & within[at]] << i;
     }
     return result;
@@ -239,12 +227,12 @@ private:
   struct Sets {
     LaneSet projective, snapped, small;
   };
-  void add_one_by_one(const Batch& batch, const Window& window, const BoxLanes& box, const Sets& sets,
-                      const Output& output) const {
+  [[gnu::noinline]] void add_one_by_one(const Batch& batch, const Window& window, const BoxLanes& box, const Sets& sets,
+                                        const Output& output) const {
     const auto& [v0, v1, v2] = window.corner;
-    const auto left = listed<std::int32_t>(box.left), right = listed<std::int32_t>(box.right);
-    const auto top = listed<std::int32_t>(box.top), bottom = listed<std::int32_t>(box.bottom);
-    const auto z_least = listed<double>(minimum(v0.z, minimum(v1.z, v2.z)).v);
+    const auto left = listed(box.left), right = listed(box.right);
+    const auto top = listed(box.top), bottom = listed(box.bottom);
+    const auto z_least = refraster::listed(minimum(v0.z, minimum(v1.z, v2.z)));
     SampleLanes samples;
     if (sets.small) samples = covered_samples(window, box, sets.small);
     const std::uint32_t covered = sets.small ? samples.covered : 0;

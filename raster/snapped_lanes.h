@@ -2,7 +2,7 @@
 // Set-up of triangles on the lattice, as many at once as a register has lanes: what set_up_snapped makes of each, bit
 // for bit. Lines and areas are integers under 2^53, and so exact in double; see subpixel.h.
 
-#include "math/rungs.h"
+#include "raster/lanes.h"
 #include "raster/transform.h"
 
 #include <cstring>
@@ -24,11 +24,7 @@ template <int N, class Vertex>
 CornerLanes<N> gather_corners(const Vertex& vertex) {
   using Pair = Wide<double, 2>;
   static_assert(sizeof(PlacedVertex) == sizeof(Pair));
-  const auto load = [&](int lane) {
-    Pair pair;
-    std::memcpy(&pair, &vertex(lane), sizeof pair);
-    return pair;
-  };
+  const auto load = [&](int lane) { return load_lanes<Pair>(&vertex(lane)); };
   // Lanes 0, 2, 4 … and 1, 3, 5 … side by side: one interleaving parts words from depths, and leaves lanes in order.
   const auto every_second = [&](int first) {
     if constexpr (N == 2) return load(first);
@@ -47,8 +43,8 @@ CornerLanes<N> gather_corners(const Vertex& vertex) {
     corner.y_subpixel = __builtin_shufflevector(places, places, (2 * I + 1)...);
   }
   (std::make_integer_sequence<int, N>{});
-  corner.x = __builtin_convertvector(corner.x_subpixel, VectorOf<double, N>);
-  corner.y = __builtin_convertvector(corner.y_subpixel, VectorOf<double, N>);
+  corner.x = numbers<N>(corner.x_subpixel);
+  corner.y = numbers<N>(corner.y_subpixel);
   return corner;
 }
 

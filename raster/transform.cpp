@@ -224,13 +224,15 @@ void transform(const Scene& scene, int width, int height, int threads, Geometry&
 }
 
 TriangleRef triangle_ref(const Scene& scene, const Geometry& geometry, std::uint32_t triangle) {
-  const auto after = std::upper_bound(geometry.first_triangle.begin(), geometry.first_triangle.end(), triangle);
-  TriangleRef ref;
-  ref.object = static_cast<std::uint32_t>(after - geometry.first_triangle.begin()) - 1;
-  ref.triangle = triangle - geometry.first_triangle[ref.object];
-  const auto& corners = scene.objects[ref.object].mesh->triangles[ref.triangle];
-  for (std::size_t k = 0; k < 3; ++k) ref.vertex[k] = geometry.first_vertex[ref.object] + corners[k];
-  return ref;
+  return TriangleFinder(scene, geometry).at(triangle);
+}
+
+void TriangleFinder::find(std::uint32_t triangle) {
+  const auto after = std::upper_bound(geometry_.first_triangle.begin(), geometry_.first_triangle.end(), triangle);
+  object_ = static_cast<std::uint32_t>(after - geometry_.first_triangle.begin()) - 1;
+  first_ = geometry_.first_triangle[object_], last_ = geometry_.first_triangle[object_ + 1];
+  first_vertex_ = geometry_.first_vertex[object_];
+  triangles_ = scene_.objects[object_].mesh->triangles.data();
 }
 
 } // namespace refraster

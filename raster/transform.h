@@ -133,6 +133,29 @@ private:
   std::uint32_t object_ = 0;
 };
 
+/// The same for triangles asked for in any order, neighbours mostly of one object.
+class TriangleFinder {
+public:
+  TriangleFinder(const Scene& scene, const Geometry& geometry) : scene_(scene), geometry_(geometry) {}
+
+  TriangleRef at(std::uint32_t triangle) {
+    if (triangle < first_ || triangle >= last_) [[unlikely]]
+      find(triangle);
+    const std::array<std::uint32_t, 3>& corners = triangles_[triangle - first_];
+    return {object_,
+            triangle - first_,
+            {first_vertex_ + corners[0], first_vertex_ + corners[1], first_vertex_ + corners[2]}};
+  }
+
+private:
+  void find(std::uint32_t triangle);
+
+  const Scene& scene_;
+  const Geometry& geometry_;
+  std::uint32_t object_ = 0, first_ = 0, last_ = 0, first_vertex_ = 0; // of the object; its triangles [first, last)
+  const std::array<std::uint32_t, 3>* triangles_ = nullptr;
+};
+
 /// Its corners on the lattice.
 inline std::array<WindowVertex, 3> window_corners(const Geometry& geometry, const TriangleRef& ref) {
   return {geometry.window[ref.vertex[0]], geometry.window[ref.vertex[1]], geometry.window[ref.vertex[2]]};

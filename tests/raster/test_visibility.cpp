@@ -65,20 +65,23 @@ long wrong_samples(const Scene& scene, const Geometry& geometry, const Crop& reg
   return wrong;
 }
 
-// Nearly all are small, as in meshes: of a pixel or two, of a few, of some dozens, and a few beyond the image. Depths
-// are often equal, for many triangles and samples.
+// Nearly all are small, as in meshes: of a pixel or two, of a few, of some dozens; a few reach beyond the image, or to the
+// ends of the guard band. Depths are often equal, for many triangles and samples.
 std::vector<std::array<WindowVertex, 3>> mixed_triangles(Random& random, int count) {
   std::vector<std::array<WindowVertex, 3>> result;
   while (static_cast<int>(result.size()) < count) {
-    constexpr int sizes[] = {1, 2, 3, 5, 9, 20, 60, 500};
-    const int size = sizes[random.below(random.below(8) + 1)] * subpixels;
+    constexpr int sizes[] = {1, 2, 3, 5, 9, 20, 60, 500, 120'000};
+    const int size = sizes[random.below(random.below(9) + 1)] * subpixels;
     const int x = random.below(120 * subpixels), y = random.below(90 * subpixels);
     const bool level = random.below(3) == 0, on_samples = random.below(4) == 0;
     const double level_z = random.below(5) / 2.0 - 1;
     std::array<WindowVertex, 3> v;
     std::array<LatticePoint, 3> p;
     for (std::size_t k = 0; k < 3; ++k) {
-      int px = x + random.below(size + 1) - size / 2, py = y + random.below(size + 1) - size / 2;
+      const auto place = [&](int middle) {
+        return std::clamp(middle + random.below(size + 1) - size / 2, -guard_band, guard_band);
+      };
+      int px = place(x), py = place(y);
       if (on_samples) px = (px & ~255) + 128, py = (py & ~255) + 128;
       const double z = random.below(9) == 0 ? random.uniform(-3, 3) : random.uniform(-1, 1);
       v[k] = lattice_vertex(px, py, level ? level_z : z);
@@ -102,7 +105,7 @@ void mixed_frame(std::uint64_t seed, int triangles) {
   }
   const auto covers = [&](std::size_t t, std::int32_t x, std::int32_t y) {
     return set_up[t] && x >= set_up[t]->x_min && x <= set_up[t]->x_max && y >= set_up[t]->y_min &&
-           y <= set_up[t]->y_max && oracle_covers<Int128, 20>(corners[t], {x, y});
+           y <= set_up[t]->y_max && oracle_covers<Int128, 25>(corners[t], {x, y});
   };
   const auto depth = [&](std::size_t t, std::int32_t x, std::int32_t y) { return set_up[t]->depth(x, y); };
   const Crop region{random.below(20), random.below(20), 40 + random.below(60), 30 + random.below(40)};
