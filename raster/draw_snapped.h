@@ -41,8 +41,6 @@ private:
   };
 
   void draw_one(std::size_t lane, int s, DepthTile& depths);
-  void draw_narrow(std::size_t lane, int s, DepthTile& depths);
-  void draw_spans(std::size_t lane, int s, DepthTile& depths);
 
   Prepared ready_;
   RowSpans spans_;
