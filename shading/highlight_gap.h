@@ -23,7 +23,25 @@ Twofold<T> wide_dot(const Vec3<T>& a, const Vec3<T>& b) {
   return quick_sum(sum.hi, sum.lo + (x_y.lo + ((x.lo + y.lo) + z.lo)));
 }
 
-// Neither is inlined: what few materials ask for shall not take registers from what all pay for.
+/// a - b, taken from gap() instead in the lanes where that shows: in a highlight sharper than that of the glossiness P =
+/// Gap::plain_glossiness, and in a sharp one only near its middle.
+///
+/// At a distance q = |a - b|^2 / 2 an error d of a - b moves the power by s sqrt(2 q) e^(-s q) d. At glossiness P that is
+/// sqrt(P / e) d at most, and from s q >= ln(2 s / P) on it is no more at any other: as ln(s q) <= s q - 1,
+///     ln(s sqrt(2 q)) - s q = (ln(2 s) + ln(s q)) / 2 - s q <= (ln(2 s) - 1 - s q) / 2 <= ln sqrt(P / e).
+/// ln x <= (x - 1) / sqrt(x) spares the logarithm.
+template <Lanes T, class Gap>
+Vec3<T> highlight_gap(const Vec3<T>& a, const Vec3<T>& b, double s, const Gap& gap) {
+  const Vec3<T> plain = a - b;
+  constexpr double enough = Gap::plain_glossiness;
+  if (s <= enough) return plain;
+  const double x = 2 * (s / enough);
+  const MaskOf<T> close = squared_length(plain) * as<T>(s) < as<T>(2 * (x - 1) / root(x));
+  if (!any(close)) return plain;
+  return select<T>(close, gap(), plain);
+}
+
+// Neither is inlined: what few fragments ask for shall not take registers from what all pay for.
 
 /// r - v with r = 2 (n.l) n - l.
 template <class T>
