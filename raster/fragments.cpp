@@ -69,16 +69,7 @@ void TileSurfaces<Real>::set_up(const Scene& scene, const Geometry& geometry, co
 
   uncommon_lines_ = {};
   surfaces_.resize(visible_.size());
-  constexpr std::size_t ahead = 8; // vertices come from far: asked for while others are worked on
-  for (std::size_t i = 0; i < visible_.size(); ++i) {
-    if (i + ahead < visible_.size())
-      for (const std::uint32_t vertex : visible_[i + ahead].ref.vertex) {
-        __builtin_prefetch(&geometry.world[vertex]);
-        __builtin_prefetch(&geometry.window.placed[vertex]);
-        __builtin_prefetch(&geometry.window.inverse_w[vertex]);
-      }
-    set_up_surface<Real>(scene, geometry, bins, visible_[i].number, visible_[i].ref, surfaces_[i], uncommon_lines_);
-  }
+  set_up_surfaces<Real>(scene, geometry, bins, visible_, surfaces_, uncommon_lines_);
 }
 
 // A counting sort: runs of a triangle stay in the order in which they came.

@@ -55,11 +55,7 @@ private:
   struct Seen {
     std::uint32_t runs = 0, fragments = 0;
   };
-  struct Visible {
-    TriangleRef ref;
-    std::uint32_t number = 0;
-  };
-  std::vector<Visible> visible_;
+  std::vector<VisibleTriangle> visible_;
   std::vector<Seen> seen_;               // of each place in the tile's list
   std::vector<std::int32_t> surface_of_; // of each place that is seen
   std::vector<std::uint32_t> next_;      // per surface: where its next run goes in sorted_

@@ -2,6 +2,7 @@
 
 #include "math/rows.h"
 #include "math/twofold.h"
+#include "raster/surface_lanes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,47 +20,6 @@ namespace {
 template <class Real>
 constexpr double least_weight = sizeof(Real) == 4 ? 0x1p-70 : 0x1p-900;
 
-// Which submitted vertex stands at each place: in the order of set_up_snapped, by x and then y. Keys hold both, and the
-// corner's number, so that no branch is needed: the order of corners is as good as random.
-[[gnu::always_inline]] inline std::array<std::uint8_t, 3> sorted_corners(const PlacedVertex& v0, const PlacedVertex& v1,
-                                                                         const PlacedVertex& v2) {
-  constexpr std::int64_t bias = std::int64_t{1} << 25; // both in [-2^24, 2^24]
-  const auto key = [](const PlacedVertex& v, std::int64_t k) { return (v.x() + bias) << 32 | (v.y() + bias) << 2 | k; };
-  const std::int64_t k0 = key(v0, 0), k1 = key(v1, 1), k2 = key(v2, 2);
-  const std::int64_t low = std::min(k0, k1), high = std::max(k0, k1), most = std::max(high, k2);
-  const std::int64_t middle = std::max(low, std::min(high, k2)), least = std::min(low, k2);
-  const auto corner = [](std::int64_t k) { return static_cast<std::uint8_t>(k & 3); };
-  return {corner(least), corner(middle), corner(most)};
-}
-
-// The lines of set_up_snapped, and the triangle's area, twice: > 0.
-struct AreaAndLines {
-  std::int64_t area = 0;
-  std::array<SnappedLine, 3> line;
-};
-[[gnu::always_inline]] inline AreaAndLines lines_between(const PlacedVertex& p0, const PlacedVertex& p1,
-                                                         const PlacedVertex& p2) {
-  const std::int64_t area = static_cast<std::int64_t>(p1.x() - p0.x()) * (p2.y() - p0.y()) -
-                            static_cast<std::int64_t>(p2.x() - p0.x()) * (p1.y() - p0.y());
-  const int sign = area > 0 ? 1 : -1;
-  const auto line = [sign](const PlacedVertex& p, const PlacedVertex& q) {
-    SnappedLine l{sign * (p.y() - q.y()), sign * (q.x() - p.x()), 0};
-    l.c = -(l.a * p.x() + l.b * p.y());
-    return l;
-  };
-  return {sign * area, {line(p1, p2), line(p2, p0), line(p0, p1)}};
-}
-
-// At a pixel's centre a line is at most the area, plus what it changes by from a covered sample to the centre, half a
-// pixel away.
-[[gnu::always_inline]] inline bool wraps(const AreaAndLines& t) {
-  constexpr std::int64_t most_area = std::int64_t{1} << 30, most_slope = std::int64_t{1} << 21;
-  const auto gentle = [](const SnappedLine& l) {
-    return std::max(l.a, -l.a) <= most_slope && std::max(l.b, -l.b) <= most_slope;
-  };
-  return t.area <= most_area && gentle(t.line[0]) && gentle(t.line[1]) && gentle(t.line[2]);
-}
-
 // Position and normal, six numbers one after the other, as four and two lanes.
 static_assert(sizeof(WorldVertex) == 6 * sizeof(double) && offsetof(WorldVertex, normal) == 3 * sizeof(double));
 struct Corner {
@@ -75,7 +35,7 @@ struct Corner {
 
 // Normals count by their direction only. A power of two, common to the corners, keeps differences of huge ones in the
 // range of a float rung, and tiny ones above its end; normals of ordinary size stay as they are.
-double normal_scale(const WorldVertex& v0, const WorldVertex& v1, const WorldVertex& v2) {
+[[gnu::always_inline]] inline double normal_scale(const WorldVertex& v0, const WorldVertex& v1, const WorldVertex& v2) {
   const auto size = [](const Double3& n) { return maximum(magnitude(n.x), maximum(magnitude(n.y), magnitude(n.z))); };
   const double s0 = size(v0.normal), s1 = size(v1.normal), s2 = size(v2.normal);
   constexpr double ordinary = 1 << 20;
@@ -127,43 +87,11 @@ UvComponent uv_component(const Mesh& mesh, const std::array<std::uint32_t, 3>& v
   return uv;
 }
 
-} // namespace
-
+// Everything but the lines. weight: of the corners, in their order.
 template <class Real>
-void set_up_surface(const Scene& scene, const Geometry& geometry, const Bins& bins, std::uint32_t number,
-                    const TriangleRef& ref, SurfaceTriangle<Real>& t, UncommonLines& uncommon) {
-  const PlacedVertex &v0 = geometry.window.placed[ref.vertex[0]], &v1 = geometry.window.placed[ref.vertex[1]],
-                     &v2 = geometry.window.placed[ref.vertex[2]];
-  t.object = ref.object;
-  t.number = number;
-
-  std::array<std::uint8_t, 3> corner{};
-  std::array<double, 3> weight{1, 1, 1}; // projective: line values bring their weights
-  if ((v0.outcode() | v1.outcode() | v2.outcode()) & outcode::unsnapped) [[unlikely]] {
-    const ProjectiveTriangle& set_up = bins.projective_triangle(number);
-    t.large = nullptr;
-    t.projective = &uncommon.projective.emplace_back(set_up);
-    corner = set_up.corner;
-  } else {
-    corner = sorted_corners(v0, v1, v2);
-    const auto placed = [&](std::size_t k) -> const PlacedVertex& {
-      return geometry.window.placed[ref.vertex[corner[k]]];
-    };
-    const AreaAndLines set_up = lines_between(placed(0), placed(1), placed(2));
-    const auto inverse_w = [&](std::size_t k) { return geometry.window.inverse_w[ref.vertex[corner[k]]]; };
-    weight = perspective_weights({inverse_w(0), inverse_w(1), inverse_w(2)});
-    for (double& w : weight) w = w < least_weight<Real> ? 0 : w;
-    t.large = nullptr, t.projective = nullptr;
-    if (wraps(set_up)) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        const SnappedLine& l = set_up.line[k];
-        t.line[k] = {static_cast<std::int32_t>(l.a), static_cast<std::int32_t>(l.b), static_cast<std::int32_t>(l.c)};
-      }
-    } else {
-      t.large = &uncommon.large.emplace_back(LargeLines{set_up.line});
-    }
-  }
-
+[[gnu::always_inline]] inline void set_attributes(const Scene& scene, const Geometry& geometry, const TriangleRef& ref,
+                                                  const std::array<std::uint8_t, 3>& corner,
+                                                  const std::array<double, 3>& weight, SurfaceTriangle<Real>& t) {
   const auto world = [&](std::size_t k) { return &geometry.world[ref.vertex[corner[k]]]; };
   set_rows<Real>({world(0), world(1), world(2)}, weight, t);
 
@@ -180,10 +108,81 @@ void set_up_surface(const Scene& scene, const Geometry& geometry, const Bins& bi
   }
 }
 
-template void set_up_surface(const Scene&, const Geometry&, const Bins&, std::uint32_t, const TriangleRef&,
-                             SurfaceTriangle<double>&, UncommonLines&);
-template void set_up_surface(const Scene&, const Geometry&, const Bins&, std::uint32_t, const TriangleRef&,
-                             SurfaceTriangle<float>&, UncommonLines&);
+LargeLines large_lines(const Geometry& geometry, const TriangleRef& ref, const std::array<std::uint8_t, 3>& corner) {
+  std::array<WindowVertex, 3> v;
+  for (std::size_t k = 0; k < 3; ++k) v[k] = geometry.window[ref.vertex[corner[k]]];
+  return {set_up_snapped(v).value().line}; // in order already: corners keep their places
+}
+
+} // namespace
+
+template <class Real>
+void set_up_surfaces(const Scene& scene, const Geometry& geometry, const Bins& bins,
+                     std::span<const VisibleTriangle> triangles, std::span<SurfaceTriangle<Real>> surfaces,
+                     UncommonLines& uncommon) {
+  using Row = Native<double>;
+  constexpr int lanes = NumberTraits<Row>::lanes;
+  constexpr std::size_t ahead = 32; // vertices come from far: asked for long before they are needed
+  const std::size_t count = triangles.size();
+  for (std::size_t begin = 0; begin < count; begin += lanes) {
+    const std::size_t here = std::min(count - begin, std::size_t{lanes});
+    for (std::size_t i = begin + ahead; i < std::min(begin + ahead + lanes, count); ++i)
+      for (const std::uint32_t vertex : triangles[i].ref.vertex) {
+        __builtin_prefetch(&geometry.world[vertex]);
+        __builtin_prefetch(&geometry.window.placed[vertex]);
+        __builtin_prefetch(&geometry.window.inverse_w[vertex]);
+      }
+    const auto vertex = [&](int lane, std::size_t k) {
+      return triangles[begin + std::min(static_cast<std::size_t>(lane), here - 1)].ref.vertex[k];
+    };
+    std::array<CornerLanes<lanes>, 3> placed;
+    std::array<Row, 3> inverse_w;
+    for (std::size_t k = 0; k < 3; ++k) {
+      placed[k] = gather_corners<lanes>(
+          [&](int lane) -> const PlacedVertex& { return geometry.window.placed[vertex(lane, k)]; });
+      std::array<double, lanes> of;
+      for (int lane = 0; lane < lanes; ++lane)
+        of[static_cast<std::size_t>(lane)] = geometry.window.inverse_w[vertex(lane, k)];
+      inverse_w[k] = load_lanes<Row>(of.data());
+    }
+    const SurfaceLanes<lanes> set_up = surface_lanes<lanes>(placed, inverse_w);
+    std::array<std::array<double, lanes>, 3> weights;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Row least(least_weight<Real>);
+      const Row weight = set_up.corner[k].weight;
+      weights[k] = listed(select(weight < least, Row(0.0), weight));
+    }
+
+    for (std::size_t i = 0; i < here; ++i) {
+      const auto lane = static_cast<int>(i);
+      const auto& [ref, number] = triangles[begin + i];
+      SurfaceTriangle<Real>& t = surfaces[begin + i];
+      t.object = ref.object;
+      t.number = number;
+      t.large = nullptr, t.projective = nullptr;
+      const auto state = [&](std::size_t k) { return geometry.window.placed[ref.vertex[k]].outcode(); };
+      if ((state(0) | state(1) | state(2)) & outcode::unsnapped) [[unlikely]] {
+        const ProjectiveTriangle& projective = bins.projective_triangle(number);
+        t.projective = &uncommon.projective.emplace_back(projective);
+        set_attributes<Real>(scene, geometry, ref, projective.corner, {1, 1, 1}, t); // line values bring their weights
+        continue;
+      }
+      const auto corner_at = [&](std::size_t k) { return static_cast<std::uint8_t>(set_up.corner[k].submitted[lane]); };
+      const std::array<std::uint8_t, 3> corner{corner_at(0), corner_at(1), corner_at(2)};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto& line = set_up.corner[k];
+        t.line[k] = {line.a[lane], line.b[lane], line.c[lane]};
+      }
+      if (!set_up.wraps[lane]) t.large = &uncommon.large.emplace_back(large_lines(geometry, ref, corner));
+      set_attributes<Real>(scene, geometry, ref, corner, {weights[0][i], weights[1][i], weights[2][i]}, t);
+    }
+  }
+}
+
+template void set_up_surfaces(const Scene&, const Geometry&, const Bins&, std::span<const VisibleTriangle>,
+                              std::span<SurfaceTriangle<double>>, UncommonLines&);
+template void set_up_surfaces(const Scene&, const Geometry&, const Bins&, std::span<const VisibleTriangle>,
+                              std::span<SurfaceTriangle<float>>, UncommonLines&);
 
 std::array<double, 2> whole_repeats(const Scene& scene, const Geometry& geometry, std::uint32_t number) {
   const TriangleRef ref = triangle_ref(scene, geometry, number);

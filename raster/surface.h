@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <deque>
+#include <span>
 
 namespace refraster {
 
@@ -62,15 +63,22 @@ struct SurfaceTriangle {
 };
 inline constexpr int least_uv_row = 6, most_uv_row = 4; // of u; of v it is the next
 
-/// Sets up one triangle; `ref` is what its number stands for. What its lines need of `uncommon` is appended there.
-template <class Real>
-void set_up_surface(const Scene& scene, const Geometry& geometry, const Bins& bins, std::uint32_t number,
-                    const TriangleRef& ref, SurfaceTriangle<Real>& surface, UncommonLines& uncommon);
+/// A triangle that is seen, by its number in the frame and what that stands for.
+struct VisibleTriangle {
+  TriangleRef ref;
+  std::uint32_t number = 0;
+};
 
-extern template void set_up_surface(const Scene&, const Geometry&, const Bins&, std::uint32_t, const TriangleRef&,
-                                    SurfaceTriangle<double>&, UncommonLines&);
-extern template void set_up_surface(const Scene&, const Geometry&, const Bins&, std::uint32_t, const TriangleRef&,
-                                    SurfaceTriangle<float>&, UncommonLines&);
+/// Sets up surfaces[i] for triangles[i]. What their lines need of `uncommon` is appended there.
+template <class Real>
+void set_up_surfaces(const Scene& scene, const Geometry& geometry, const Bins& bins,
+                     std::span<const VisibleTriangle> triangles, std::span<SurfaceTriangle<Real>> surfaces,
+                     UncommonLines& uncommon);
+
+extern template void set_up_surfaces(const Scene&, const Geometry&, const Bins&, std::span<const VisibleTriangle>,
+                                     std::span<SurfaceTriangle<double>>, UncommonLines&);
+extern template void set_up_surfaces(const Scene&, const Geometry&, const Bins&, std::span<const VisibleTriangle>,
+                                     std::span<SurfaceTriangle<float>>, UncommonLines&);
 
 /// Whole repeats that are taken off a triangle's texture coordinates before they are interpolated, so that their
 /// fractions keep their digits.
