@@ -255,6 +255,7 @@ void add_bench(CLI::App& program, Action& chosen) {
   command.final_callback([&chosen, &command, arguments] {
     arguments->gl_named = command.count("--gl") > 0;
     fill_defaults(*arguments);
+    for (const Size& size : arguments->sizes) check_frame_samples(size.width, size.height, arguments->samples);
     chosen = [arguments] { return run(*arguments); };
   });
 }

@@ -54,6 +54,9 @@ void check_together(const RenderArguments& arguments) {
     throw CLI::ValidationError("--crop", "reaches out of the image of " + std::to_string(arguments.size.width) + "x" +
                                              std::to_string(arguments.size.height) + " pixels");
   }
+  const Crop part =
+      arguments.crop.empty() ? Crop{0, 0, arguments.size.width, arguments.size.height} : arguments.crop.back();
+  check_frame_samples(part.width, part.height, arguments.samples);
   if (!image_format(arguments.output))
     throw CLI::ValidationError("--output", "found \"" + arguments.output +
                                                "\", expected a name ending in .png, .hdr, .pfm or .exr");
@@ -164,7 +167,8 @@ void add_render(CLI::App& program, Action& chosen) {
   add_choice_option(command, "--rung", a.rung, rung_names(), "precision of shading; `refraster list rungs`");
   add_choice_option(command, "--samples", a.samples, {1, 2, 4, 8, 16},
                     "samples a pixel, at the standard positions; shaded once a triangle");
-  add_number_option(command, "--threads", a.threads, Range{0, 1024}, "threads; 0: as many as this machine has");
+  add_number_option(command, "--threads", a.threads, Range{0, double(limit::threads.value)},
+                    "threads; 0: as many as this machine has");
   add_choice_option(command, "--tile-size", a.tile_size, {8, 16, 32, 64, 128},
                     "pixels along a side of the tiles that threads work on");
   add_parsed_option(command, "--aov", a.aovs, aovs_from, "LIST",

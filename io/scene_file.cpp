@@ -5,7 +5,7 @@
 #include "io/merl_file.h"
 #include "io/obj_file.h"
 #include "io/scene_reader.h"
-#include "raster/primitives.h"
+#include "io/shape_mesh.h"
 
 #include <filesystem>
 #include <limits>
@@ -23,17 +23,6 @@ std::string identity(const std::string& path) {
   return error ? path : canonical.string();
 }
 
-std::shared_ptr<const Mesh> make_mesh(const Shape& shape) {
-  struct Make {
-    Mesh operator()(const SphereShape& s) const { return sphere_mesh(s.segments, s.rings); }
-    Mesh operator()(const CubeShape&) const { return cube_mesh(); }
-    Mesh operator()(const PlaneShape& s) const { return plane_mesh(s.segments); }
-    Mesh operator()(const TorusShape& s) const { return torus_mesh(s.segments, s.rings, s.tube_radius); }
-    Mesh operator()(const KnotShape& s) const { return knot_mesh(s.segments, s.rings, s.tube_radius); }
-  };
-  return std::make_shared<const Mesh>(std::visit(Make{}, shape));
-}
-
 /// Everything that the objects name, loaded or made. Each file is loaded once, and its faults are told once.
 class Loader {
 public:
@@ -41,8 +30,10 @@ public:
   Loader(const JsonDocument& document, FaultList& faults, FaultList& in_files)
       : document_(document), folder_(fs::path(document.file()).parent_path()), faults_(faults), in_files_(in_files) {}
 
-  /// Which textures need a mip chain is known before the first is loaded: a loaded texture never changes.
+  /// To be called for every object before the first is loaded: a loaded texture never changes, so it must be known
+  /// whether it needs a mip chain; and shapes that are too many are not made.
   void note(const ObjectText& text) {
+    if (text.shape) add(mesh_counts(*text.shape));
     if (!text.texture_file.given.empty() && text.object.material.texture_filter == TextureFilter::trilinear)
       trilinear_.insert(identity(path_of(text.texture_file)));
   }
@@ -55,6 +46,7 @@ public:
         text.shape ? shape(*text.shape) : load(meshes_, text.obj_file, "an OBJ file", [](const std::string& path) {
           return std::make_shared<const Mesh>(read_obj(path));
         });
+    if (!text.shape && result.mesh) add({result.mesh->positions.size(), result.mesh->triangles.size()});
     if (result.name.empty())
       result.name = text.shape ? std::string(std::visit([](auto& s) { return s.name; }, *text.shape))
                                : fs::path(text.obj_file.given).stem().string();
@@ -71,6 +63,18 @@ public:
   }
 
 private:
+  /// To the sum of all objects; an object counts however many share its mesh.
+  void add(const MeshCounts& counts) {
+    sum_.vertices += counts.vertices;
+    sum_.triangles += counts.triangles;
+    const auto check = [&](const Limit& limit, std::uint64_t count) {
+      if (count > limit.value)
+        throw InputError(InputFault{document_.file(), 0, 0, "/scene/objects", found_of(limit, count), at_most(limit)});
+    };
+    check(limit::vertices, sum_.vertices);
+    check(limit::triangles, sum_.triangles);
+  }
+
   template <class T>
   using Files = std::map<std::string, std::shared_ptr<const T>>; // by identity; null: it has a fault
 
@@ -107,6 +111,7 @@ private:
   const JsonDocument& document_;
   fs::path folder_;
   FaultList &faults_, &in_files_;
+  MeshCounts sum_;
   Files<Mesh> meshes_;
   Files<Texture> textures_;
   Files<MerlTable> tables_;

@@ -89,17 +89,17 @@ struct Sink {
 
 } // namespace
 
-ImageFile read_stb(const std::string& path, std::string_view bytes) {
+ImageFile read_stb(const std::string& path, std::string_view bytes, const ImageRequest& request) {
   // stb calls a PNG that is too large an unknown image: its size, at a fixed place, is looked at before.
   if (bytes.starts_with("\x89PNG\r\n\x1a\n") && bytes.size() >= 24)
-    check_image_size(path, big_endian(&bytes[16]), big_endian(&bytes[20]), bytes.size(), png_pixels_per_byte);
+    check_image_size(path, big_endian(&bytes[16]), big_endian(&bytes[20]), bytes.size(), png_pixels_per_byte, request);
   Source source{bytes};
   int width = 0, height = 0, channels = 0;
   if (!stbi_info_from_callbacks(&Source::calls, &source, &width, &height, &channels))
     throw not_decoded(path, source.ran_out);
   // No other format here is denser than PNG.
   check_image_size(path, static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height), bytes.size(),
-                   png_pixels_per_byte);
+                   png_pixels_per_byte, request);
   ImageFile result;
   if (Source again{bytes}; stbi_is_hdr_from_callbacks(&Source::calls, &again)) {
     decode<float>(path, bytes, result.values, stbi_loadf_from_callbacks);
