@@ -40,9 +40,12 @@ std::vector<std::string> default_channels(int count) {
 namespace {
 ImageFile read_image(const std::string& path, const ImageRequest& request) {
   if (auto fault = file_fault(path, "an image", limit::image_bytes.value)) throw InputError(std::move(*fault));
-  if (read_prefix(path, 4) == exr_magic) return read_exr(path, file_size_bytes(path), request);
+  const std::string prefix = read_prefix(path, 1024);
+  if (prefix.starts_with(exr_magic)) return read_exr(path, file_size_bytes(path), request);
+  const auto is_pfm = [](std::string_view text) { return text.starts_with("PF") || text.starts_with("Pf"); };
+  if (!is_pfm(prefix)) check_stb_prefix(path, prefix); // before the whole is read, however large it is
   const std::string bytes = read_file(path, "an image", limit::image_bytes.value);
-  if (bytes.starts_with("PF") || bytes.starts_with("Pf")) return read_pfm(path, bytes, request);
+  if (is_pfm(bytes)) return read_pfm(path, bytes, request);
   return read_stb(path, bytes, request);
 }
 } // namespace

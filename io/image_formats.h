@@ -20,6 +20,9 @@ void check_image_size(const std::string& path, std::uint64_t width, std::uint64_
 /// The names of 1 to 4 channels.
 std::vector<std::string> default_channels(int count);
 
+/// Throws InputError unless a file that begins like this may be one of read_stb's.
+void check_stb_prefix(const std::string& path, std::string_view prefix);
+
 /// PNG, JPEG, TGA, BMP, HDR.
 ImageFile read_stb(const std::string& path, std::string_view bytes, const ImageRequest& request);
 ImageFile read_pfm(const std::string& path, std::string_view bytes, const ImageRequest& request);
