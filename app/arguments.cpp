@@ -136,4 +136,10 @@ std::optional<std::uint64_t> count_from(std::string_view text) {
   return number_from<std::uint64_t>(text);
 }
 
+void add_outside_option(CLI::App& command, Outside& outside) {
+  command.add_flag_callback(
+      "--allow-outside", [&outside] { outside = Outside::allowed; },
+      "let the scene name files outside its own folder: only for scenes that you trust");
+}
+
 } // namespace refraster

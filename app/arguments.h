@@ -2,6 +2,7 @@
 // Words of the command line that are more than a number or a name.
 
 #include "io/limits.h"
+#include "io/scene_file.h"
 #include "raster/render.h"
 #include "shading/fields.h"
 
@@ -52,6 +53,9 @@ std::optional<double> distance_from(std::string_view text);
 
 /// A whole number, not negative.
 std::optional<std::uint64_t> count_from(std::string_view text);
+
+/// --allow-outside, for the commands that read scenes.
+void add_outside_option(CLI::App& command, Outside& outside);
 
 /// An option for a number in a range; the help shows the range in place of the value. NaN is in none.
 template <class Number>

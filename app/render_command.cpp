@@ -27,6 +27,7 @@ struct RenderArguments {
   std::string rung = "double";
   int samples = 1, threads = 0, tile_size = 64;
   Transfer transfer = Transfer::linear;
+  SceneOptions reading;
   Progress progress = Progress::shown;
 };
 
@@ -88,7 +89,7 @@ std::unique_ptr<ProgressLine> progress_line(Progress progress, const std::string
 
 Scene scene_of(const RenderArguments& arguments) {
   const auto line = progress_line(arguments.progress, "reading " + arguments.scene);
-  return read_scene(arguments.scene);
+  return read_scene(arguments.scene, arguments.reading);
 }
 
 Frame rendered(const Scene& scene, const RenderArguments& arguments) {
@@ -175,6 +176,7 @@ void add_render(CLI::App& program, Action& chosen) {
                     "some of depth,normal,position,uv,albedo,triangle,object, each once",
                     "more images to write, as NAME.depth.pfm next to NAME.png (.exr next to .exr): depth, normal, "
                     "position, uv, albedo, triangle, object");
+  add_outside_option(command, a.reading.outside);
   command.add_option("--report", a.report, "write a report of the run as JSON; - is standard output")
       ->type_name("FILE");
   command.add_flag_callback(

@@ -6,7 +6,9 @@
 #include "io/obj_file.h"
 #include "io/scene_reader.h"
 #include "io/shape_mesh.h"
+#include "io/text.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <limits>
 #include <map>
@@ -19,7 +21,7 @@ namespace fs = std::filesystem;
 /// The same for every way to write the path of one file.
 std::string identity(const std::string& path) {
   std::error_code error;
-  const fs::path canonical = fs::weakly_canonical(path, error);
+  const fs::path canonical = fs::weakly_canonical(fs::absolute(path), error);
   return error ? path : canonical.string();
 }
 
@@ -27,8 +29,9 @@ std::string identity(const std::string& path) {
 class Loader {
 public:
   /// `faults`: of the scene file; `in_files`: of those that it names.
-  Loader(const JsonDocument& document, FaultList& faults, FaultList& in_files)
-      : document_(document), folder_(fs::path(document.file()).parent_path()), faults_(faults), in_files_(in_files) {}
+  Loader(const JsonDocument& document, const SceneOptions& options, FaultList& faults, FaultList& in_files)
+      : document_(document), options_(options), folder_(fs::path(document.file()).parent_path()),
+        real_folder_(identity(folder_.empty() ? "." : folder_.string())), faults_(faults), in_files_(in_files) {}
 
   /// To be called for every object before the first is loaded: a loaded texture never changes, so it must be known
   /// whether it needs a mip chain; and shapes that are too many are not made.
@@ -40,6 +43,8 @@ public:
 
   Object object(const ObjectText& text) {
     Object result = text.object;
+    for (const PathText* const shader : {&text.vertex_shader, &text.fragment_shader})
+      if (const auto fault = outside_fault(*shader)) faults_.add(*fault);
     result.vertex_shader_path = path_of(text.vertex_shader);
     result.fragment_shader_path = path_of(text.fragment_shader);
     result.mesh =
@@ -86,6 +91,10 @@ private:
     const std::string path = path_of(text);
     const auto [entry, is_new] = files.try_emplace(identity(path));
     if (!is_new) return entry->second;
+    if (const auto fault = outside_fault(text)) {
+      faults_.add(*fault);
+      return nullptr;
+    }
     constexpr std::uint64_t any_size = std::numeric_limits<std::uint64_t>::max(); // the reader knows its limit
     if (const auto fault = file_fault(path, expected, any_size)) {
       faults_.add(document_.fault_at(text.offset, text.json_path, fault->found + ", " + path, fault->expected));
@@ -99,6 +108,16 @@ private:
     return entry->second;
   }
 
+  /// Whether a path leads out of the scene's folder. It may name nothing: whether something is there is not told.
+  std::optional<InputFault> outside_fault(const PathText& text) const {
+    if (text.given.empty() || options_.outside == Outside::allowed) return {};
+    const fs::path real = identity(path_of(text));
+    if (std::mismatch(real_folder_.begin(), real_folder_.end(), real.begin(), real.end()).first == real_folder_.end())
+      return {};
+    return document_.fault_at(text.offset, text.json_path, in_quotes(text.given) + ", outside the scene's folder",
+                              "a path within it, or --allow-outside");
+  }
+
   std::string path_of(const PathText& text) const {
     return text.given.empty() ? std::string() : (folder_ / text.given).string();
   }
@@ -109,7 +128,8 @@ private:
   }
 
   const JsonDocument& document_;
-  fs::path folder_;
+  const SceneOptions& options_;
+  fs::path folder_, real_folder_;
   FaultList &faults_, &in_files_;
   MeshCounts sum_;
   Files<Mesh> meshes_;
@@ -121,7 +141,7 @@ private:
 
 } // namespace
 
-Scene read_scene(const std::string& path) {
+Scene read_scene(const std::string& path, const SceneOptions& options) {
   const JsonDocument document(path, read_file(path, "a scene file", JsonDocument::max_bytes));
   FaultList faults;
   Scene scene;
@@ -134,7 +154,7 @@ Scene read_scene(const std::string& path) {
   root.finish();
 
   FaultList in_files;
-  Loader loader(document, faults, in_files);
+  Loader loader(document, options, faults, in_files);
   for (const ObjectText& text : objects) loader.note(text);
   for (const ObjectText& text : objects) scene.objects.push_back(loader.object(text));
   faults.sort_by_place();
