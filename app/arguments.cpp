@@ -100,11 +100,19 @@ std::optional<std::vector<int>> thread_counts_from(std::string_view text) {
   std::vector<int> counts;
   for (const std::string_view part : split(text, ',')) {
     const std::optional<int> count = number_from<int>(part);
-    if (!count || *count < 1 || *count > 1024) return std::nullopt;
+    if (!count || *count < 1 || *count > static_cast<int>(limit::threads.value)) return std::nullopt;
     if (std::find(counts.begin(), counts.end(), *count) != counts.end()) return std::nullopt;
     counts.push_back(*count);
   }
   return counts;
+}
+
+void check_frame_samples(int width, int height, int samples) {
+  const std::uint64_t all =
+      static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) * static_cast<std::uint64_t>(samples);
+  if (all > limit::frame_samples.value)
+    throw CLI::ValidationError("--samples", "found " + found_of(limit::frame_samples, all) + ", expected " +
+                                                at_most(limit::frame_samples));
 }
 
 std::optional<Double3> reflectance_from(std::string_view text) {
@@ -126,6 +134,12 @@ std::optional<double> distance_from(std::string_view text) {
 
 std::optional<std::uint64_t> count_from(std::string_view text) {
   return number_from<std::uint64_t>(text);
+}
+
+void add_outside_option(CLI::App& command, Outside& outside) {
+  command.add_flag_callback(
+      "--allow-outside", [&outside] { outside = Outside::allowed; },
+      "let the scene name files outside its own folder: only for scenes that you trust");
 }
 
 } // namespace refraster

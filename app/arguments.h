@@ -1,6 +1,8 @@
 #pragma once
 // Words of the command line that are more than a number or a name.
 
+#include "io/limits.h"
+#include "io/scene_file.h"
 #include "raster/render.h"
 #include "shading/fields.h"
 
@@ -17,7 +19,7 @@ struct Size {
   int width = 1280, height = 720;
   bool operator==(const Size&) const = default;
 };
-inline constexpr int largest_side = 16384; // pixels; as RenderOptions allows
+inline constexpr int largest_side = limit::frame_side.value; // pixels
 
 /// "1280x720", each side 1 to largest_side.
 std::optional<Size> size_from(std::string_view text);
@@ -37,7 +39,10 @@ std::vector<std::string> rung_names();
 /// "double,float": some of these names, each once.
 std::optional<std::vector<std::string>> rungs_from(std::string_view text);
 
-/// "1,2,4": numbers of threads, each 1 to 1024 and once.
+/// Throws CLI::ValidationError for more than limit::frame_samples.
+void check_frame_samples(int width, int height, int samples);
+
+/// "1,2,4": numbers of threads, each 1 to limit::threads and once.
 std::optional<std::vector<int>> thread_counts_from(std::string_view text);
 
 /// "0.8" or "0.6,0.05,0.03": what is reflected of red, green and blue, each in [0, 1]. One number stands for all three.
@@ -48,6 +53,9 @@ std::optional<double> distance_from(std::string_view text);
 
 /// A whole number, not negative.
 std::optional<std::uint64_t> count_from(std::string_view text);
+
+/// --allow-outside, for the commands that read scenes.
+void add_outside_option(CLI::App& command, Outside& outside);
 
 /// An option for a number in a range; the help shows the range in place of the value. NaN is in none.
 template <class Number>

@@ -57,6 +57,7 @@ std::optional<std::vector<GrowthRequest>> scaling_from(std::string_view text) {
 
 struct BenchArguments {
   std::vector<std::string> scenes, rungs;
+  SceneOptions reading;
   std::vector<int> threads;
   std::vector<GrowthRequest> scaling;
   std::vector<Size> sizes = {Size{}};
@@ -184,7 +185,7 @@ ExitCode run(const BenchArguments& a) {
   try {
     if (a.scenes.empty() && a.scaling.empty()) bench.add(built_in_name, built_in_scene());
     for (const std::string& path : a.scenes) {
-      bench.add(path, read_scene(path));
+      bench.add(path, read_scene(path, a.reading));
       if (interrupted()) return ExitCode::interrupted;
     }
     for (const GrowthRequest& request : a.scaling) {
@@ -244,6 +245,7 @@ void add_bench(CLI::App& program, Action& chosen) {
       "some of triangles, pixels, lights, overdraw, threads, all, each with or without a number like :1e6",
       "how cost grows with the number of triangles (up to 1e7), pixels (16384^2), lights (256), overdraw "
       "(64), threads (CPUs), or all of them; MOST is where to stop");
+  add_outside_option(command, a.reading.outside);
   command.add_option("--json", a.json, "write the report as JSON; - is standard output")->type_name("FILE");
   command.add_option("--html", a.html, "write the report as one HTML page with pictures")->type_name("FILE");
   command.add_flag_callback(
@@ -255,6 +257,7 @@ void add_bench(CLI::App& program, Action& chosen) {
   command.final_callback([&chosen, &command, arguments] {
     arguments->gl_named = command.count("--gl") > 0;
     fill_defaults(*arguments);
+    for (const Size& size : arguments->sizes) check_frame_samples(size.width, size.height, arguments->samples);
     chosen = [arguments] { return run(*arguments); };
   });
 }

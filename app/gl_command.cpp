@@ -18,6 +18,7 @@ namespace {
 struct GlArguments {
   std::string scene, output, radiance, depth, json;
   Size size;
+  SceneOptions reading;
   GlOptions options;
 };
 
@@ -64,7 +65,7 @@ ExitCode run(const GlArguments& a) {
   GlFrame frame;
   try {
     const ProgressLine line("drawing " + a.scene);
-    const Scene scene = read_scene(a.scene);
+    const Scene scene = read_scene(a.scene, a.reading);
     frame = render_gl(scene, options);
   } catch (const NoOpenGl& error) {
     std::cerr << "refraster: " << error.what() << "\n";
@@ -119,6 +120,7 @@ void add_gl(CLI::App& program, Action& chosen) {
              "how our GLSL reads a measured table between its samples");
   command.add_option("--frames", a.options.timed_frames, "draw so many more frames and time each; see --json")
       ->check(CLI::Range(0, 1'000'000));
+  add_outside_option(command, a.reading.outside);
   command.add_option("--json", a.json, "write driver, times and counts as JSON; - is standard output")
       ->type_name("FILE");
   command.footer(

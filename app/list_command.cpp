@@ -1,6 +1,7 @@
-// refraster list fragment-functions | rungs | scene-format
+// refraster list fragment-functions | rungs | limits | scene-format
 
 #include "app/command.h"
+#include "io/limits.h"
 #include "io/scene_file.h"
 #include "math/rungs.h"
 #include "shading/models.h"
@@ -102,6 +103,12 @@ void add_list(CLI::App& program, Action& chosen) {
   add_sub_command(list, "rungs", "Precisions that a frame can be rendered in").final_callback([&chosen] {
     chosen = [] {
       print_rungs(static_cast<const Rungs*>(nullptr));
+      return ExitCode::ok;
+    };
+  });
+  add_sub_command(list, "limits", "How large anything may be, as Markdown").final_callback([&chosen] {
+    chosen = [] {
+      std::cout << limits_markdown();
       return ExitCode::ok;
     };
   });

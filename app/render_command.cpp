@@ -27,6 +27,7 @@ struct RenderArguments {
   std::string rung = "double";
   int samples = 1, threads = 0, tile_size = 64;
   Transfer transfer = Transfer::linear;
+  SceneOptions reading;
   Progress progress = Progress::shown;
 };
 
@@ -54,6 +55,9 @@ void check_together(const RenderArguments& arguments) {
     throw CLI::ValidationError("--crop", "reaches out of the image of " + std::to_string(arguments.size.width) + "x" +
                                              std::to_string(arguments.size.height) + " pixels");
   }
+  const Crop part =
+      arguments.crop.empty() ? Crop{0, 0, arguments.size.width, arguments.size.height} : arguments.crop.back();
+  check_frame_samples(part.width, part.height, arguments.samples);
   if (!image_format(arguments.output))
     throw CLI::ValidationError("--output", "found \"" + arguments.output +
                                                "\", expected a name ending in .png, .hdr, .pfm or .exr");
@@ -85,7 +89,7 @@ std::unique_ptr<ProgressLine> progress_line(Progress progress, const std::string
 
 Scene scene_of(const RenderArguments& arguments) {
   const auto line = progress_line(arguments.progress, "reading " + arguments.scene);
-  return read_scene(arguments.scene);
+  return read_scene(arguments.scene, arguments.reading);
 }
 
 Frame rendered(const Scene& scene, const RenderArguments& arguments) {
@@ -164,13 +168,15 @@ void add_render(CLI::App& program, Action& chosen) {
   add_choice_option(command, "--rung", a.rung, rung_names(), "precision of shading; `refraster list rungs`");
   add_choice_option(command, "--samples", a.samples, {1, 2, 4, 8, 16},
                     "samples a pixel, at the standard positions; shaded once a triangle");
-  add_number_option(command, "--threads", a.threads, Range{0, 1024}, "threads; 0: as many as this machine has");
+  add_number_option(command, "--threads", a.threads, Range{0, double(limit::threads.value)},
+                    "threads; 0: as many as this machine has");
   add_choice_option(command, "--tile-size", a.tile_size, {8, 16, 32, 64, 128},
                     "pixels along a side of the tiles that threads work on");
   add_parsed_option(command, "--aov", a.aovs, aovs_from, "LIST",
                     "some of depth,normal,position,uv,albedo,triangle,object, each once",
                     "more images to write, as NAME.depth.pfm next to NAME.png (.exr next to .exr): depth, normal, "
                     "position, uv, albedo, triangle, object");
+  add_outside_option(command, a.reading.outside);
   command.add_option("--report", a.report, "write a report of the run as JSON; - is standard output")
       ->type_name("FILE");
   command.add_flag_callback(

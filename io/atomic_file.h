@@ -9,9 +9,12 @@
 
 namespace refraster {
 
-/// Writes beside the file under a temporary name, and takes its place on commit(). Without commit, or after an error,
-/// nothing is left and an older file of that name is as it was. A device or pipe is written directly; a symbolic link
-/// stays one, its target is written. Every function throws OutputError.
+/// Writes to a file without a name, and takes the place of `path` on commit(), when all of it is on disk. Without
+/// commit, or after an error, nothing is left and an older file of that name is as it was; also after SIGKILL, but for
+/// the moment between two system calls of commit() in which the new file, whole, stands beside the old one as
+/// temporary_name_prefix(process) + N + ".part". Where the file system has no files without a name (NFS), it stands
+/// there all the time. A device or pipe is written directly; a symbolic link stays one, its target is written. Every
+/// function throws OutputError.
 class AtomicFile {
 public:
   explicit AtomicFile(const std::string& path);
@@ -29,10 +32,16 @@ private:
   [[noreturn]] void fail(int error_number);
   void close_and_remove();
 
-  std::string shown_, target_, temporary_; // temporary_ is empty where the target is written directly
+  enum class Form { nameless, named, direct };
+
+  std::string shown_, target_, temporary_; // temporary_: the name it has beside the target; empty if none
+  Form form_ = Form::nameless;
   std::uint64_t position_ = 0;
   int descriptor_ = -1;
 };
+
+/// How names of files begin that this process has not finished.
+std::string temporary_name_prefix(int process);
 
 /// The whole file at once.
 void write_file(const std::string& path, std::string_view bytes);

@@ -39,14 +39,14 @@ Imf::Slice slice(const Image<float>& image, int c, int x_origin, int y_origin) {
 
 } // namespace
 
-ImageFile read_exr(const std::string& path, std::uint64_t file_bytes) {
+ImageFile read_exr(const std::string& path, std::uint64_t file_bytes, const ImageRequest& request) {
   try {
     Imf::InputFile file(path.c_str());
     const Imath::Box2i window = file.header().dataWindow();
     const auto width = static_cast<std::uint64_t>(std::int64_t{window.max.x} - window.min.x + 1);
     const auto height = static_cast<std::uint64_t>(std::int64_t{window.max.y} - window.min.y + 1);
     // Deflate again, and the smallest channel has two bytes.
-    check_image_size(path, width, height, file_bytes, 1032 / 2);
+    check_image_size(path, width, height, file_bytes, 1032 / 2, request);
     ImageFile result;
     result.bits = 32;
     result.full_scale = 1;
@@ -64,8 +64,9 @@ ImageFile read_exr(const std::string& path, std::uint64_t file_bytes) {
           std::rotate(result.channels.begin() + static_cast<std::ptrdiff_t>(front++),
                       result.channels.begin() + static_cast<std::ptrdiff_t>(i),
                       result.channels.begin() + static_cast<std::ptrdiff_t>(i + 1));
-    if (result.channels.size() > 64)
-      throw InputError(InputFault{path, 0, 0, "channels", std::to_string(result.channels.size()), "at most 64"});
+    if (result.channels.size() > limit::image_channels.value)
+      throw InputError(InputFault{path, 0, 0, "", found_of(limit::image_channels, result.channels.size()),
+                                  at_most(limit::image_channels)});
     result.values =
         Image<float>(static_cast<int>(width), static_cast<int>(height), static_cast<int>(result.channels.size()));
     Imf::FrameBuffer buffer;

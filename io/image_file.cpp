@@ -8,19 +8,18 @@
 
 namespace refraster {
 namespace {
-constexpr std::uint64_t max_file_bytes = std::uint64_t{1} << 33; // twice the largest image in float RGB A
 constexpr std::string_view exr_magic = "\x76\x2f\x31\x01";
 } // namespace
 
 void check_image_size(const std::string& path, std::uint64_t width, std::uint64_t height, std::uint64_t file_bytes,
-                      std::uint64_t max_pixels_per_byte) {
+                      std::uint64_t max_pixels_per_byte, const ImageRequest& request) {
   const auto fail = [&](const std::string& expected) {
     throw InputError(
         InputFault{path, 0, 0, "", std::to_string(width) + " x " + std::to_string(height) + " pixels", expected});
   };
   if (width == 0 || height == 0) fail("at least 1 x 1");
-  if (width > max_image_side || height > max_image_side) fail("at most " + std::to_string(max_image_side) + " a side");
-  if (width * height > max_image_pixels) fail("at most " + std::to_string(max_image_pixels) + " pixels");
+  if (width > request.side.value || height > request.side.value) fail(at_most(request.side));
+  if (width * height > limit::image_pixels.value) fail(at_most(limit::image_pixels));
   if (width * height > file_bytes * max_pixels_per_byte)
     fail("as many as a file of " + std::to_string(file_bytes) + " bytes can hold");
 }
@@ -38,16 +37,25 @@ std::vector<std::string> default_channels(int count) {
   }
 }
 
+namespace {
+ImageFile read_image(const std::string& path, const ImageRequest& request) {
+  if (auto fault = file_fault(path, "an image", limit::image_bytes.value)) throw InputError(std::move(*fault));
+  const std::string prefix = read_prefix(path, 1024);
+  if (prefix.starts_with(exr_magic)) return read_exr(path, file_size_bytes(path), request);
+  const auto is_pfm = [](std::string_view text) { return text.starts_with("PF") || text.starts_with("Pf"); };
+  if (!is_pfm(prefix)) check_stb_prefix(path, prefix); // before the whole is read, however large it is
+  const std::string bytes = read_file(path, "an image", limit::image_bytes.value);
+  if (is_pfm(bytes)) return read_pfm(path, bytes, request);
+  return read_stb(path, bytes, request);
+}
+} // namespace
+
 ImageFile read_image(const std::string& path) {
-  if (auto fault = file_fault(path, "an image", max_file_bytes)) throw InputError(std::move(*fault));
-  if (read_prefix(path, 4) == exr_magic) return read_exr(path, file_size_bytes(path));
-  const std::string bytes = read_file(path, "an image", max_file_bytes);
-  if (bytes.starts_with("PF") || bytes.starts_with("Pf")) return read_pfm(path, bytes);
-  return read_stb(path, bytes);
+  return read_image(path, {});
 }
 
 Texture read_texture(const std::string& path) {
-  const ImageFile image = read_image(path);
+  const ImageFile image = read_image(path, {limit::texture_side});
   if (image.bits > 16)
     throw InputError(InputFault{path, 0, 0, "", "an image of floating-point numbers", "8 or 16 bits a channel"});
   Texture texture;

@@ -19,11 +19,11 @@ struct ImageFile {
 };
 
 /// Reads `.png .jpg .tga .bmp` (8 or 16 bits), `.hdr .pfm .exr` (float). What it is, is seen from its content.
-/// Throws InputError. The size it declares is checked against limits, and against the size of the file, before any
-/// memory is taken: at most 65536 pixels a side and 2^28 in all.
+/// Throws InputError. The size it declares is checked against the limits (io/limits.h), and against the size of the
+/// file, before any memory is taken.
 ImageFile read_image(const std::string& path);
 
-/// Reads an image of 8 or 16 bits as a texture with level 0 only: one channel becomes grey, alpha is dropped.
+/// Reads an image of 8 or 16 bits, within limit::texture_side, as a texture with level 0 only: one channel becomes grey, alpha is dropped.
 Texture read_texture(const std::string& path);
 
 /// Writes 8-bit grey (1 channel) or RGB (3) as PNG, with no colour profile. Throws OutputError.

@@ -2,25 +2,31 @@
 // One file format each, for image_file.cpp.
 
 #include "io/image_file.h"
+#include "io/limits.h"
 
 #include <string_view>
 
 namespace refraster {
 
-// Limits of an image: sides as STBI_MAX_DIMENSIONS in stb.cpp, and 16384 x 16384 pixels, the largest that is rendered.
-inline constexpr std::uint64_t max_image_side = 65536, max_image_pixels = std::uint64_t{1} << 28;
+/// What an image is read for.
+struct ImageRequest {
+  const Limit& side = limit::image_side;
+};
 
 /// Throws InputError if the declared size is 0, beyond the limits, or more than so many file bytes can hold.
 void check_image_size(const std::string& path, std::uint64_t width, std::uint64_t height, std::uint64_t file_bytes,
-                      std::uint64_t max_pixels_per_byte);
+                      std::uint64_t max_pixels_per_byte, const ImageRequest& request);
 
 /// The names of 1 to 4 channels.
 std::vector<std::string> default_channels(int count);
 
+/// Throws InputError unless a file that begins like this may be one of read_stb's.
+void check_stb_prefix(const std::string& path, std::string_view prefix);
+
 /// PNG, JPEG, TGA, BMP, HDR.
-ImageFile read_stb(const std::string& path, std::string_view bytes);
-ImageFile read_pfm(const std::string& path, std::string_view bytes);
-ImageFile read_exr(const std::string& path, std::uint64_t file_bytes);
+ImageFile read_stb(const std::string& path, std::string_view bytes, const ImageRequest& request);
+ImageFile read_pfm(const std::string& path, std::string_view bytes, const ImageRequest& request);
+ImageFile read_exr(const std::string& path, std::uint64_t file_bytes, const ImageRequest& request);
 
 void write_hdr(const std::string& path, const Image<float>& image);
 void write_pfm(const std::string& path, const Image<float>& image);

@@ -1,5 +1,7 @@
 #include "io/input_error.h"
 
+#include "io/text.h"
+
 #include <string>
 
 namespace refraster {
@@ -11,7 +13,7 @@ std::string InputFault::text() const {
   if (!path.empty()) result.append(result.empty() ? "" : ": ").append(path);
   result.append(result.empty() ? "found " : ": found ").append(found);
   if (!expected.empty()) result.append(", expected ").append(expected);
-  return result;
+  return one_line(result); // a name may have any character
 }
 
 namespace {
@@ -25,6 +27,6 @@ std::string joined(const std::vector<InputFault>& faults) {
 InputError::InputError(std::vector<InputFault> list) : std::runtime_error(joined(list)), faults_(std::move(list)) {}
 
 OutputError::OutputError(const std::string& file, const std::string& reason)
-    : std::runtime_error(file + ": cannot write: " + reason) {}
+    : std::runtime_error(one_line(file) + ": cannot write: " + reason) {}
 
 } // namespace refraster

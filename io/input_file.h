@@ -15,7 +15,8 @@ namespace refraster {
 /// file".
 std::optional<InputFault> file_fault(const std::string& path, std::string_view expected, std::uint64_t limit_bytes);
 
-/// The whole file. Throws InputError with file_fault, or if it shrinks while it is read.
+/// The whole file. What is judged is what is read, also if another one takes its name meanwhile. Throws InputError with
+/// file_fault, or if it shrinks while it is read.
 std::string read_file(const std::string& path, std::string_view expected, std::uint64_t limit_bytes);
 
 /// Its first bytes, at most the whole; its size. For a file without file_fault.

@@ -29,7 +29,7 @@ public:
   TreeBuilder(const std::string& text, const TrackedStream& stream, std::string& decoded, std::vector<JsonNode>& nodes)
       : text_(text), stream_(stream), decoded_(decoded), nodes_(nodes) {}
 
-  bool too_deep() const { return open_.size() > static_cast<std::size_t>(JsonDocument::max_depth); }
+  bool too_deep() const { return open_.size() > limit::json_depth.value; }
 
   // NOLINTBEGIN(readability-identifier-naming): the names that rapidjson calls
   bool Null() { return scalar(JsonKind::null, offset() - 4); }
@@ -179,8 +179,14 @@ JsonDocument::JsonDocument(std::string file, std::string text) : file_(std::move
   if (const std::size_t zero = text_.find('\0'); zero != std::string::npos)
     throw InputError(fault_at(zero, "", "a zero byte", "text"));
   if (text_.size() > max_bytes)
-    throw InputError(fault_at(0, "", std::to_string(text_.size()) + " bytes", "at most " + std::to_string(max_bytes)));
+    throw InputError(fault_at(0, "", found_of(limit::scene_bytes, text_.size()), at_most(limit::scene_bytes)));
   decoded_.reserve(text_.size());
+  // At most 75 bytes a character in all, limit::scene_bytes.
+  static_assert(sizeof(JsonNode) <= 72);
+  // A value is the root, or the first in its brackets, or behind a comma: so memory is taken once, and no more than the
+  // text asks for.
+  nodes_.reserve(1 + static_cast<std::size_t>(std::count_if(text_.begin(), text_.end(),
+                                                            [](char c) { return c == ',' || c == '[' || c == '{'; })));
   TrackedStream stream(text_.c_str());
   rapidjson::Reader reader;
   TreeBuilder builder(text_, stream, decoded_, nodes_);
@@ -189,7 +195,8 @@ JsonDocument::JsonDocument(std::string file, std::string text) : file_(std::move
 
   const std::size_t at = std::min(reader.GetErrorOffset(), text_.size());
   if (builder.too_deep())
-    throw InputError(fault_at(at, "", "nesting deeper than " + std::to_string(max_depth), "a flatter file"));
+    throw InputError(
+        fault_at(at, "", found_of(limit::json_depth, limit::json_depth.value + 1), at_most(limit::json_depth)));
   std::string found = "the end of the file";
   const char* expected = expected_syntax(reader.GetParseErrorCode());
   if (at < text_.size() && text_[at] == '\n' &&

@@ -2,6 +2,7 @@
 // JSON text as a tree that knows where in the file each value stands.
 
 #include "io/input_error.h"
+#include "io/limits.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -30,13 +31,12 @@ struct JsonNode {
 /// All values lie in one list, so that neither reading nor freeing a file recurses, however deep it nests.
 class JsonDocument {
 public:
-  /// Throws InputError at the first fault of syntax, and for nesting deeper than 64.
-  /// `file` only names it in messages; text of at most 16 MiB.
+  /// Throws InputError at the first fault of syntax, and for a text beyond limit::scene_bytes or
+  /// limit::json_depth. `file` only names it in messages.
   JsonDocument(std::string file, std::string text);
   JsonDocument(const JsonDocument&) = delete;
 
-  static constexpr std::size_t max_bytes = 16 << 20;
-  static constexpr int max_depth = 64;
+  static constexpr std::size_t max_bytes = limit::scene_bytes.value;
 
   const std::string& file() const { return file_; }
   const JsonNode& operator[](JsonIndex i) const { return nodes_[i]; }

@@ -1,6 +1,7 @@
 #include "io/obj_file.h"
 
 #include "io/input_file.h"
+#include "io/limits.h"
 #include "io/obj_faces.h"
 #include "io/triple_index.h"
 
@@ -8,7 +9,6 @@
 
 #include <cassert>
 #include <istream>
-#include <limits>
 #include <streambuf>
 
 namespace refraster {
@@ -60,11 +60,12 @@ ObjFaces parse_faces(ObjText& obj) {
 } // namespace
 
 Mesh read_obj(const std::string& path) {
-  // Of fewer bytes than this no list can have more entries than an int32 counts.
-  constexpr std::uint64_t max_bytes = std::numeric_limits<std::int32_t>::max();
-  ObjText obj = check_obj(path, read_file(path, "an OBJ file", max_bytes));
+  ObjText obj = check_obj(path, read_file(path, "an OBJ file", limit::obj_bytes.value));
   ObjFaces faces = parse_faces(obj);
   obj.text = {};
+  // Before the triangles are made: a polygon of n corners becomes n - 2. There are no more vertices than corners.
+  if (const std::uint64_t triangles = faces.corners.size() - 2 * faces.count(); triangles > limit::triangles.value)
+    throw InputError(InputFault{path, 0, 0, "", found_of(limit::triangles, triangles), at_most(limit::triangles)});
   add_missing_normals(obj, faces);
 
   Mesh mesh;

@@ -40,7 +40,7 @@ std::uint64_t take_size(const std::string& path, std::string_view& text, const c
 
 } // namespace
 
-ImageFile read_pfm(const std::string& path, std::string_view bytes) {
+ImageFile read_pfm(const std::string& path, std::string_view bytes, const ImageRequest& request) {
   std::string_view rest = bytes.substr(2);
   const int channels = bytes[1] == 'F' ? 3 : 1;
   const std::uint64_t width = take_size(path, rest, "width"), height = take_size(path, rest, "height");
@@ -48,7 +48,7 @@ ImageFile read_pfm(const std::string& path, std::string_view bytes) {
   double scale = 0;
   if (read_number(word, scale) != NumberText::good || scale == 0)
     fail(path, "scale", in_quotes(word), "a number that is not 0");
-  check_image_size(path, width, height, bytes.size(), 1);
+  check_image_size(path, width, height, bytes.size(), 1, request);
   if (!rest.empty()) rest.remove_prefix(1);
   const std::size_t row_bytes = width * static_cast<std::size_t>(channels) * sizeof(float);
   if (rest.size() != row_bytes * height)

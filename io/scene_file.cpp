@@ -5,8 +5,10 @@
 #include "io/merl_file.h"
 #include "io/obj_file.h"
 #include "io/scene_reader.h"
-#include "raster/primitives.h"
+#include "io/shape_mesh.h"
+#include "io/text.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <limits>
 #include <map>
@@ -19,42 +21,37 @@ namespace fs = std::filesystem;
 /// The same for every way to write the path of one file.
 std::string identity(const std::string& path) {
   std::error_code error;
-  const fs::path canonical = fs::weakly_canonical(path, error);
+  const fs::path canonical = fs::weakly_canonical(fs::absolute(path), error);
   return error ? path : canonical.string();
-}
-
-std::shared_ptr<const Mesh> make_mesh(const Shape& shape) {
-  struct Make {
-    Mesh operator()(const SphereShape& s) const { return sphere_mesh(s.segments, s.rings); }
-    Mesh operator()(const CubeShape&) const { return cube_mesh(); }
-    Mesh operator()(const PlaneShape& s) const { return plane_mesh(s.segments); }
-    Mesh operator()(const TorusShape& s) const { return torus_mesh(s.segments, s.rings, s.tube_radius); }
-    Mesh operator()(const KnotShape& s) const { return knot_mesh(s.segments, s.rings, s.tube_radius); }
-  };
-  return std::make_shared<const Mesh>(std::visit(Make{}, shape));
 }
 
 /// Everything that the objects name, loaded or made. Each file is loaded once, and its faults are told once.
 class Loader {
 public:
   /// `faults`: of the scene file; `in_files`: of those that it names.
-  Loader(const JsonDocument& document, FaultList& faults, FaultList& in_files)
-      : document_(document), folder_(fs::path(document.file()).parent_path()), faults_(faults), in_files_(in_files) {}
+  Loader(const JsonDocument& document, const SceneOptions& options, FaultList& faults, FaultList& in_files)
+      : document_(document), options_(options), folder_(fs::path(document.file()).parent_path()),
+        real_folder_(identity(folder_.empty() ? "." : folder_.string())), faults_(faults), in_files_(in_files) {}
 
-  /// Which textures need a mip chain is known before the first is loaded: a loaded texture never changes.
+  /// To be called for every object before the first is loaded: a loaded texture never changes, so it must be known
+  /// whether it needs a mip chain; and shapes that are too many are not made.
   void note(const ObjectText& text) {
+    if (text.shape) add(mesh_counts(*text.shape));
     if (!text.texture_file.given.empty() && text.object.material.texture_filter == TextureFilter::trilinear)
       trilinear_.insert(identity(path_of(text.texture_file)));
   }
 
   Object object(const ObjectText& text) {
     Object result = text.object;
+    for (const PathText* const shader : {&text.vertex_shader, &text.fragment_shader})
+      if (const auto fault = outside_fault(*shader)) faults_.add(*fault);
     result.vertex_shader_path = path_of(text.vertex_shader);
     result.fragment_shader_path = path_of(text.fragment_shader);
     result.mesh =
         text.shape ? shape(*text.shape) : load(meshes_, text.obj_file, "an OBJ file", [](const std::string& path) {
           return std::make_shared<const Mesh>(read_obj(path));
         });
+    if (!text.shape && result.mesh) add({result.mesh->positions.size(), result.mesh->triangles.size()});
     if (result.name.empty())
       result.name = text.shape ? std::string(std::visit([](auto& s) { return s.name; }, *text.shape))
                                : fs::path(text.obj_file.given).stem().string();
@@ -71,6 +68,18 @@ public:
   }
 
 private:
+  /// To the sum of all objects; an object counts however many share its mesh.
+  void add(const MeshCounts& counts) {
+    sum_.vertices += counts.vertices;
+    sum_.triangles += counts.triangles;
+    const auto check = [&](const Limit& limit, std::uint64_t count) {
+      if (count > limit.value)
+        throw InputError(InputFault{document_.file(), 0, 0, "/scene/objects", found_of(limit, count), at_most(limit)});
+    };
+    check(limit::vertices, sum_.vertices);
+    check(limit::triangles, sum_.triangles);
+  }
+
   template <class T>
   using Files = std::map<std::string, std::shared_ptr<const T>>; // by identity; null: it has a fault
 
@@ -82,6 +91,10 @@ private:
     const std::string path = path_of(text);
     const auto [entry, is_new] = files.try_emplace(identity(path));
     if (!is_new) return entry->second;
+    if (const auto fault = outside_fault(text)) {
+      faults_.add(*fault);
+      return nullptr;
+    }
     constexpr std::uint64_t any_size = std::numeric_limits<std::uint64_t>::max(); // the reader knows its limit
     if (const auto fault = file_fault(path, expected, any_size)) {
       faults_.add(document_.fault_at(text.offset, text.json_path, fault->found + ", " + path, fault->expected));
@@ -95,6 +108,16 @@ private:
     return entry->second;
   }
 
+  /// Whether a path leads out of the scene's folder. It may name nothing: whether something is there is not told.
+  std::optional<InputFault> outside_fault(const PathText& text) const {
+    if (text.given.empty() || options_.outside == Outside::allowed) return {};
+    const fs::path real = identity(path_of(text));
+    if (std::mismatch(real_folder_.begin(), real_folder_.end(), real.begin(), real.end()).first == real_folder_.end())
+      return {};
+    return document_.fault_at(text.offset, text.json_path, in_quotes(text.given) + ", outside the scene's folder",
+                              "a path within it, or --allow-outside");
+  }
+
   std::string path_of(const PathText& text) const {
     return text.given.empty() ? std::string() : (folder_ / text.given).string();
   }
@@ -105,8 +128,10 @@ private:
   }
 
   const JsonDocument& document_;
-  fs::path folder_;
+  const SceneOptions& options_;
+  fs::path folder_, real_folder_;
   FaultList &faults_, &in_files_;
+  MeshCounts sum_;
   Files<Mesh> meshes_;
   Files<Texture> textures_;
   Files<MerlTable> tables_;
@@ -116,7 +141,7 @@ private:
 
 } // namespace
 
-Scene read_scene(const std::string& path) {
+Scene read_scene(const std::string& path, const SceneOptions& options) {
   const JsonDocument document(path, read_file(path, "a scene file", JsonDocument::max_bytes));
   FaultList faults;
   Scene scene;
@@ -129,7 +154,7 @@ Scene read_scene(const std::string& path) {
   root.finish();
 
   FaultList in_files;
-  Loader loader(document, faults, in_files);
+  Loader loader(document, options, faults, in_files);
   for (const ObjectText& text : objects) loader.note(text);
   for (const ObjectText& text : objects) scene.objects.push_back(loader.object(text));
   faults.sort_by_place();

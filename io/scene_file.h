@@ -7,9 +7,17 @@
 
 namespace refraster {
 
+/// Whether a scene may name files that lie outside its own folder, symbolic links followed. A scene from someone else
+/// should not: it could show, or tell apart by what is said of them, files that are not its author's.
+enum class Outside { refused, allowed };
+
+struct SceneOptions {
+  Outside outside = Outside::refused;
+};
+
 /// Reads a scene with every file that it names: meshes, textures, measured tables. A file named twice is loaded once.
 /// Throws InputError with all faults: of the scene in the order of the file, then of the files it names.
-Scene read_scene(const std::string& path);
+Scene read_scene(const std::string& path, const SceneOptions& options = {});
 
 /// The keys of a scene file as Markdown tables, made from the declaration that the reader follows.
 std::string scene_format_markdown();

@@ -5,12 +5,13 @@
 // `keys` is the reading. It is called
 //     keys("fov_y", value, range, "meaning", presence)      for a value; its type says what JSON may stand there
 //     keys.object("camera", presence, "meaning", declare)   for an object; declare(keys) has its members
-//     keys.list("objects", "meaning", items, declare)       for an array of objects; declare(item, keys)
+//     keys.list("objects", limit::objects, limit, "meaning", items, declare) for an array of objects; declare(item, keys)
 //     keys.shape("mesh", shape, "meaning")                  for one of the shapes below
 //     keys.check(value)                                     for what a single key cannot show
 //     keys.parameters(model, use)                           for what a fragment function declares (shading/fields.h)
 // A value that may be left out keeps what the member is initialised with.
 
+#include "io/limits.h"
 #include "raster/scene.h"
 
 #include <optional>
@@ -201,11 +202,11 @@ void object_keys(auto& text, auto&& keys) {
 void scene_keys(auto& scene, std::vector<ObjectText>& objects, auto&& keys) {
   keys.object("camera", required, "", [&](auto& inner) { camera_keys(scene.camera, inner); });
   keys("background", scene.background, Range{}, "colour where there is no surface", defaulted);
-  keys.list("point_lights", "may be empty", scene.point_lights,
+  keys.list("point_lights", limit::point_lights, "may be empty", scene.point_lights,
             [](auto& light, auto& k) { point_light_keys(light, k); });
-  keys.list("direction_lights", "may be empty", scene.direction_lights,
+  keys.list("direction_lights", limit::direction_lights, "may be empty", scene.direction_lights,
             [](auto& light, auto& k) { direction_light_keys(light, k); });
-  keys.list("objects", "drawn in this order; may be empty", objects,
+  keys.list("objects", limit::objects, "drawn in this order; may be empty", objects,
             [](auto& object, auto& k) { object_keys(object, k); });
 }
 

@@ -59,8 +59,8 @@ public:
   }
 
   template <class Item, class Declare>
-  void list(std::string_view key, std::string_view meaning, std::vector<Item>&, Declare&& declare) {
-    row(key, "an array of objects", "", meaning);
+  void list(std::string_view key, const Limit& most, std::string_view meaning, std::vector<Item>&, Declare&& declare) {
+    row(key, "an array of objects, " + at_most(most), "", meaning);
     Item item;
     inside(place_ + '/' + std::string(key) + "/0", [&](MarkdownKeys& keys) { declare(item, keys); });
   }

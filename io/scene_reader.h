@@ -34,10 +34,12 @@ public:
   }
 
   template <class Item, class Declare>
-  void list(std::string_view key, std::string_view, std::vector<Item>& items, Declare&& declare) {
+  void list(std::string_view key, const Limit& most, std::string_view, std::vector<Item>& items, Declare&& declare) {
     const JsonIndex found = claim(key, required, "an array");
     if (!found) return;
     if (document_[found].kind != JsonKind::array) return not_expected(found, key, "an array");
+    if (document_[found].children > most.value) return not_expected(found, key, at_most(most));
+    items.reserve(document_[found].children);
     int count = 0;
     for (JsonIndex i = document_[found].first_child; i; i = document_[i].next)
       read_object(i, path_of(key) + '/' + std::to_string(count++),

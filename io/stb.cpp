@@ -5,7 +5,7 @@
 #define STBI_ONLY_BMP
 #define STBI_ONLY_HDR
 #define STBI_NO_STDIO
-#define STBI_MAX_DIMENSIONS 65536 // as in io/image_size.h
+#define STBI_MAX_DIMENSIONS 65536 // limit::image_side
 #define STB_IMAGE_IMPLEMENTATION
 #include <stb_image.h>
 

@@ -44,6 +44,8 @@ struct Source {
 /// Deflate makes at most 1032 bytes of one, and the smallest pixel is one bit.
 constexpr std::uint64_t png_pixels_per_byte = 8 * 1032;
 
+constexpr std::string_view png_magic = "\x89PNG\r\n\x1a\n";
+
 std::uint32_t big_endian(const char* bytes) {
   std::uint32_t value = 0;
   std::memcpy(&value, bytes, sizeof value);
@@ -89,17 +91,26 @@ struct Sink {
 
 } // namespace
 
-ImageFile read_stb(const std::string& path, std::string_view bytes) {
+void check_stb_prefix(const std::string& path, std::string_view prefix) {
+  if (prefix.starts_with(png_magic)) return; // stb calls one that is too large an unknown image
+  Source source{prefix};
+  int width = 0, height = 0, channels = 0;
+  if (stbi_info_from_callbacks(&Source::calls, &source, &width, &height, &channels)) return;
+  // Any other reason may be that the rest is missing.
+  if (std::string_view(stbi_failure_reason()) == "unknown image type") throw not_decoded(path, source.ran_out);
+}
+
+ImageFile read_stb(const std::string& path, std::string_view bytes, const ImageRequest& request) {
   // stb calls a PNG that is too large an unknown image: its size, at a fixed place, is looked at before.
-  if (bytes.starts_with("\x89PNG\r\n\x1a\n") && bytes.size() >= 24)
-    check_image_size(path, big_endian(&bytes[16]), big_endian(&bytes[20]), bytes.size(), png_pixels_per_byte);
+  if (bytes.starts_with(png_magic) && bytes.size() >= 24)
+    check_image_size(path, big_endian(&bytes[16]), big_endian(&bytes[20]), bytes.size(), png_pixels_per_byte, request);
   Source source{bytes};
   int width = 0, height = 0, channels = 0;
   if (!stbi_info_from_callbacks(&Source::calls, &source, &width, &height, &channels))
     throw not_decoded(path, source.ran_out);
   // No other format here is denser than PNG.
   check_image_size(path, static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height), bytes.size(),
-                   png_pixels_per_byte);
+                   png_pixels_per_byte, request);
   ImageFile result;
   if (Source again{bytes}; stbi_is_hdr_from_callbacks(&Source::calls, &again)) {
     decode<float>(path, bytes, result.values, stbi_loadf_from_callbacks);

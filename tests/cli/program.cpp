@@ -7,6 +7,7 @@
 #include <fcntl.h>
 #include <fstream>
 #include <sstream>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -47,9 +48,10 @@ void Running::send(int signal) const {
 
 Finished Running::wait() {
   int status = 0;
-  REQUIRE(waitpid(process_, &status, 0) == process_);
+  rusage used{};
+  REQUIRE(wait4(process_, &status, 0, &used) == process_);
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  return {code, text_of(texts_ / "out"), text_of(texts_ / "err")};
+  return {code, text_of(texts_ / "out"), text_of(texts_ / "err"), static_cast<std::uint64_t>(used.ru_maxrss) * 1024};
 }
 
 Finished run_program(const fs::path& folder, const std::vector<std::string>& arguments) {

@@ -3,6 +3,7 @@
 
 #include "tests/io/malformed_inputs.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -18,6 +19,7 @@ std::vector<std::string> files_in(const TemporaryFolder& folder);
 struct Finished {
   int exit_code = -1; // 128 + signal if it was killed
   std::string out, err;
+  std::uint64_t peak_bytes = 0; // the most memory that was resident at once; not less than this process has
 };
 
 /// A run that has started.

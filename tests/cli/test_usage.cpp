@@ -31,6 +31,7 @@ const std::vector<Words> every_level = {
     {"list"},
     {"list", "fragment-functions"},
     {"list", "rungs"},
+    {"list", "limits"},
     {"list", "scene-format"},
 };
 

@@ -53,10 +53,11 @@ const std::string wrong_shaders = std::string(REFRASTER_SOURCE_DIR) + "/tests/gl
 /// What `compare` says of our image of the scene and OpenGL's: allowed is what the filters of 8-bit images and edges of
 /// a lattice step cost, an off-by-one anywhere and three pixels of anything.
 Finished compared_file(const TemporaryFolder& folder, const std::string& scene) {
-  const Finished ours = run_program(folder.path, {"render", scene, "-o", "ours.png", "--size", "320x240", "-q"});
+  const Finished ours =
+      run_program(folder.path, {"render", scene, "-o", "ours.png", "--size", "320x240", "-q", "--allow-outside"});
   REQUIRE_MESSAGE(ours.exit_code == 0, ours.err);
-  const Finished theirs =
-      run_program(folder.path, {"gl", scene, "-o", "gl.png", "--size", "320x240", "--renderer", "llvmpipe"});
+  const Finished theirs = run_program(
+      folder.path, {"gl", scene, "-o", "gl.png", "--size", "320x240", "--renderer", "llvmpipe", "--allow-outside"});
   REQUIRE_MESSAGE(theirs.exit_code == 0, theirs.err);
   return run_program(folder.path, {"compare", "ours.png", "gl.png", "--max-abs", "1", "--max-count", "3"});
 }

@@ -78,7 +78,7 @@ void add_json(List& list) {
       "s.json:1:18: found the end of the file, expected a comment: //, or /* closed by */");
   add("a zero byte", "{\"scene\"\0: 1}"s, "s.json:1:9: found a zero byte, expected text");
   add("nesting too deep", std::string(100000, '['),
-      "s.json:1:65: found nesting deeper than 64, expected a flatter file");
+      "s.json:1:65: found 65 levels of nesting, expected at most 64 levels");
 }
 
 void add_scenes(List& list) {

@@ -1,6 +1,7 @@
 #include "io/input_error.h"
 #include "io/input_file.h"
 #include "io/scene_file.h"
+#include "io/shape_mesh.h"
 #include "tests/io/malformed_inputs.h"
 #include "tests/io/png_bytes.h"
 
@@ -193,6 +194,15 @@ TEST_CASE("faults beyond the first hundred are counted") {
   } catch (const InputError& error) {
     CHECK(error.faults().size() == 101);
     CHECK(error.faults().back().found == "150 more faults");
+  }
+}
+
+TEST_CASE("a shape's vertices and triangles are known before it is made") {
+  for (const Shape& shape :
+       {Shape(SphereShape{7, 2}), Shape(SphereShape{5, 9}), Shape(CubeShape{}), Shape(PlaneShape{1}),
+        Shape(PlaneShape{6}), Shape(TorusShape{3, 8, 0.4}), Shape(KnotShape{20, 3, 0.2})}) {
+    const auto mesh = make_mesh(shape);
+    CHECK(mesh_counts(shape) == MeshCounts{mesh->positions.size(), mesh->triangles.size()});
   }
 }
 

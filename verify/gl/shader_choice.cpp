@@ -2,6 +2,7 @@
 
 #include "io/input_error.h"
 #include "io/input_file.h"
+#include "io/limits.h"
 #include "verify/gl/own_glsl.h"
 
 #include <filesystem>
@@ -9,8 +10,6 @@
 
 namespace refraster {
 namespace {
-
-constexpr std::uint64_t largest_shader_bytes = 1 << 20; // a shader is text that someone wrote
 
 /// Lowers the number after #version to the newest one; words for people where it did.
 std::string lower_version(std::string& text, int newest) {
@@ -29,7 +28,7 @@ std::pair<ShaderText, std::string> choose(const std::string& path, std::string o
   if (path.empty()) return {{own_name, std::move(own_text)}, "ours (the scene names none)"};
   if (!std::filesystem::exists(path, ignored))
     return {{own_name, std::move(own_text)}, "ours (there is no " + path + ")"};
-  std::string text = read_file(path, "a GLSL file", largest_shader_bytes);
+  std::string text = read_file(path, "a GLSL file", limit::glsl_bytes.value);
   const std::string lowered = lower_version(text, newest_version);
   return {{path, std::move(text)}, path + lowered};
 }
