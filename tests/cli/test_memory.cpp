@@ -116,4 +116,46 @@ TEST_CASE("with any limit a run ends well or says that it does not fit, and neve
   CHECK(with_limits(folder, bench, 320, 64).done > 0);
 }
 
+TEST_CASE("a hostile file takes no more memory than the documented multiple of its size" * doctest::skip(sanitizer)) {
+  const TemporaryFolder folder;
+  const std::uint64_t idle = run_program(folder.path, {"list", "rungs"}).peak_bytes;
+  const auto check = [&](const std::string& name, const std::string& file, const std::string& text,
+                         std::uint64_t times) {
+    save_text(folder / file, text);
+    const Finished run = run_program(folder.path, {"render", "s.json", "--size", "8x8", "-o", "i.png"});
+    INFO(name << ": " << run.err.substr(0, 200));
+    CHECK((run.exit_code == 0 || run.exit_code == 3));
+    const double taken = static_cast<double>(run.peak_bytes - std::min(run.peak_bytes, idle));
+    MESSAGE(name << ": " << taken / static_cast<double>(text.size()) << " times its size");
+    CHECK(run.peak_bytes <= idle + 4 * mebi + times * text.size());
+  };
+  const auto repeated = [](const std::string& part, std::size_t bytes) {
+    std::string text;
+    while (text.size() < bytes) text += part;
+    return text;
+  };
+  constexpr std::size_t size = 9 << 19; // past a power of two, where lists have just grown to twice their size
+  for (const auto& [name, part] : {std::pair{"a list of numbers", "0,"}, std::pair{"a list of lists", "[],"},
+                                   std::pair{"a list of objects", "{},"}, std::pair{"a list of texts", "\"\","}})
+    check(name, "s.json", "[" + repeated(part, size) + "0]", 75);
+  check("a text of commas", "s.json", "[\"" + repeated(",", size) + "\"]", 75);
+  check("unknown keys", "s.json", "{" + repeated("\"\":0,", size) + "\"\":0}", 75);
+
+  std::string scene = ball_scene;
+  const std::string sphere = R"("mesh": {"sphere": {"segments": 24, "rings": 12}})";
+  save_text(folder / "s.json", scene.replace(scene.find(sphere), sphere.size(), R"("obj_file_path": "m.obj")"));
+  const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n";
+  std::string polygon = "f";
+  for (int i = 0; i < 1024; ++i) polygon += " 1 2 4 3";
+  for (const auto& [name, part] :
+       {std::pair{"vertices", std::string("v 0 0 0\n")}, std::pair{"texture coordinates", std::string("vt 0\n")},
+        std::pair{"triangles", std::string("f 1 2 3\n")}, std::pair{"quads", std::string("f 1 2 4 3\n")},
+        std::pair{"flat quads", std::string("s off\nf 1 2 4 3\n")}, std::pair{"polygons", polygon + "\n"},
+        std::pair{"indices that are not there", std::string("f 9 9 9\n")}, std::pair{"words", std::string("f x\n")},
+        std::pair{"separate triangles", corners + "f -4 -3 -2\n"}})
+    check(name, "m.obj", corners + repeated(part, size) + "f 1 2 3\n", 100);
+  check("flat polygons", "m.obj", corners + "s off\n" + repeated(polygon + "\n", size), 100);
+  check("flat triangles", "m.obj", corners + "s off\n" + repeated("f 1 2 3\n", size), 100);
+}
+
 TEST_SUITE_END();
