@@ -9,6 +9,7 @@
 #include "app/bench/scene_bench.h"
 #include "app/command.h"
 #include "app/interrupt.h"
+#include "app/memory_limit.h"
 #include "app/output.h"
 #include "app/progress_line.h"
 #include "io/scene_file.h"
@@ -58,6 +59,7 @@ std::optional<std::vector<GrowthRequest>> scaling_from(std::string_view text) {
 struct BenchArguments {
   std::vector<std::string> scenes, rungs;
   SceneOptions reading;
+  std::uint64_t max_memory = 0;
   std::vector<int> threads;
   std::vector<GrowthRequest> scaling;
   std::vector<Size> sizes = {Size{}};
@@ -246,6 +248,7 @@ void add_bench(CLI::App& program, Action& chosen) {
       "how cost grows with the number of triangles (up to 1e7), pixels (16384^2), lights (256), overdraw "
       "(64), threads (CPUs), or all of them; MOST is where to stop");
   add_outside_option(command, a.reading.outside);
+  add_memory_option(command, a.max_memory);
   command.add_option("--json", a.json, "write the report as JSON; - is standard output")->type_name("FILE");
   command.add_option("--html", a.html, "write the report as one HTML page with pictures")->type_name("FILE");
   command.add_flag_callback(
@@ -258,7 +261,11 @@ void add_bench(CLI::App& program, Action& chosen) {
     arguments->gl_named = command.count("--gl") > 0;
     fill_defaults(*arguments);
     for (const Size& size : arguments->sizes) check_frame_samples(size.width, size.height, arguments->samples);
-    chosen = [arguments] { return run(*arguments); };
+    chosen = [arguments] {
+      arguments->reading.memory =
+          hold_to(arguments->max_memory, *std::max_element(arguments->threads.begin(), arguments->threads.end()));
+      return run(*arguments);
+    };
   });
 }
 

@@ -13,11 +13,11 @@ enum class ExitCode {
   ok = 0,           // done; images are equal
   differ = 1,       // images differ
   usage = 2,        // wrong arguments
-  bad_input = 3,    // a file that cannot be read, or is not what it should be
+  bad_input = 3,    // a file that cannot be read, is not what it should be, or needs more memory than there may be
   cannot_write = 4, // an output file, or standard output
   no_opengl = 5,    // no OpenGL on this machine
-  internal = 70,    // our own mistake, or out of memory
-  interrupted = 130 // by SIGINT, as a shell counts it
+  internal = 70,    // our own mistake
+  interrupted = 130 // by SIGINT, as a shell counts it; or by SIGTERM, SIGHUP
 };
 
 /// What a command does once all arguments are known to be right. May throw InputError and OutputError.

@@ -2,6 +2,7 @@
 
 #include "app/arguments.h"
 #include "app/command.h"
+#include "app/memory_limit.h"
 #include "app/output.h"
 #include "app/progress_line.h"
 #include "io/image_file.h"
@@ -20,6 +21,7 @@ namespace {
 struct CompareArguments {
   std::string a, b, diff, json, limits_file;
   CompareLimits limits;
+  std::uint64_t max_memory = 0;
   enum class Flip { no, yes } flip = Flip::no;
 };
 
@@ -41,11 +43,12 @@ CompareLimits all_limits(const CompareArguments& arguments) {
 }
 
 ExitCode run(const CompareArguments& arguments) {
+  const MemoryBudget memory = hold_to(arguments.max_memory, 1);
   if (!arguments.diff.empty()) check_writable(arguments.diff);
   if (!arguments.json.empty()) check_writable(arguments.json);
   const CompareLimits limits = all_limits(arguments);
   auto line = std::make_unique<ProgressLine>("comparing");
-  const ImagePair images = read_image_pair(arguments.a, arguments.b);
+  const ImagePair images = read_image_pair(arguments.a, arguments.b, memory);
   const Comparison found = compare(images.a, images.b, images.unit, limits);
   if (!arguments.diff.empty()) write_png(arguments.diff, with_legend(heat_image(images.a, images.b, found), found));
   const ComparisonReport report{arguments.a, arguments.b, limits, found,
@@ -81,6 +84,7 @@ void add_compare(CLI::App& program, Action& chosen) {
   command
       .add_option("--limits", a.limits_file, "JSON file with max_abs, max_rms, max_count; options above it go first")
       ->type_name("FILE");
+  add_memory_option(command, a.max_memory);
   command.footer("Two 8-bit images are compared in levels, 0 to 255; others in values, where a level is 1/255.\n"
                  "Without a limit, all values must be the same. NaN equals nothing.\n"
                  "Exit code 0: the same within the limits, 1: not, 3: not comparable.");

@@ -2,6 +2,7 @@
 
 #include "app/arguments.h"
 #include "app/command.h"
+#include "app/memory_limit.h"
 #include "app/output.h"
 #include "app/progress_line.h"
 #include "io/image_file.h"
@@ -19,6 +20,7 @@ struct GlArguments {
   std::string scene, output, radiance, depth, json;
   Size size;
   SceneOptions reading;
+  std::uint64_t max_memory = 0;
   GlOptions options;
 };
 
@@ -121,6 +123,7 @@ void add_gl(CLI::App& program, Action& chosen) {
   command.add_option("--frames", a.options.timed_frames, "draw so many more frames and time each; see --json")
       ->check(CLI::Range(0, 1'000'000));
   add_outside_option(command, a.reading.outside);
+  add_memory_option(command, a.max_memory);
   command.add_option("--json", a.json, "write driver, times and counts as JSON; - is standard output")
       ->type_name("FILE");
   command.footer(
@@ -129,7 +132,11 @@ void add_gl(CLI::App& program, Action& chosen) {
       "Exit code 3: GLSL that does not compile. 5: no OpenGL 3.3, or not the renderer that was asked for.");
   command.final_callback([&chosen, arguments] {
     check_together(*arguments);
-    chosen = [arguments] { return run(*arguments); };
+    chosen = [arguments] {
+      arguments->reading.memory = hold_to(arguments->max_memory, 1);
+      let_go_of_memory_limit(); // drivers do not bear it
+      return run(*arguments);
+    };
   });
 }
 

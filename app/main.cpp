@@ -2,6 +2,7 @@
 
 #include "app/command.h"
 #include "app/interrupt.h"
+#include "app/memory_limit.h"
 #include "io/input_error.h"
 
 #include <cstdio>
@@ -13,9 +14,14 @@ namespace {
 
 constexpr AddCommand commands[] = {add_render, add_compare, add_gl, add_bench, add_mesh, add_merl, add_list};
 
-ExitCode failed(ExitCode code, const std::string& message) {
-  std::cerr << "refraster: " << message << "\n";
+/// Takes no memory: there may be none.
+ExitCode failed(ExitCode code, const char* message, const char* more = "") {
+  std::fprintf(stderr, "refraster: %s%s\n", message, more);
   return code;
+}
+
+ExitCode out_of_memory(const char* what) {
+  return failed(ExitCode::bad_input, what, memory_limit() > 0 ? "; --max-memory allows no more" : "");
 }
 
 ExitCode run(int argc, char** argv) {
@@ -23,8 +29,8 @@ ExitCode run(int argc, char** argv) {
                    "refraster");
   program.set_version_flag("--version", version_text(), "Print the version and exit");
   program.require_subcommand(1);
-  program.footer("Exit codes: 0 done or equal, 1 images differ, 2 wrong usage, 3 bad input, 4 cannot write, "
-                 "5 no OpenGL.\n`refraster COMMAND --help` says more.");
+  program.footer("Exit codes: 0 done or equal, 1 images differ, 2 wrong usage, 3 bad input or not enough memory,\n"
+                 "4 cannot write, 5 no OpenGL, 130 interrupted.\n`refraster COMMAND --help` says more.");
   Action chosen;
   for (const AddCommand add : commands) add(program, chosen);
 
@@ -33,14 +39,22 @@ ExitCode run(int argc, char** argv) {
     return chosen();
   } catch (const CLI::ParseError& error) {
     return program.exit(error) == 0 ? ExitCode::ok : ExitCode::usage; // prints help, version, or what is wrong
+  }
+}
+
+ExitCode run_and_tell(int argc, char** argv) {
+  try {
+    return run(argc, argv);
   } catch (const InputError& error) {
     return failed(ExitCode::bad_input, error.what());
   } catch (const OutputError& error) {
     return failed(ExitCode::cannot_write, error.what());
+  } catch (const OutOfMemory& error) {
+    return out_of_memory(error.what());
   } catch (const std::bad_alloc&) {
-    return failed(ExitCode::internal, "out of memory");
+    return out_of_memory("out of memory");
   } catch (const std::exception& error) {
-    return failed(ExitCode::internal, std::string("internal error: ") + error.what());
+    return failed(ExitCode::internal, "internal error: ", error.what());
   }
 }
 
@@ -49,8 +63,8 @@ ExitCode run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using namespace refraster;
-  stop_gently_when_interrupted();
-  ExitCode code = run(argc, argv);
+  stop_when_interrupted();
+  ExitCode code = run_and_tell(argc, argv);
   std::cout.flush();
   if (!std::cout && code == ExitCode::ok) code = failed(ExitCode::cannot_write, "standard output: cannot write");
   return static_cast<int>(code);

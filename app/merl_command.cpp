@@ -2,6 +2,7 @@
 
 #include "app/arguments.h"
 #include "app/command.h"
+#include "app/memory_limit.h"
 #include "app/output.h"
 #include "app/progress_line.h"
 #include "io/merl_file.h"
@@ -57,7 +58,14 @@ void add_info(CLI::App& merl, Action& chosen) {
   CLI::App& info = add_sub_command(merl, "info", "What is in a table");
   const auto path = std::make_shared<std::string>();
   info.add_option("file", *path, "table, .binary")->required()->type_name("FILE");
-  info.final_callback([&chosen, path] { chosen = [path] { return print_info(*path); }; });
+  const auto max_memory = std::make_shared<std::uint64_t>(0);
+  add_memory_option(info, *max_memory);
+  info.final_callback([&chosen, path, max_memory] {
+    chosen = [path, max_memory] {
+      hold_to(*max_memory, 1);
+      return print_info(*path);
+    };
+  });
 }
 
 /// `merl synth NAME -o FILE`; the caller may add options that change the formula.
@@ -67,8 +75,11 @@ CLI::App& add_formula(CLI::App& synth, Action& chosen, const std::string& name, 
   CLI::App& command = add_sub_command(synth, name, meaning);
   const auto output = std::make_shared<std::string>(name + ".binary");
   command.add_option("-o,--output", *output, "table to write")->type_name("FILE");
-  command.final_callback([&chosen, formula, output] {
-    chosen = [formula, output] {
+  const auto max_memory = std::make_shared<std::uint64_t>(0);
+  add_memory_option(command, *max_memory);
+  command.final_callback([&chosen, formula, output, max_memory] {
+    chosen = [formula, output, max_memory] {
+      hold_to(*max_memory, 1);
       check_writable(*output);
       {
         const ProgressLine line("making " + *output);

@@ -3,11 +3,11 @@
 
 #include "app/arguments.h"
 #include "app/command.h"
+#include "app/memory_limit.h"
 #include "app/output.h"
 #include "app/progress_line.h"
 #include "io/obj_file.h"
-#include "io/scene_keys.h"
-#include "raster/primitives.h"
+#include "io/shape_mesh.h"
 
 #include <algorithm>
 #include <iostream>
@@ -15,22 +15,6 @@
 
 namespace refraster {
 namespace {
-
-Mesh made(const SphereShape& shape) {
-  return sphere_mesh(shape.segments, shape.rings);
-}
-Mesh made(const CubeShape&) {
-  return cube_mesh();
-}
-Mesh made(const PlaneShape& shape) {
-  return plane_mesh(shape.segments);
-}
-Mesh made(const TorusShape& shape) {
-  return torus_mesh(shape.segments, shape.rings, shape.tube_radius);
-}
-Mesh made(const KnotShape& shape) {
-  return knot_mesh(shape.segments, shape.rings, shape.tube_radius);
-}
 
 /// "tube_radius" in a scene file is "--tube-radius" here.
 std::string option_name(std::string_view key) {
@@ -49,12 +33,17 @@ void add_shape(CLI::App& mesh, Action& chosen) {
     add_number_option(command, option_name(key), value, range, std::string(meaning));
   });
   command.add_option("-o,--output", *output, "OBJ file to write")->type_name("FILE");
-  command.final_callback([&chosen, shape, output] {
-    chosen = [shape, output] {
+  const auto max_memory = std::make_shared<std::uint64_t>(0);
+  add_memory_option(command, *max_memory);
+  command.final_callback([&chosen, shape, output, max_memory] {
+    chosen = [shape, output, max_memory] {
+      const MemoryBudget memory = hold_to(*max_memory, 1);
       check_writable(*output);
       {
         const ProgressLine line("making " + *output);
-        write_obj(*output, made(*shape));
+        const MeshCounts counts = mesh_counts(*shape);
+        memory.need(32 * counts.vertices + 12 * counts.triangles, std::to_string(counts.triangles) + " triangles");
+        write_obj(*output, *make_mesh(*shape));
       }
       std::cout << *output << "\n";
       return ExitCode::ok;

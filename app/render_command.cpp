@@ -3,6 +3,7 @@
 #include "app/arguments.h"
 #include "app/command.h"
 #include "app/interrupt.h"
+#include "app/memory_limit.h"
 #include "app/output.h"
 #include "app/progress_line.h"
 #include "io/image_file.h"
@@ -28,6 +29,7 @@ struct RenderArguments {
   int samples = 1, threads = 0, tile_size = 64;
   Transfer transfer = Transfer::linear;
   SceneOptions reading;
+  std::uint64_t max_memory = 0;
   Progress progress = Progress::shown;
 };
 
@@ -79,6 +81,7 @@ RenderOptions options_from(const RenderArguments& arguments) {
   options.transfer = arguments.transfer;
   options.aovs = arguments.aovs;
   options.cancel = &interrupted();
+  options.memory = arguments.reading.memory;
   return options;
 }
 
@@ -103,6 +106,7 @@ Frame rendered(const Scene& scene, const RenderArguments& arguments) {
 std::vector<std::string> write_images(const Frame& frame, const RenderArguments& arguments) {
   const auto line = progress_line(arguments.progress, "writing " + arguments.output);
   std::vector<std::string> paths = {arguments.output};
+  arguments.reading.memory.need(frame.levels.values.size(), arguments.output); // PNG is made in memory
   if (frame.radiance.empty()) write_png(arguments.output, frame.levels);
   else write_values(arguments.output, frame.radiance);
   for (std::size_t i = 0; i < arguments.aovs.size(); ++i) {
@@ -177,6 +181,7 @@ void add_render(CLI::App& program, Action& chosen) {
                     "more images to write, as NAME.depth.pfm next to NAME.png (.exr next to .exr): depth, normal, "
                     "position, uv, albedo, triangle, object");
   add_outside_option(command, a.reading.outside);
+  add_memory_option(command, a.max_memory);
   command.add_option("--report", a.report, "write a report of the run as JSON; - is standard output")
       ->type_name("FILE");
   command.add_flag_callback(
@@ -187,7 +192,10 @@ void add_render(CLI::App& program, Action& chosen) {
   command.final_callback([&chosen, arguments] {
     if (arguments->output.empty()) arguments->output = stem(arguments->scene) + ".png";
     check_together(*arguments);
-    chosen = [arguments] { return run(*arguments); };
+    chosen = [arguments] {
+      arguments->reading.memory = hold_to(arguments->max_memory, arguments->threads);
+      return run(*arguments);
+    };
   });
 }
 

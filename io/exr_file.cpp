@@ -67,6 +67,7 @@ ImageFile read_exr(const std::string& path, std::uint64_t file_bytes, const Imag
     if (result.channels.size() > limit::image_channels.value)
       throw InputError(InputFault{path, 0, 0, "", found_of(limit::image_channels, result.channels.size()),
                                   at_most(limit::image_channels)});
+    need_image(request, path, width * height, static_cast<int>(result.channels.size()), 0);
     result.values =
         Image<float>(static_cast<int>(width), static_cast<int>(height), static_cast<int>(result.channels.size()));
     Imf::FrameBuffer buffer;
@@ -76,6 +77,8 @@ ImageFile read_exr(const std::string& path, std::uint64_t file_bytes, const Imag
     file.readPixels(window.min.y, window.max.y);
     return result;
   } catch (const InputError&) {
+    throw;
+  } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) { // whatever OpenEXR has to say about it
     throw InputError(
@@ -99,6 +102,8 @@ void write_exr(const std::string& path, const Image<float>& image, const std::ve
     output.setFrameBuffer(buffer);
     output.writePixels(image.height);
   } catch (const OutputError&) {
+    throw;
+  } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {
     throw OutputError(path, error.what());

@@ -24,6 +24,11 @@ void check_image_size(const std::string& path, std::uint64_t width, std::uint64_
     fail("as many as a file of " + std::to_string(file_bytes) + " bytes can hold");
 }
 
+void need_image(const ImageRequest& request, const std::string& path, std::uint64_t pixels, int channels,
+                std::uint64_t decoded_bytes) {
+  request.memory.need(pixels * static_cast<std::uint64_t>(channels) * (sizeof(float) + decoded_bytes), path);
+}
+
 std::vector<std::string> default_channels(int count) {
   switch (count) {
   case 1:
@@ -44,18 +49,19 @@ ImageFile read_image(const std::string& path, const ImageRequest& request) {
   if (prefix.starts_with(exr_magic)) return read_exr(path, file_size_bytes(path), request);
   const auto is_pfm = [](std::string_view text) { return text.starts_with("PF") || text.starts_with("Pf"); };
   if (!is_pfm(prefix)) check_stb_prefix(path, prefix); // before the whole is read, however large it is
+  request.memory.need(file_size_bytes(path), path);
   const std::string bytes = read_file(path, "an image", limit::image_bytes.value);
   if (is_pfm(bytes)) return read_pfm(path, bytes, request);
   return read_stb(path, bytes, request);
 }
 } // namespace
 
-ImageFile read_image(const std::string& path) {
-  return read_image(path, {});
+ImageFile read_image(const std::string& path, const MemoryBudget& memory) {
+  return read_image(path, ImageRequest{memory});
 }
 
-Texture read_texture(const std::string& path) {
-  const ImageFile image = read_image(path, {limit::texture_side});
+Texture read_texture(const std::string& path, const MemoryBudget& memory) {
+  const ImageFile image = read_image(path, ImageRequest{memory, limit::texture_side});
   if (image.bits > 16)
     throw InputError(InputFault{path, 0, 0, "", "an image of floating-point numbers", "8 or 16 bits a channel"});
   Texture texture;
@@ -63,6 +69,7 @@ Texture read_texture(const std::string& path) {
   TextureLevel& level = texture.levels.emplace_back();
   level.width = image.values.width;
   level.height = image.values.height;
+  memory.need(3 * sizeof(float) * image.values.values.size() / static_cast<std::size_t>(image.values.channels), path);
   level.rgb.reserve(3 * image.values.values.size() / static_cast<std::size_t>(image.values.channels));
   const bool grey = image.values.channels < 3;
   for (int y = level.height - 1; y >= 0; --y) // v goes up: row 0 of a texture is the last of the image

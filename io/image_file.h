@@ -2,6 +2,7 @@
 // Image files.
 
 #include "raster/image.h"
+#include "raster/memory_budget.h"
 #include "shading/texture.h"
 
 #include <cstdint>
@@ -21,10 +22,11 @@ struct ImageFile {
 /// Reads `.png .jpg .tga .bmp` (8 or 16 bits), `.hdr .pfm .exr` (float). What it is, is seen from its content.
 /// Throws InputError. The size it declares is checked against the limits (io/limits.h), and against the size of the
 /// file, before any memory is taken.
-ImageFile read_image(const std::string& path);
+ImageFile read_image(const std::string& path, const MemoryBudget& memory = {});
 
-/// Reads an image of 8 or 16 bits, within limit::texture_side, as a texture with level 0 only: one channel becomes grey, alpha is dropped.
-Texture read_texture(const std::string& path);
+/// Reads an image of 8 or 16 bits, within limit::texture_side, as a texture with level 0 only: one channel becomes
+/// grey, alpha is dropped.
+Texture read_texture(const std::string& path, const MemoryBudget& memory = {});
 
 /// Writes 8-bit grey (1 channel) or RGB (3) as PNG, with no colour profile. Throws OutputError.
 void write_png(const std::string& path, const Image<std::uint8_t>& image);

@@ -10,8 +10,13 @@ namespace refraster {
 
 /// What an image is read for.
 struct ImageRequest {
+  const MemoryBudget& memory;
   const Limit& side = limit::image_side;
 };
+
+/// Asks for what an image of so many pixels takes as floats, and beside them as a decoder gives it.
+void need_image(const ImageRequest& request, const std::string& path, std::uint64_t pixels, int channels,
+                std::uint64_t decoded_bytes);
 
 /// Throws InputError if the declared size is 0, beyond the limits, or more than so many file bytes can hold.
 void check_image_size(const std::string& path, std::uint64_t width, std::uint64_t height, std::uint64_t file_bytes,

@@ -27,6 +27,6 @@ std::string joined(const std::vector<InputFault>& faults) {
 InputError::InputError(std::vector<InputFault> list) : std::runtime_error(joined(list)), faults_(std::move(list)) {}
 
 OutputError::OutputError(const std::string& file, const std::string& reason)
-    : std::runtime_error(one_line(file) + ": cannot write: " + reason) {}
+    : std::runtime_error(one_line(file + ": cannot write: " + reason)) {}
 
 } // namespace refraster

@@ -6,6 +6,7 @@
 #include <rapidjson/reader.h>
 
 #include <algorithm>
+#include <new>
 #include <utility>
 
 namespace refraster {
@@ -14,6 +15,20 @@ namespace {
 constexpr unsigned parse_flags = rapidjson::kParseIterativeFlag | rapidjson::kParseCommentsFlag |
                                  rapidjson::kParseTrailingCommasFlag | rapidjson::kParseFullPrecisionFlag |
                                  rapidjson::kParseValidateEncodingFlag;
+
+/// rapidjson writes to whatever its allocator gives.
+struct ThrowingAllocator : rapidjson::CrtAllocator {
+  void* Malloc(std::size_t size) { return given(CrtAllocator::Malloc(size), size); }
+  void* Realloc(void* memory, std::size_t old_size, std::size_t size) {
+    return given(CrtAllocator::Realloc(memory, old_size, size), size);
+  }
+
+private:
+  static void* given(void* memory, std::size_t size) {
+    if (!memory && size > 0) throw std::bad_alloc();
+    return memory;
+  }
+};
 
 /// Of a rapidjson::StringStream itself the reader works on copies, and the original stands still meanwhile. Copies are
 /// only made of streams that ask for it (StreamTraits); this one does not, so that its position is the reader's.
@@ -188,7 +203,7 @@ JsonDocument::JsonDocument(std::string file, std::string text) : file_(std::move
   nodes_.reserve(1 + static_cast<std::size_t>(std::count_if(text_.begin(), text_.end(),
                                                             [](char c) { return c == ',' || c == '[' || c == '{'; })));
   TrackedStream stream(text_.c_str());
-  rapidjson::Reader reader;
+  rapidjson::GenericReader<rapidjson::UTF8<>, rapidjson::UTF8<>, ThrowingAllocator> reader;
   TreeBuilder builder(text_, stream, decoded_, nodes_);
   reader.Parse<parse_flags>(stream, builder);
   if (!reader.HasParseError()) return;

@@ -54,6 +54,7 @@ ImageFile read_pfm(const std::string& path, std::string_view bytes, const ImageR
   if (rest.size() != row_bytes * height)
     fail(path, "pixels", std::to_string(rest.size()) + " bytes", std::to_string(row_bytes * height) + " bytes");
 
+  need_image(request, path, width * height, channels, 0);
   ImageFile result;
   result.bits = 32;
   result.full_scale = 1;

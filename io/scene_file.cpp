@@ -25,6 +25,8 @@ std::string identity(const std::string& path) {
   return error ? path : canonical.string();
 }
 
+constexpr std::uint64_t vertex_bytes = 2 * sizeof(Float3) + sizeof(Float2); // of a shape
+
 /// Everything that the objects name, loaded or made. Each file is loaded once, and its faults are told once.
 class Loader {
 public:
@@ -48,7 +50,8 @@ public:
     result.vertex_shader_path = path_of(text.vertex_shader);
     result.fragment_shader_path = path_of(text.fragment_shader);
     result.mesh =
-        text.shape ? shape(*text.shape) : load(meshes_, text.obj_file, "an OBJ file", [](const std::string& path) {
+        text.shape ? shape(*text.shape) : load(meshes_, text.obj_file, "an OBJ file", [&](const std::string& path) {
+          options_.memory.need(2 * file_size_bytes(path), path); // its text, and no less than as much for what it says
           return std::make_shared<const Mesh>(read_obj(path));
         });
     if (!text.shape && result.mesh) add({result.mesh->positions.size(), result.mesh->triangles.size()});
@@ -56,11 +59,17 @@ public:
       result.name = text.shape ? std::string(std::visit([](auto& s) { return s.name; }, *text.shape))
                                : fs::path(text.obj_file.given).stem().string();
     if (Merl* const merl = std::get_if<Merl>(&result.material.model)) {
-      merl->table = load(tables_, text.brdf_file, "a MERL table", read_merl);
+      merl->table = load(tables_, text.brdf_file, "a MERL table", [&](const std::string& path) {
+        options_.memory.need(std::min(file_size_bytes(path), merl_file_bytes), path);
+        return read_merl(path);
+      });
     } else {
       result.material.texture = load(textures_, text.texture_file, "an image", [&](const std::string& path) {
-        auto texture = std::make_shared<Texture>(read_texture(path));
-        if (trilinear_.contains(identity(path))) build_mip_levels(*texture);
+        auto texture = std::make_shared<Texture>(read_texture(path, options_.memory));
+        if (trilinear_.contains(identity(path))) {
+          options_.memory.need(texture->levels.front().rgb.size() * sizeof(float) / 3, path); // 1/4 + 1/16 + …
+          build_mip_levels(*texture);
+        }
         return texture;
       });
     }
@@ -124,6 +133,10 @@ private:
   std::shared_ptr<const Mesh> shape(const Shape& wanted) {
     for (const auto& [made, mesh] : shapes_)
       if (made == wanted) return mesh;
+    const MeshCounts counts = mesh_counts(wanted);
+    options_.memory.need(counts.vertices * vertex_bytes + counts.triangles * sizeof(Mesh::triangles[0]),
+                         std::to_string(counts.triangles) + " triangles of a " +
+                             std::string(std::visit([](const auto& s) { return s.name; }, wanted)));
     return shapes_.emplace_back(wanted, make_mesh(wanted)).second;
   }
 
@@ -142,6 +155,7 @@ private:
 } // namespace
 
 Scene read_scene(const std::string& path, const SceneOptions& options) {
+  options.memory.need(2 * std::min<std::uint64_t>(file_size_bytes(path), JsonDocument::max_bytes), path);
   const JsonDocument document(path, read_file(path, "a scene file", JsonDocument::max_bytes));
   FaultList faults;
   Scene scene;

@@ -1,6 +1,7 @@
 #pragma once
 // The scene file: docs/scene-format.md.
 
+#include "raster/memory_budget.h"
 #include "raster/scene.h"
 
 #include <string>
@@ -13,6 +14,7 @@ enum class Outside { refused, allowed };
 
 struct SceneOptions {
   Outside outside = Outside::refused;
+  MemoryBudget memory = {};
 };
 
 /// Reads a scene with every file that it names: meshes, textures, measured tables. A file named twice is loaded once.

@@ -1,4 +1,15 @@
 // The bodies of stb_image and stb_image_write, which are headers. Their warnings are not ours: they are system headers.
+#include <cstdlib>
+#include <new>
+
+namespace {
+/// stb_image_write writes to whatever it is given. (stb_image looks, and tells.)
+void* given(void* memory) {
+  if (!memory) throw std::bad_alloc();
+  return memory;
+}
+} // namespace
+
 #define STBI_ONLY_PNG
 #define STBI_ONLY_JPEG
 #define STBI_ONLY_TGA
@@ -9,6 +20,9 @@
 #define STB_IMAGE_IMPLEMENTATION
 #include <stb_image.h>
 
+#define STBIW_MALLOC(size) given(std::malloc(size))
+#define STBIW_REALLOC(memory, size) given(std::realloc(memory, size))
+#define STBIW_FREE(memory) std::free(memory)
 #define STBI_WRITE_NO_STDIO
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #include <stb_image_write.h>

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstring>
 #include <memory>
+#include <new>
 
 namespace refraster {
 namespace {
@@ -52,11 +53,12 @@ std::uint32_t big_endian(const char* bytes) {
   return __builtin_bswap32(value);
 }
 
-InputError not_decoded(const std::string& path, bool ran_out) {
-  if (ran_out) return InputError(InputFault{path, 0, 0, "", "a truncated image", "a whole one"});
+[[noreturn]] void not_decoded(const std::string& path, bool ran_out) {
+  if (ran_out) throw InputError(InputFault{path, 0, 0, "", "a truncated image", "a whole one"});
   const char* const reason = stbi_failure_reason(); // may quote the file
-  return InputError(InputFault{
-      path, 0, 0, "", "an image that cannot be decoded: " + one_line(reason ? reason : "unknown"), "an image"});
+  if (reason && std::string_view(reason) == "outofmem") throw std::bad_alloc();
+  throw InputError(InputFault{path, 0, 0, "",
+                              "an image that cannot be decoded: " + one_line(reason ? reason : "unknown"), "an image"});
 }
 
 /// Decodes by one of stb's functions and copies to float, row 0 at the top.
@@ -67,7 +69,7 @@ void decode(const std::string& path, std::string_view bytes, Image<float>& value
   int width = 0, height = 0, channels = 0;
   const std::unique_ptr<Value, void (*)(void*)> pixels(load(&Source::calls, &source, &width, &height, &channels, 0),
                                                        stbi_image_free);
-  if (!pixels || source.ran_out) throw not_decoded(path, source.ran_out);
+  if (!pixels || source.ran_out) not_decoded(path, source.ran_out);
   values = Image<float>(width, height, channels);
   std::transform(pixels.get(), pixels.get() + values.values.size(), values.values.begin(),
                  [](Value value) { return static_cast<float>(value); });
@@ -97,7 +99,7 @@ void check_stb_prefix(const std::string& path, std::string_view prefix) {
   int width = 0, height = 0, channels = 0;
   if (stbi_info_from_callbacks(&Source::calls, &source, &width, &height, &channels)) return;
   // Any other reason may be that the rest is missing.
-  if (std::string_view(stbi_failure_reason()) == "unknown image type") throw not_decoded(path, source.ran_out);
+  if (std::string_view(stbi_failure_reason()) == "unknown image type") not_decoded(path, source.ran_out);
 }
 
 ImageFile read_stb(const std::string& path, std::string_view bytes, const ImageRequest& request) {
@@ -106,21 +108,27 @@ ImageFile read_stb(const std::string& path, std::string_view bytes, const ImageR
     check_image_size(path, big_endian(&bytes[16]), big_endian(&bytes[20]), bytes.size(), png_pixels_per_byte, request);
   Source source{bytes};
   int width = 0, height = 0, channels = 0;
-  if (!stbi_info_from_callbacks(&Source::calls, &source, &width, &height, &channels))
-    throw not_decoded(path, source.ran_out);
+  if (!stbi_info_from_callbacks(&Source::calls, &source, &width, &height, &channels)) not_decoded(path, source.ran_out);
   // No other format here is denser than PNG.
   check_image_size(path, static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height), bytes.size(),
                    png_pixels_per_byte, request);
+  const auto need = [&](std::uint64_t decoded_bytes) {
+    need_image(request, path, static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height), channels,
+               decoded_bytes);
+  };
   ImageFile result;
   if (Source again{bytes}; stbi_is_hdr_from_callbacks(&Source::calls, &again)) {
+    need(sizeof(float));
     decode<float>(path, bytes, result.values, stbi_loadf_from_callbacks);
     result.bits = 32;
     result.full_scale = 1;
   } else if (Source again16{bytes}; stbi_is_16_bit_from_callbacks(&Source::calls, &again16)) {
+    need(2);
     decode<stbi_us>(path, bytes, result.values, stbi_load_16_from_callbacks);
     result.bits = 16;
     result.full_scale = 65535;
   } else {
+    need(1);
     decode<stbi_uc>(path, bytes, result.values, stbi_load_from_callbacks);
   }
   result.channels = default_channels(result.values.channels);

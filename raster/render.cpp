@@ -82,6 +82,38 @@ void reshape(Image<Value>& image, const Crop& region, int channels) {
     image = Image<Value>(region.width, region.height, channels);
 }
 
+// What reshape_images will hold, whatever is there already.
+std::uint64_t image_bytes(const RenderOptions& options, const Crop& region) {
+  std::uint64_t pixel = 0;
+  if (options.want_levels) pixel += 3;
+  if (options.want_radiance) pixel += 3 * sizeof(float);
+  if (options.want_radiance_double) pixel += 3 * sizeof(double);
+  for (const Aov aov : options.aovs)
+    pixel += static_cast<std::uint64_t>(aov_channels[static_cast<std::size_t>(aov)]) * sizeof(float);
+  return pixel * static_cast<std::uint64_t>(region.width) * static_cast<std::uint64_t>(region.height);
+}
+
+// A vertex in Geometry.
+constexpr std::uint64_t vertex_bytes = sizeof(PlacedVertex) + sizeof(double) + sizeof(WorldVertex);
+
+std::uint64_t vertices_of(const Scene& scene) {
+  std::uint64_t count = 0;
+  for (const Object& object : scene.objects) count += object.mesh->positions.size();
+  return count;
+}
+
+std::uint64_t bytes_of(const Frame& frame) {
+  std::uint64_t bytes = frame.levels.values.size() + frame.radiance.values.size() * sizeof(float) +
+                        frame.radiance_double.values.size() * sizeof(double);
+  for (const Image<float>& aov : frame.aovs) bytes += aov.values.size() * sizeof(float);
+  return bytes;
+}
+
+// For what `wanted` is more than what is held already from the frame before.
+void need_more(const MemoryBudget& memory, std::uint64_t wanted, std::uint64_t held, std::string_view what) {
+  if (wanted > held) memory.need(wanted - held, what);
+}
+
 void reshape_images(const RenderOptions& options, const Crop& region, Frame& frame) {
   if (options.want_levels) reshape(frame.levels, region, 3);
   else frame.levels = {};
@@ -138,6 +170,7 @@ void Renderer::render(const Scene& scene, const RenderOptions& options, Frame& f
   const Crop region = options.crop.empty() ? Crop{0, 0, options.width, options.height} : options.crop.front();
   assert(region.x >= 0 && region.y >= 0 && region.width >= 1 && region.height >= 1 &&
          region.x + region.width <= options.width && region.y + region.height <= options.height);
+  need_more(options.memory, image_bytes(options, region), bytes_of(frame), "the image");
   reshape_images(options, region, frame);
   frame.threads = options.threads > 0 ? options.threads : omp_get_num_procs();
   frame.counts = {}, frame.seconds = {}, frame.tile_seconds = {};
@@ -149,6 +182,7 @@ void Renderer::render(const Scene& scene, const RenderOptions& options, Frame& f
   Bins& bins = memory_->bins;
 
   const auto transform_start = Clock::now();
+  need_more(options.memory, vertex_bytes * vertices_of(scene), vertex_bytes * geometry.window.size(), "the vertices");
   transform(scene, options.width, options.height, frame.threads, geometry);
   frame.seconds.transform = seconds_since(transform_start);
 

@@ -2,6 +2,7 @@
 // The frame: a scene becomes images.
 
 #include "raster/image.h"
+#include "raster/memory_budget.h"
 #include "raster/scene.h"
 #include "shading/undefined.h"
 
@@ -51,6 +52,7 @@ struct RenderOptions {
   std::vector<Aov> aovs;
   std::function<void(double)> progress;      // called with the share done, in [0, 1], from one thread at a time
   const std::atomic<bool>* cancel = nullptr; // when it becomes true, the frame is given up
+  MemoryBudget memory;                       // asked for images and vertices
 };
 
 /// Seconds of wall time in each stage of a frame.

@@ -18,8 +18,8 @@ void scale_to_values(ImageFile& image) {
 
 } // namespace
 
-ImagePair read_image_pair(const std::string& path_a, const std::string& path_b) {
-  ImageFile a = read_image(path_a), b = read_image(path_b);
+ImagePair read_image_pair(const std::string& path_a, const std::string& path_b, const MemoryBudget& memory) {
+  ImageFile a = read_image(path_a, memory), b = read_image(path_b, memory);
   const bool same_shape =
       a.values.width == b.values.width && a.values.height == b.values.height && a.values.channels == b.values.channels;
   if (!same_shape) {

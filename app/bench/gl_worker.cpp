@@ -10,6 +10,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <thread>
@@ -70,6 +71,11 @@ struct Drawn {
 [[noreturn]] void serve(int line, const Scene& scene, const GlOptions& options, int threads,
                         std::span<const int> cpus) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
+  // Drivers do not bear a limit of memory; app/memory_limit.h sets a soft one.
+  if (rlimit data{}; getrlimit(RLIMIT_DATA, &data) == 0) {
+    data.rlim_cur = data.rlim_max;
+    setrlimit(RLIMIT_DATA, &data);
+  }
   stay_on(cpus.first(std::min(static_cast<std::size_t>(threads), cpus.size())));
   setenv("LP_NUM_THREADS", std::to_string(threads).c_str(), 1);
   try {
