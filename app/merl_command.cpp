@@ -5,6 +5,7 @@
 #include "app/output.h"
 #include "app/progress_line.h"
 #include "io/merl_file.h"
+#include "io/sha256.h"
 #include "shading/merl_synthesis.h"
 #include "verify/merl_facts.h"
 
