@@ -128,4 +128,13 @@ std::optional<std::uint64_t> count_from(std::string_view text) {
   return number_from<std::uint64_t>(text);
 }
 
+void add_cache_option(CLI::App& command, std::string& folder) {
+  command
+      .add_option(
+          "--cache", folder,
+          "folder, made if need be, where the triangles of large OBJ files are kept, so that they are read faster "
+          "the next time")
+      ->type_name("DIR");
+}
+
 } // namespace refraster

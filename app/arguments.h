@@ -49,6 +49,9 @@ std::optional<double> distance_from(std::string_view text);
 /// A whole number, not negative.
 std::optional<std::uint64_t> count_from(std::string_view text);
 
+/// --cache, for the commands that read scenes: a folder of large meshes that were read before. check_cache_folder.
+void add_cache_option(CLI::App& command, std::string& folder);
+
 /// An option for a number in a range; the help shows the range in place of the value. NaN is in none.
 template <class Number>
 CLI::Option* add_number_option(CLI::App& command, const std::string& name, Number& value, const Range& range,

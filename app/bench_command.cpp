@@ -11,6 +11,7 @@
 #include "app/interrupt.h"
 #include "app/output.h"
 #include "app/progress_line.h"
+#include "io/mesh_cache.h"
 #include "io/scene_file.h"
 #include "verify/gl/render_gl.h"
 
@@ -57,6 +58,7 @@ std::optional<std::vector<GrowthRequest>> scaling_from(std::string_view text) {
 
 struct BenchArguments {
   std::vector<std::string> scenes, rungs;
+  std::string cache;
   std::vector<int> threads;
   std::vector<GrowthRequest> scaling;
   std::vector<Size> sizes = {Size{}};
@@ -180,11 +182,12 @@ private:
 ExitCode run(const BenchArguments& a) {
   for (const std::string& path : {a.json, a.html})
     if (!path.empty()) check_writable(path);
+  if (!a.cache.empty()) check_cache_folder(a.cache);
   Bench bench(a);
   try {
     if (a.scenes.empty() && a.scaling.empty()) bench.add(built_in_name, built_in_scene());
     for (const std::string& path : a.scenes) {
-      bench.add(path, read_scene(path));
+      bench.add(path, read_scene(path, a.cache));
       if (interrupted()) return ExitCode::interrupted;
     }
     for (const GrowthRequest& request : a.scaling) {
@@ -244,6 +247,7 @@ void add_bench(CLI::App& program, Action& chosen) {
       "some of triangles, pixels, lights, overdraw, threads, all, each with or without a number like :1e6",
       "how cost grows with the number of triangles (up to 1e7), pixels (16384^2), lights (256), overdraw "
       "(64), threads (CPUs), or all of them; MOST is where to stop");
+  add_cache_option(command, a.cache);
   command.add_option("--json", a.json, "write the report as JSON; - is standard output")->type_name("FILE");
   command.add_option("--html", a.html, "write the report as one HTML page with pictures")->type_name("FILE");
   command.add_flag_callback(

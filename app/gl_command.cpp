@@ -5,6 +5,7 @@
 #include "app/output.h"
 #include "app/progress_line.h"
 #include "io/image_file.h"
+#include "io/mesh_cache.h"
 #include "io/scene_file.h"
 #include "verify/gl/gl_report.h"
 #include "verify/gl/render_gl.h"
@@ -16,7 +17,7 @@ namespace refraster {
 namespace {
 
 struct GlArguments {
-  std::string scene, output, radiance, depth, json;
+  std::string scene, output, radiance, depth, json, cache;
   Size size;
   GlOptions options;
 };
@@ -54,6 +55,7 @@ void write_outputs(const GlArguments& a, const GlOptions& options, const GlFrame
 ExitCode run(const GlArguments& a) {
   for (const std::string& path : {a.output, a.radiance, a.depth, a.json})
     if (!path.empty()) check_writable(path);
+  if (!a.cache.empty()) check_cache_folder(a.cache);
   GlOptions options = a.options;
   options.width = a.size.width;
   options.height = a.size.height;
@@ -64,7 +66,7 @@ ExitCode run(const GlArguments& a) {
   GlFrame frame;
   try {
     const ProgressLine line("drawing " + a.scene);
-    const Scene scene = read_scene(a.scene);
+    const Scene scene = read_scene(a.scene, a.cache);
     frame = render_gl(scene, options);
   } catch (const NoOpenGl& error) {
     std::cerr << "refraster: " << error.what() << "\n";
@@ -119,6 +121,7 @@ void add_gl(CLI::App& program, Action& chosen) {
              "how our GLSL reads a measured table between its samples");
   command.add_option("--frames", a.options.timed_frames, "draw so many more frames and time each; see --json")
       ->check(CLI::Range(0, 1'000'000));
+  add_cache_option(command, a.cache);
   command.add_option("--json", a.json, "write driver, times and counts as JSON; - is standard output")
       ->type_name("FILE");
   command.footer(

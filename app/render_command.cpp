@@ -6,6 +6,7 @@
 #include "app/output.h"
 #include "app/progress_line.h"
 #include "io/image_file.h"
+#include "io/mesh_cache.h"
 #include "io/report.h"
 #include "io/scene_file.h"
 #include "raster/render.h"
@@ -20,7 +21,7 @@ namespace {
 enum class Progress { shown, quiet };
 
 struct RenderArguments {
-  std::string scene, output, report;
+  std::string scene, output, report, cache;
   Size size;
   std::vector<Crop> crop;
   std::vector<Aov> aovs;
@@ -85,7 +86,7 @@ std::unique_ptr<ProgressLine> progress_line(Progress progress, const std::string
 
 Scene scene_of(const RenderArguments& arguments) {
   const auto line = progress_line(arguments.progress, "reading " + arguments.scene);
-  return read_scene(arguments.scene);
+  return read_scene(arguments.scene, arguments.cache);
 }
 
 Frame rendered(const Scene& scene, const RenderArguments& arguments) {
@@ -112,6 +113,7 @@ ExitCode run(const RenderArguments& arguments) {
   check_writable(arguments.output);
   for (const Aov aov : arguments.aovs) check_writable(aov_path(arguments.output, aov));
   if (!arguments.report.empty()) check_writable(arguments.report);
+  if (!arguments.cache.empty()) check_cache_folder(arguments.cache);
 
   const Stopwatch reading;
   const Scene scene = scene_of(arguments);
@@ -171,6 +173,7 @@ void add_render(CLI::App& program, Action& chosen) {
                     "some of depth,normal,position,uv,albedo,triangle,object, each once",
                     "more images to write, as NAME.depth.pfm next to NAME.png (.exr next to .exr): depth, normal, "
                     "position, uv, albedo, triangle, object");
+  add_cache_option(command, a.cache);
   command.add_option("--report", a.report, "write a report of the run as JSON; - is standard output")
       ->type_name("FILE");
   command.add_flag_callback(

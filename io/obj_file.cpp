@@ -8,7 +8,6 @@
 
 #include <cassert>
 #include <istream>
-#include <limits>
 #include <streambuf>
 
 namespace refraster {
@@ -60,9 +59,11 @@ ObjFaces parse_faces(ObjText& obj) {
 } // namespace
 
 Mesh read_obj(const std::string& path) {
-  // Of fewer bytes than this no list can have more entries than an int32 counts.
-  constexpr std::uint64_t max_bytes = std::numeric_limits<std::int32_t>::max();
-  ObjText obj = check_obj(path, read_file(path, "an OBJ file", max_bytes));
+  return mesh_of_obj(path, read_file(path, "an OBJ file", max_obj_bytes));
+}
+
+Mesh mesh_of_obj(const std::string& path, std::string text) {
+  ObjText obj = check_obj(path, std::move(text));
   ObjFaces faces = parse_faces(obj);
   obj.text = {};
   add_missing_normals(obj, faces);

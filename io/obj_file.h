@@ -3,6 +3,8 @@
 
 #include "raster/scene.h"
 
+#include <cstdint>
+#include <limits>
 #include <string>
 
 namespace refraster {
@@ -20,6 +22,12 @@ namespace refraster {
 /// Vertices are one for each different (v, vt, vn). At most 2 GiB.
 /// Throws InputError with all faults, each with its line.
 Mesh read_obj(const std::string& path);
+
+/// The same for the text of such a file; `path` only names it in messages.
+Mesh mesh_of_obj(const std::string& path, std::string text);
+
+/// Of fewer bytes than this no list of the file can have more entries than an int32 counts.
+inline constexpr std::uint64_t max_obj_bytes = std::numeric_limits<std::int32_t>::max();
 
 /// Writes a mesh so that read_obj gives it back: the same triangles, and each coordinate bit for bit.
 /// Throws OutputError.

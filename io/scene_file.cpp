@@ -3,6 +3,7 @@
 #include "io/image_file.h"
 #include "io/input_file.h"
 #include "io/merl_file.h"
+#include "io/mesh_cache.h"
 #include "io/obj_file.h"
 #include "io/scene_reader.h"
 #include "raster/primitives.h"
@@ -38,8 +39,9 @@ std::shared_ptr<const Mesh> make_mesh(const Shape& shape) {
 class Loader {
 public:
   /// `faults`: of the scene file; `in_files`: of those that it names.
-  Loader(const JsonDocument& document, FaultList& faults, FaultList& in_files)
-      : document_(document), folder_(fs::path(document.file()).parent_path()), faults_(faults), in_files_(in_files) {}
+  Loader(const JsonDocument& document, const std::string& mesh_cache, FaultList& faults, FaultList& in_files)
+      : document_(document), folder_(fs::path(document.file()).parent_path()), mesh_cache_(mesh_cache), faults_(faults),
+        in_files_(in_files) {}
 
   /// Which textures need a mip chain is known before the first is loaded: a loaded texture never changes.
   void note(const ObjectText& text) {
@@ -52,8 +54,9 @@ public:
     result.vertex_shader_path = path_of(text.vertex_shader);
     result.fragment_shader_path = path_of(text.fragment_shader);
     result.mesh =
-        text.shape ? shape(*text.shape) : load(meshes_, text.obj_file, "an OBJ file", [](const std::string& path) {
-          return std::make_shared<const Mesh>(read_obj(path));
+        text.shape ? shape(*text.shape) : load(meshes_, text.obj_file, "an OBJ file", [&](const std::string& path) {
+          return std::make_shared<const Mesh>(mesh_cache_.empty() ? read_obj(path)
+                                                                  : read_obj_by_cache(path, mesh_cache_));
         });
     if (result.name.empty())
       result.name = text.shape ? std::string(std::visit([](auto& s) { return s.name; }, *text.shape))
@@ -106,6 +109,7 @@ private:
 
   const JsonDocument& document_;
   fs::path folder_;
+  const std::string& mesh_cache_;
   FaultList &faults_, &in_files_;
   Files<Mesh> meshes_;
   Files<Texture> textures_;
@@ -116,7 +120,7 @@ private:
 
 } // namespace
 
-Scene read_scene(const std::string& path) {
+Scene read_scene(const std::string& path, const std::string& mesh_cache) {
   const JsonDocument document(path, read_file(path, "a scene file", JsonDocument::max_bytes));
   FaultList faults;
   Scene scene;
@@ -129,7 +133,7 @@ Scene read_scene(const std::string& path) {
   root.finish();
 
   FaultList in_files;
-  Loader loader(document, faults, in_files);
+  Loader loader(document, mesh_cache, faults, in_files);
   for (const ObjectText& text : objects) loader.note(text);
   for (const ObjectText& text : objects) scene.objects.push_back(loader.object(text));
   faults.sort_by_place();
