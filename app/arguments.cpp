@@ -142,4 +142,13 @@ void add_outside_option(CLI::App& command, Outside& outside) {
       "let the scene name files outside its own folder: only for scenes that you trust");
 }
 
+void add_cache_option(CLI::App& command, std::string& folder) {
+  command
+      .add_option(
+          "--cache", folder,
+          "folder, made if need be, where the triangles of large OBJ files are kept, so that they are read faster "
+          "the next time")
+      ->type_name("DIR");
+}
+
 } // namespace refraster

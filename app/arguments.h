@@ -56,6 +56,8 @@ std::optional<std::uint64_t> count_from(std::string_view text);
 
 /// --allow-outside, for the commands that read scenes.
 void add_outside_option(CLI::App& command, Outside& outside);
+/// --cache, for the commands that read scenes: a folder of large meshes that were read before. check_cache_folder.
+void add_cache_option(CLI::App& command, std::string& folder);
 
 /// An option for a number in a range; the help shows the range in place of the value. NaN is in none.
 template <class Number>

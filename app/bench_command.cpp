@@ -12,6 +12,7 @@
 #include "app/memory_limit.h"
 #include "app/output.h"
 #include "app/progress_line.h"
+#include "io/mesh_cache.h"
 #include "io/scene_file.h"
 #include "verify/gl/render_gl.h"
 
@@ -183,6 +184,7 @@ private:
 ExitCode run(const BenchArguments& a) {
   for (const std::string& path : {a.json, a.html})
     if (!path.empty()) check_writable(path);
+  if (!a.reading.mesh_cache.empty()) check_cache_folder(a.reading.mesh_cache);
   Bench bench(a);
   try {
     if (a.scenes.empty() && a.scaling.empty()) bench.add(built_in_name, built_in_scene());
@@ -249,6 +251,7 @@ void add_bench(CLI::App& program, Action& chosen) {
       "(64), threads (CPUs), or all of them; MOST is where to stop");
   add_outside_option(command, a.reading.outside);
   add_memory_option(command, a.max_memory);
+  add_cache_option(command, a.reading.mesh_cache);
   command.add_option("--json", a.json, "write the report as JSON; - is standard output")->type_name("FILE");
   command.add_option("--html", a.html, "write the report as one HTML page with pictures")->type_name("FILE");
   command.add_flag_callback(

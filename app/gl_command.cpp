@@ -6,6 +6,7 @@
 #include "app/output.h"
 #include "app/progress_line.h"
 #include "io/image_file.h"
+#include "io/mesh_cache.h"
 #include "io/scene_file.h"
 #include "verify/gl/gl_report.h"
 #include "verify/gl/render_gl.h"
@@ -57,6 +58,7 @@ void write_outputs(const GlArguments& a, const GlOptions& options, const GlFrame
 ExitCode run(const GlArguments& a) {
   for (const std::string& path : {a.output, a.radiance, a.depth, a.json})
     if (!path.empty()) check_writable(path);
+  if (!a.reading.mesh_cache.empty()) check_cache_folder(a.reading.mesh_cache);
   GlOptions options = a.options;
   options.width = a.size.width;
   options.height = a.size.height;
@@ -124,6 +126,7 @@ void add_gl(CLI::App& program, Action& chosen) {
       ->check(CLI::Range(0, 1'000'000));
   add_outside_option(command, a.reading.outside);
   add_memory_option(command, a.max_memory);
+  add_cache_option(command, a.reading.mesh_cache);
   command.add_option("--json", a.json, "write driver, times and counts as JSON; - is standard output")
       ->type_name("FILE");
   command.footer(

@@ -4,6 +4,7 @@
 #include "io/limits.h"
 #include "io/scene_file.h"
 #include "math/rungs.h"
+#include "raster/render.h"
 #include "shading/models.h"
 #include "shading/precision_bounds.h"
 
@@ -81,7 +82,7 @@ std::string stated_errors() {
 template <class... Rung>
 void print_rungs(const std::tuple<Rung...>*) {
   const auto print = []<class R>(R) {
-    std::cout << padded(R::name, 8) << R::purpose << "; " << NumberTraits<typename R::Number>::lanes << " lanes here\n";
+    std::cout << padded(R::name, 8) << R::purpose << "; " << rung_lanes(R::name) << " lanes here\n";
     if (const std::string errors = stated_errors<R>(); !errors.empty())
       std::cout << padded("", 8) << "at most from double: " << errors << "\n";
   };

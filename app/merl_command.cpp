@@ -6,6 +6,7 @@
 #include "app/output.h"
 #include "app/progress_line.h"
 #include "io/merl_file.h"
+#include "io/sha256.h"
 #include "shading/merl_synthesis.h"
 #include "verify/merl_facts.h"
 
@@ -32,12 +33,14 @@ TableInfo table_info(const std::string& path) {
 }
 
 ExitCode print_info(const std::string& path) {
-  const auto [material, facts] = table_info(path);
+  const TableInfo info = table_info(path);
+  const MerlFacts& facts = info.facts;
   const auto per_channel = [&](double ChannelFacts::*fact) {
     return Rgb<double>(facts.channels[0].*fact, facts.channels[1].*fact, facts.channels[2].*fact);
   };
   std::printf("%-16s %s\n", "file", path.c_str());
-  std::printf("%-16s %s\n", "material", material.empty() ? "not one of the 100 of the database" : material.c_str());
+  std::printf("%-16s %s\n", "material",
+              info.material.empty() ? "not one of the 100 of the database" : info.material.c_str());
   std::printf("%-16s %d x %d x %d (theta_h, theta_d, phi_d)\n", "samples", MerlTable::theta_h_bins,
               MerlTable::theta_d_bins, MerlTable::phi_d_bins);
   std::printf("%-16s %llu (%.2f %%)\n", "never measured", static_cast<unsigned long long>(facts.never_measured),

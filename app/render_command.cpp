@@ -7,6 +7,7 @@
 #include "app/output.h"
 #include "app/progress_line.h"
 #include "io/image_file.h"
+#include "io/mesh_cache.h"
 #include "io/report.h"
 #include "io/scene_file.h"
 #include "raster/render.h"
@@ -120,6 +121,7 @@ ExitCode run(const RenderArguments& arguments) {
   check_writable(arguments.output);
   for (const Aov aov : arguments.aovs) check_writable(aov_path(arguments.output, aov));
   if (!arguments.report.empty()) check_writable(arguments.report);
+  if (!arguments.reading.mesh_cache.empty()) check_cache_folder(arguments.reading.mesh_cache);
 
   const Stopwatch reading;
   const Scene scene = scene_of(arguments);
@@ -182,6 +184,7 @@ void add_render(CLI::App& program, Action& chosen) {
                     "position, uv, albedo, triangle, object");
   add_outside_option(command, a.reading.outside);
   add_memory_option(command, a.max_memory);
+  add_cache_option(command, a.reading.mesh_cache);
   command.add_option("--report", a.report, "write a report of the run as JSON; - is standard output")
       ->type_name("FILE");
   command.add_flag_callback(

@@ -1,11 +1,19 @@
 # refraster_floor(NAME [HEADERS ...] [SOURCES ...] [PUBLIC ...] [PRIVATE ...])
-# One library for one floor of the house, with alias refraster::NAME. Without sources it is header-only.
+# One library for one floor of the house, with alias refraster::NAME. Without sources it is header-only. Static, or shared
+# with BUILD_SHARED_LIBS: scripts/package_levels.
 function(refraster_floor name)
   cmake_parse_arguments(floor "" "" "HEADERS;SOURCES;PUBLIC;PRIVATE" ${ARGN})
   set(target refraster_${name})
   if(floor_SOURCES)
-    add_library(${target} STATIC ${floor_SOURCES})
+    add_library(${target} ${floor_SOURCES})
     set(scope PUBLIC)
+    set_target_properties(${target} PROPERTIES
+      VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} INSTALL_RPATH "$ORIGIN")
+    if(BUILD_SHARED_LIBS)
+      # A library calls its own functions, also where a program built for another instruction set has them too.
+      target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)
+      target_link_options(${target} PRIVATE LINKER:-Bsymbolic-functions)
+    endif()
     target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:refraster_warnings> ${floor_PRIVATE})
   else()
     add_library(${target} INTERFACE)

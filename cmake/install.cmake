@@ -4,7 +4,14 @@ include(CMakePackageConfigHelpers)
 get_property(floors GLOBAL PROPERTY REFRASTER_FLOORS)
 install(TARGETS ${floors} refraster_strict_fp EXPORT refrasterTargets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT libraries NAMELINK_COMPONENT development
   FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/refraster)
+# Everything that the component `libraries` installs: scripts/package_levels.
+add_custom_target(libraries)
+add_dependencies(libraries ${floors})
+if(BUILD_SHARED_LIBS)
+  set_target_properties(refraster PROPERTIES INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
+endif()
 install(TARGETS refraster RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(EXPORT refrasterTargets NAMESPACE refraster:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/refraster)
 configure_package_config_file(cmake/refrasterConfig.cmake.in ${PROJECT_BINARY_DIR}/refrasterConfig.cmake

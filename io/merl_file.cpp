@@ -4,12 +4,11 @@
 #include "io/fault_list.h"
 #include "io/input_file.h"
 
-#include <openssl/evp.h>
-
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <fstream>
 
 namespace refraster {
 namespace {
@@ -27,6 +26,13 @@ std::string text_of(const std::array<std::int32_t, 3>& d) {
   return std::to_string(d[0]) + " x " + std::to_string(d[1]) + " x " + std::to_string(d[2]);
 }
 
+InputFault not_finite(const std::string& path, std::size_t channel, std::size_t sample, double stored) {
+  constexpr std::size_t row = MerlTable::phi_d_bins, block = row * MerlTable::theta_d_bins;
+  const std::string place = std::string(1, "rgb"[channel]) + "[" + std::to_string(sample / block) + "][" +
+                            std::to_string(sample % block / row) + "][" + std::to_string(sample % row) + "]";
+  return fault_in(path, place, std::isnan(stored) ? "nan" : "infinity", "a finite number");
+}
+
 } // namespace
 
 std::shared_ptr<const MerlTable> read_merl(const std::string& path) {
@@ -42,23 +48,31 @@ std::shared_ptr<const MerlTable> read_merl(const std::string& path) {
   if (size != merl_file_bytes)
     throw InputError(fault_in(path, "", std::to_string(size) + " bytes", std::to_string(merl_file_bytes) + " bytes"));
 
-  const std::string bytes = read_file(path, "a MERL table", merl_file_bytes);
+  // Plane by plane for each theta_h: what is read stays in the cache until it stands in its place.
   PaddedVector<double> rgb(3 * MerlTable::samples);
-  FaultList faults;
-  for (std::size_t channel = 0; channel < 3; ++channel)
-    for (std::size_t i = 0; i < MerlTable::samples; ++i) {
-      double stored = 0;
-      std::memcpy(&stored, &bytes[header_bytes + sizeof stored * (channel * MerlTable::samples + i)], sizeof stored);
-      rgb[3 * i + channel] = stored * merl_scale[channel];
-      if (std::isfinite(stored)) continue;
-      faults.add_from([&] {
-        constexpr std::size_t row = MerlTable::phi_d_bins, block = row * MerlTable::theta_d_bins;
-        const std::string place = std::string(1, "rgb"[channel]) + "[" + std::to_string(i / block) + "][" +
-                                  std::to_string(i % block / row) + "][" + std::to_string(i % row) + "]";
-        return fault_in(path, place, std::isnan(stored) ? "nan" : "infinity", "a finite number");
-      });
+  constexpr std::size_t part = MerlTable::theta_d_bins * MerlTable::phi_d_bins;
+  std::vector<double> stored(part);
+  std::array<std::ifstream, 3> planes;
+  std::array<FaultList, 3> faults;
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    planes[channel].open(path, std::ios::binary);
+    planes[channel].seekg(static_cast<std::streamoff>(header_bytes + sizeof(double) * channel * MerlTable::samples));
+  }
+  for (std::size_t first = 0; first < MerlTable::samples; first += part)
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      if (!planes[channel].read(reinterpret_cast<char*>(stored.data()), part * sizeof(double)))
+        throw InputError(fault_in(path, "", "a file that ends while it is read", std::to_string(size) + " bytes"));
+      bool finite = true;
+      for (std::size_t i = 0; i < part; ++i) {
+        finite &= std::isfinite(stored[i]);
+        rgb[3 * (first + i) + channel] = stored[i] * merl_scale[channel];
+      }
+      for (std::size_t i = 0; i < part && !finite; ++i)
+        if (!std::isfinite(stored[i]))
+          faults[channel].add_from([&] { return not_finite(path, channel, first + i, stored[i]); });
     }
-  faults.throw_if_any();
+  for (std::size_t channel = 1; channel < 3; ++channel) faults[0].add(faults[channel]);
+  faults[0].throw_if_any();
   return std::make_shared<const MerlTable>(std::move(rgb));
 }
 
@@ -72,16 +86,6 @@ void write_merl(const std::string& path, const MerlTable& table) {
     file.write(plane.data(), plane.size() * sizeof(double));
   }
   file.commit();
-}
-
-std::string file_sha256(const std::string& path) {
-  const std::string bytes = read_file(path, "a file", std::uint64_t{1} << 40);
-  std::array<unsigned char, EVP_MAX_MD_SIZE> digest;
-  unsigned size = 0;
-  EVP_Digest(bytes.data(), bytes.size(), digest.data(), &size, EVP_sha256(), nullptr);
-  std::string result;
-  for (unsigned i = 0; i < 2 * size; ++i) result += "0123456789abcdef"[i % 2 ? digest[i / 2] & 15 : digest[i / 2] >> 4];
-  return result;
 }
 
 } // namespace refraster

@@ -21,9 +21,6 @@ std::shared_ptr<const MerlTable> read_merl(const std::string& path);
 /// Writes a table so that read_merl gives each value back within an ulp: the scales are no powers of two.
 void write_merl(const std::string& path, const MerlTable& table);
 
-/// The sha256 of a file's bytes, 64 hexadecimal digits.
-std::string file_sha256(const std::string& path);
-
 /// The material's name if the file is one of the 100 of the database's version 2.0; else empty.
 std::string_view merl_material_name(std::string_view sha256);
 

@@ -60,7 +60,11 @@ ObjFaces parse_faces(ObjText& obj) {
 } // namespace
 
 Mesh read_obj(const std::string& path) {
-  ObjText obj = check_obj(path, read_file(path, "an OBJ file", limit::obj_bytes.value));
+  return mesh_of_obj(path, read_file(path, "an OBJ file", limit::obj_bytes.value));
+}
+
+Mesh mesh_of_obj(const std::string& path, std::string text) {
+  ObjText obj = check_obj(path, std::move(text));
   ObjFaces faces = parse_faces(obj);
   obj.text = {};
   // Before the triangles are made: a polygon of n corners becomes n - 2. There are no more vertices than corners.

@@ -3,6 +3,8 @@
 
 #include "raster/scene.h"
 
+#include <cstdint>
+#include <limits>
 #include <string>
 
 namespace refraster {
@@ -20,6 +22,9 @@ namespace refraster {
 /// Vertices are one for each different (v, vt, vn). At most 2 GiB.
 /// Throws InputError with all faults, each with its line.
 Mesh read_obj(const std::string& path);
+
+/// The same for the text of such a file; `path` only names it in messages.
+Mesh mesh_of_obj(const std::string& path, std::string text);
 
 /// Writes a mesh so that read_obj gives it back: the same triangles, and each coordinate bit for bit.
 /// Throws OutputError.

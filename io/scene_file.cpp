@@ -3,6 +3,7 @@
 #include "io/image_file.h"
 #include "io/input_file.h"
 #include "io/merl_file.h"
+#include "io/mesh_cache.h"
 #include "io/obj_file.h"
 #include "io/scene_reader.h"
 #include "io/shape_mesh.h"
@@ -52,7 +53,8 @@ public:
     result.mesh =
         text.shape ? shape(*text.shape) : load(meshes_, text.obj_file, "an OBJ file", [&](const std::string& path) {
           options_.memory.need(2 * file_size_bytes(path), path); // its text, and no less than as much for what it says
-          return std::make_shared<const Mesh>(read_obj(path));
+          const std::string& cache = options_.mesh_cache;
+          return std::make_shared<const Mesh>(cache.empty() ? read_obj(path) : read_obj_by_cache(path, cache));
         });
     if (!text.shape && result.mesh) add({result.mesh->positions.size(), result.mesh->triangles.size()});
     if (result.name.empty())

@@ -15,6 +15,7 @@ enum class Outside { refused, allowed };
 struct SceneOptions {
   Outside outside = Outside::refused;
   MemoryBudget memory = {};
+  std::string mesh_cache; // a folder of large meshes that were read before (io/mesh_cache.h); none if empty
 };
 
 /// Reads a scene with every file that it names: meshes, textures, measured tables. A file named twice is loaded once.

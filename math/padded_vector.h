@@ -1,6 +1,8 @@
 #pragma once
 // Tables that are read four numbers at a time, wherever one is wanted: the last ones too.
 
+#include "math/large_memory.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <new>
@@ -20,9 +22,9 @@ struct PaddedAllocator {
 
   T* allocate(std::size_t n) {
     if (n > PTRDIFF_MAX / sizeof(T) - 4) throw std::bad_alloc();
-    return static_cast<T*>(::operator new(n * sizeof(T) + padding));
+    return static_cast<T*>(allocate_memory(n * sizeof(T) + padding));
   }
-  void deallocate(T* memory, std::size_t) { ::operator delete(memory); }
+  void deallocate(T* memory, std::size_t) { free_memory(memory); }
   template <class U>
   bool operator==(const PaddedAllocator<U>&) const {
     return true;

@@ -138,6 +138,15 @@ std::unique_ptr<TileShader> make_tile_shader(std::string_view rung) {
   return nullptr;
 }
 
+int rung_lanes(std::string_view rung) {
+  int lanes = 0;
+  const auto look_at = [&]<class R>(R) {
+    if (R::name == rung) lanes = NumberTraits<typename R::Number>::lanes;
+  };
+  std::apply([&](auto... each) { (look_at(each), ...); }, Rungs{});
+  return lanes;
+}
+
 struct Renderer::Memory {
   Geometry geometry;
   Bins bins;

@@ -118,6 +118,10 @@ private:
   std::unique_ptr<Memory> memory_;
 };
 
+/// How many fragments of a rung are shaded at once, on the instruction set that this library was built for; 0 if there
+/// is no rung of that name.
+int rung_lanes(std::string_view rung);
+
 /// A single frame.
 Frame render(const Scene& scene, const RenderOptions& options);
 

@@ -29,14 +29,15 @@ Twofold<T> wide_dot(const Vec3<T>& a, const Vec3<T>& b) {
 /// At a distance q = |a - b|^2 / 2 an error d of a - b moves the power by s sqrt(2 q) e^(-s q) d. At glossiness P that is
 /// sqrt(P / e) d at most, and from s q >= ln(2 s / P) on it is no more at any other: as ln(s q) <= s q - 1,
 ///     ln(s sqrt(2 q)) - s q = (ln(2 s) + ln(s q)) / 2 - s q <= (ln(2 s) - 1 - s q) / 2 <= ln sqrt(P / e).
-/// ln x <= (x - 1) / sqrt(x) spares the logarithm.
+/// ln x <= (x - 1) / sqrt(x) spares the logarithm. That is in units of the peak; so that the power keeps its own digits
+/// too, for as long as they count beside the diffuse part, the gap is taken to where e^-6 less of the peak is left.
 template <Lanes T, class Gap>
 Vec3<T> highlight_gap(const Vec3<T>& a, const Vec3<T>& b, double s, const Gap& gap) {
   const Vec3<T> plain = a - b;
   constexpr double enough = Gap::plain_glossiness;
   if (s <= enough) return plain;
   const double x = 2 * (s / enough);
-  const MaskOf<T> close = squared_length(plain) * as<T>(s) < as<T>(2 * (x - 1) / root(x));
+  const MaskOf<T> close = squared_length(plain) * as<T>(s) < as<T>(2 * ((x - 1) / root(x) + 6));
   if (!any(close)) return plain;
   return select<T>(close, gap(), plain);
 }

@@ -52,16 +52,14 @@ Errors errors(const std::vector<Rgb<double>>& read, const std::vector<Rgb<double
   return result;
 }
 
-bool reads_logarithms(MerlLookup lookup) {
-  return lookup == MerlLookup::trilinear_log || lookup == MerlLookup::tricubic_log;
-}
-
-/// body(lookup, its name, reader) for all that exist.
-template <class Body>
-void for_each_step(const Body& body) {
+std::vector<Way> all_ways() {
+  std::vector<Way> ways;
   for (const auto& [lookup, name] : EnumNames<MerlLookup>::names)
-    for (const Reader& reader : readers())
-      if (reader.own_logarithms || !reads_logarithms(lookup)) body(lookup, name, reader);
+    for (const Reader& reader : readers()) {
+      const Way way{lookup, name, reader};
+      if (reader.is_the_rungs || &way.format() == &way.reader.values) ways.push_back(way);
+    }
+  return ways;
 }
 
 } // namespace
@@ -69,20 +67,17 @@ void for_each_step(const Body& body) {
 Material measure_errors(const std::string& name, const AnalyticBrdf& brdf, int pairs) {
   const MerlTable table = merl_table_from(brdf);
   Material material{name, {}};
-  for_each_step([&](MerlLookup, std::string_view lookup_name, const Reader& reader) {
-    material.steps.push_back({lookup_name, reader, {}, {}});
-  });
+  for (const Way& way : all_ways()) material.steps.push_back({way, {}, {}});
   const auto measure = [&](const std::vector<SurfacePair>& on, auto family) {
     std::vector<Rgb<double>> truth;
-    for (const auto& [n, i, o] : on)
-      truth.push_back(std::visit([&](const auto& formula) { return formula(n, i, o); }, brdf));
+    for (const SurfacePair& at : on)
+      truth.push_back(std::visit([&](const auto& formula) { return formula(at.n, at.i, at.o); }, brdf));
     const Reader in_double = readers().front();
     const std::vector<Rgb<double>> trilinear = in_double.read(table, MerlLookup::trilinear, on);
-    std::size_t step = 0;
-    for_each_step([&](MerlLookup lookup, std::string_view, const Reader& reader) {
-      const std::vector<Rgb<double>> read = reader.read(table, lookup, on);
-      material.steps[step++].*family = {errors(read, truth), errors(read, trilinear)};
-    });
+    for (Step& step : material.steps) {
+      const std::vector<Rgb<double>> read = step.way.reader.read(table, step.way.lookup, on);
+      step.*family = {errors(read, truth), errors(read, trilinear)};
+    }
   };
   measure(many(pairs, specular_pair), &Step::specular);
   measure(many(pairs, random_pair), &Step::uniform);
@@ -93,12 +88,12 @@ std::vector<Cost> measure_costs(const AnalyticBrdf& brdf) {
   const MerlTable table = merl_table_from(brdf);
   const std::vector<SurfacePair> near = sphere(), far = many(static_cast<int>(near.size()), random_pair);
   std::vector<Cost> costs;
-  for_each_step([&](MerlLookup lookup, std::string_view name, const Reader& reader) {
+  for (const Way& way : all_ways()) {
     const auto nanoseconds = [&](const std::vector<SurfacePair>& pairs) {
-      return 1e9 * reader.seconds(table, lookup, pairs) / static_cast<double>(pairs.size());
+      return 1e9 * way.reader.seconds(table, way.lookup, pairs) / static_cast<double>(pairs.size());
     };
-    costs.push_back({name, reader, nanoseconds(near), nanoseconds(far)});
-  });
+    costs.push_back({way, nanoseconds(near), nanoseconds(far)});
+  }
   return costs;
 }
 

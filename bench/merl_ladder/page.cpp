@@ -28,9 +28,14 @@ std::string cell(const Errors& errors) {
   return number(errors.mean) + " / " + number(errors.mostly) + " / " + number(errors.max);
 }
 
-std::string name(std::string_view lookup, const Reader& reader) {
+std::string name(const Way& way) {
   std::string row = "| `";
-  row.append(lookup).append("` | ").append(reader.rung).append(" | ").append(reader.format).append(" | ");
+  row.append(way.lookup_name)
+      .append("` | ")
+      .append(way.reader.rung)
+      .append(" | ")
+      .append(way.format().name)
+      .append(" | ");
   return row;
 }
 
@@ -40,9 +45,8 @@ std::string table(const Material& material) {
       "| look-up | rung | table | S: from the formula | S: from trilinear in double | U: from the formula | U: from "
       "trilinear in double |\n|---|---|---|---|---|---|---|\n";
   for (const Step& step : material.steps)
-    rows += name(step.lookup, step.reader) + cell(step.specular.from_material) + " | " +
-            cell(step.specular.from_trilinear) + " | " + cell(step.uniform.from_material) + " | " +
-            cell(step.uniform.from_trilinear) + " |\n";
+    rows += name(step.way) + cell(step.specular.from_material) + " | " + cell(step.specular.from_trilinear) + " | " +
+            cell(step.uniform.from_material) + " | " + cell(step.uniform.from_trilinear) + " |\n";
   return rows + "\n";
 }
 
@@ -55,9 +59,8 @@ std::string markdown(const std::vector<Material>& materials, const std::vector<C
   all += "Cost: nanoseconds of one look-up with the angles before it, one thread.\n\n"
          "| look-up | rung | table | MiB | pixels of a sphere | random pairs |\n|---|---|---|---|---|---|\n";
   for (const Cost& cost : costs)
-    all +=
-        name(cost.lookup, cost.reader) +
-        text("%.1f | %.1f | %.1f |\n", static_cast<double>(cost.reader.bytes) / 0x1p20, cost.sphere_ns, cost.random_ns);
+    all += name(cost.way) + text("%.1f | %.1f | %.1f |\n", static_cast<double>(cost.way.format().bytes) / 0x1p20,
+                                 cost.sphere_ns, cost.random_ns);
   return all;
 }
 

@@ -80,17 +80,20 @@ double seconds(const MerlTable& table, MerlLookup lookup, const std::vector<Surf
 }
 
 template <class Stored>
-constexpr std::string_view format_name = "double";
+constexpr Format format(std::string_view name) {
+  return {name, 3 * MerlTable::samples * sizeof(Stored)};
+}
+template <class Stored>
+constexpr Format format_of = format<double>("double");
 template <>
-constexpr std::string_view format_name<float> = "float";
+constexpr Format format_of<float> = format<float>("float");
 template <>
-constexpr std::string_view format_name<Half> = "half";
+constexpr Format format_of<Half> = format<Half>("half");
 
 template <class Rung, class Stored>
-Reader reader(bool own_logarithms) {
+Reader reader(bool is_the_rungs) {
   using T = typename Rung::Number;
-  return {Rung::name,     format_name<Stored>, 3 * MerlTable::samples * sizeof(Stored),
-          own_logarithms, read<T, Stored>,     seconds<T, Stored>};
+  return {Rung::name, format_of<Stored>, format_of<RealOf<T>>, is_the_rungs, read<T, Stored>, seconds<T, Stored>};
 }
 
 } // namespace

@@ -10,11 +10,17 @@
 
 namespace refraster::ladder {
 
+/// A copy of the table.
+struct Format {
+  std::string_view name;
+  std::size_t bytes;
+};
+
 /// Values or seconds for many pairs of directions, in the lanes of one number.
 struct Reader {
-  std::string_view rung, format; // of the number, and of the table
-  std::size_t bytes;             // of the table's copy
-  bool own_logarithms;           // no other reader of this rung reads the copy of logarithms
+  std::string_view rung;
+  Format values, logarithms;
+  bool is_the_rungs; // what a frame of the rung reads; else only the values are in another format
   std::vector<Rgb<double>> (*read)(const MerlTable& table, MerlLookup lookup, const std::vector<SurfacePair>& pairs);
   /// Of processor time for all pairs, from directions to f: the least of several passes.
   double (*seconds)(const MerlTable& table, MerlLookup lookup, const std::vector<SurfacePair>& pairs);

@@ -178,3 +178,27 @@ TEST_CASE("a signal ends the run with 130 and leaves nothing behind") {
   CHECK(end.out.empty());
   CHECK(files_in(folder) == Words{"ball.json"});
 }
+
+TEST_CASE("with a cache a large mesh is read from it the second time, and the image is the same") {
+  const TemporaryFolder folder;
+  // Comments make it large: a mesh is kept from 1 MiB on.
+  save_text(folder / "m.obj", std::string(std::size_t{1} << 20, '#') + "\nv -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n");
+  std::string scene = ball_scene;
+  const std::string sphere = R"("mesh": {"sphere": {"segments": 24, "rings": 12}})";
+  scene.replace(scene.find(sphere), sphere.size(), R"("obj_file_path": "m.obj")");
+  save_text(folder / "s.json", scene);
+  const auto rendered = [&](Words more) {
+    Words words = {"render", "s.json", "-o", "s.png", "--size", "90x70"};
+    words.insert(words.end(), more.begin(), more.end());
+    const Finished run = run_program(folder.path, words);
+    REQUIRE_MESSAGE(run.exit_code == 0, run.err);
+    return text_of(folder / "s.png");
+  };
+  const std::string image = rendered({});
+  CHECK(rendered({"--cache", "kept/meshes"}) == image);
+  CHECK(std::distance(std::filesystem::directory_iterator(folder / "kept/meshes"), {}) == 1);
+  CHECK(rendered({"--cache", "kept/meshes"}) == image);
+  const Finished run = run_program(folder.path, {"render", "s.json", "--cache", "s.json"});
+  CHECK(run.exit_code == 4);
+  CHECK(run.err == "refraster: s.json: cannot write: it is no folder, and none can be made there\n");
+}

@@ -1,4 +1,5 @@
 #include "io/merl_file.h"
+#include "io/sha256.h"
 #include "tests/io/malformed_inputs.h"
 
 #include <doctest/doctest.h>
