@@ -155,7 +155,8 @@ void set_up_surfaces(const Scene& scene, const Geometry& geometry, const Bins& b
 
     for (std::size_t i = 0; i < here; ++i) {
       const auto lane = static_cast<int>(i);
-      const auto& [ref, number] = triangles[begin + i];
+      const TriangleRef& ref = triangles[begin + i].ref;
+      const std::uint32_t number = triangles[begin + i].number;
       SurfaceTriangle<Real>& t = surfaces[begin + i];
       t.object = ref.object;
       t.number = number;
