@@ -3,6 +3,8 @@
 #include "io/text.h"
 
 #include <algorithm>
+#include <cstring>
+#include <exception>
 
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
@@ -18,12 +20,43 @@ namespace {
 class ExrStream : public Imf::OStream {
 public:
   ExrStream(const std::string& path, AtomicFile& file) : Imf::OStream(path.c_str()), file_(file) {}
-  void write(const char bytes[], int size) override { file_.write(bytes, static_cast<std::size_t>(size)); }
+  void write(const char bytes[], int size) override {
+    tell([&] { file_.write(bytes, static_cast<std::size_t>(size)); });
+    if (!is_table_) return;
+    for (int i = 0; i + 8 <= size; i += 8) {
+      std::uint64_t offset = 0;
+      std::memcpy(&offset, bytes + i, sizeof offset);
+      if (offset == 0) part_is_missing_ = true;
+    }
+  }
   std::uint64_t tellp() override { return file_.position(); }
-  void seekp(std::uint64_t position) override { file_.seek(position); }
+  void seekp(std::uint64_t position) override {
+    tell([&] { file_.seek(position); });
+    is_table_ = true;
+  }
+
+  /// To be called when OpenEXR has closed the file. It keeps to itself what goes wrong while it closes one, and where
+  /// memory for compression is missing: the block of rows is not written then, and its place in the table of blocks,
+  /// the only thing that is written behind a seek, stays 0.
+  void check(const std::string& path) const {
+    if (error_) std::rethrow_exception(error_);
+    if (part_is_missing_) throw OutputError(path, "OpenEXR has left out a part of the image");
+  }
 
 private:
+  template <class Action>
+  void tell(Action&& action) {
+    try {
+      action();
+    } catch (...) {
+      if (!error_) error_ = std::current_exception();
+      throw;
+    }
+  }
+
   AtomicFile& file_;
+  std::exception_ptr error_;
+  bool is_table_ = false, part_is_missing_ = false;
 };
 
 /// Channel c of an image whose first pixel is (0, 0) of the buffer that OpenEXR addresses.
@@ -106,8 +139,10 @@ void write_exr(const std::string& path, const Image<float>& image, const std::ve
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {
+    stream.check(path); // why the system refused it
     throw OutputError(path, error.what());
   }
+  stream.check(path);
   file.commit();
 }
 

@@ -1,0 +1,40 @@
+// Prints what faults were made, how often, and what was left on disk: fault_table [RUNS killed at random, 300].
+
+#include "tests/faults/disks.h"
+#include "tests/faults/fault_runs.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+
+#define DOCTEST_CONFIG_IMPLEMENT
+#include <doctest/doctest.h> // for the checks of tests/cli/program.cpp
+
+int main(int argc, char** argv) try {
+  using namespace refraster;
+  doctest::Context context;
+  context.setAsDefaultForAssertsOutOfTestCases();
+  context.setAssertHandler([](const doctest::AssertData& data) {
+    std::fprintf(stderr, "%s\n", data.m_expr);
+    std::exit(1);
+  });
+  std::vector<FaultRow> rows;
+  const auto add = [&](const std::vector<FaultRow>& more) {
+    rows.insert(rows.end(), more.begin(), more.end());
+    for (const FaultRow& row : more)
+      for (const std::string& wrong : row.wrong) std::fprintf(stderr, "%s: %s\n", row.fault.c_str(), wrong.c_str());
+  };
+  add(failing_calls(Effort::thorough));
+  add(killed_at_calls(Effort::thorough));
+  add(killed_at_random(argc > 1 ? std::atoi(argv[1]) : 300));
+  add(failing_allocations(Effort::thorough));
+  add(interrupted_runs(Effort::thorough));
+  add(bad_disks());
+  std::fputs(table_of(rows).c_str(), stdout);
+  for (const FaultRow& row : rows)
+    if (!row.wrong.empty()) return 1;
+  return 0;
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "%s\n", error.what());
+  return 1;
+}
