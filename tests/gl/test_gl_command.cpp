@@ -1,5 +1,6 @@
 // refraster gl, as a user runs it; and compare, which must find what is wrong with a shader.
 
+#include "io/limits.h"
 #include "tests/cli/program.h"
 #include "tests/io/malformed_inputs.h"
 
@@ -107,6 +108,17 @@ TEST_CASE("the example of docs/glsl-interface.md draws what render draws, withou
   CHECK(run.err == "torus: vertex shader vertex.glsl, fragment shader of phong diffuse.glsl\n");
   const Finished found = compared_file(folder, "scene.json");
   CHECK_MESSAGE(found.exit_code == 0, found.out);
+}
+
+TEST_CASE("GLSL beyond the limit of its size is bad input") {
+  const TemporaryFolder folder;
+  save_text(folder / "f.glsl", "");
+  std::filesystem::resize_file(folder / "f.glsl", limit::glsl_bytes.value + 1);
+  save_text(folder / "scene.json",
+            scene_with(R"("fragment_function": "phong", "fragment_shader_file_path": "f.glsl", )" + plastic));
+  const Finished run = run_program(folder.path, {"gl", "scene.json", "-o", "gl.png", "--size", "8x8"});
+  CHECK(run.exit_code == 3);
+  CHECK(run.err == "refraster: f.glsl: found 1048577 bytes, expected at most 1048576 bytes\n");
 }
 
 TEST_CASE("compare finds Phong where Blinn-Phong is asked for") {
