@@ -5,6 +5,7 @@ find_package(Boost REQUIRED) # headers: exact integers of any size
 find_package(RapidJSON REQUIRED CONFIG)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto) # sha256 of measured tables
 find_package(PkgConfig REQUIRED)
+find_package(ZLIB REQUIRED) # what OpenEXR unpacks, counted before
 pkg_check_modules(OpenEXR REQUIRED IMPORTED_TARGET OpenEXR)
 find_path(TINYOBJLOADER_INCLUDE_DIR tiny_obj_loader.h REQUIRED)
 find_path(STB_INCLUDE_DIR stb_image.h PATH_SUFFIXES stb REQUIRED)

@@ -5,11 +5,9 @@
 #include "io/input_file.h"
 
 #include <algorithm>
+#include <initializer_list>
 
 namespace refraster {
-namespace {
-constexpr std::string_view exr_magic = "\x76\x2f\x31\x01";
-} // namespace
 
 void check_image_size(const std::string& path, std::uint64_t width, std::uint64_t height, std::uint64_t file_bytes,
                       std::uint64_t max_pixels_per_byte, const ImageRequest& request) {
@@ -29,6 +27,10 @@ void need_image(const ImageRequest& request, const std::string& path, std::uint6
   request.memory.need(pixels * static_cast<std::uint64_t>(channels) * (sizeof(float) + decoded_bytes), path);
 }
 
+InputError truncated_image(const std::string& path) {
+  return InputError(InputFault{path, 0, 0, "", "a truncated image", "a whole one"});
+}
+
 std::vector<std::string> default_channels(int count) {
   switch (count) {
   case 1:
@@ -46,11 +48,18 @@ namespace {
 ImageFile read_image(const std::string& path, const ImageRequest& request) {
   if (auto fault = file_fault(path, "an image", limit::image_bytes.value)) throw InputError(std::move(*fault));
   const std::string prefix = read_prefix(path, 1024);
-  if (prefix.starts_with(exr_magic)) return read_exr(path, file_size_bytes(path), request);
-  const auto is_pfm = [](std::string_view text) { return text.starts_with("PF") || text.starts_with("Pf"); };
-  if (!is_pfm(prefix)) check_stb_prefix(path, prefix); // before the whole is read, however large it is
+  const auto begins = [](std::string_view text, std::initializer_list<std::string_view> with) {
+    return std::any_of(with.begin(), with.end(), [&](std::string_view magic) { return text.starts_with(magic); });
+  };
+  const auto is_exr = [&](std::string_view text) { return begins(text, {"\x76\x2f\x31\x01"}); };
+  const auto is_hdr = [&](std::string_view text) { return begins(text, {"#?RADIANCE\n", "#?RGBE\n"}); };
+  const auto is_pfm = [&](std::string_view text) { return begins(text, {"PF", "Pf"}); };
+  if (!is_exr(prefix) && !is_hdr(prefix) && !is_pfm(prefix))
+    check_stb_prefix(path, prefix); // before the whole is read, however large it is
   request.memory.need(file_size_bytes(path), path);
   const std::string bytes = read_file(path, "an image", limit::image_bytes.value);
+  if (is_exr(bytes)) return read_exr(path, bytes, request);
+  if (is_hdr(bytes)) return read_hdr(path, bytes, request);
   if (is_pfm(bytes)) return read_pfm(path, bytes, request);
   return read_stb(path, bytes, request);
 }

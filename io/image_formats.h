@@ -2,6 +2,7 @@
 // One file format each, for image_file.cpp.
 
 #include "io/image_file.h"
+#include "io/input_error.h"
 #include "io/limits.h"
 
 #include <string_view>
@@ -28,10 +29,23 @@ std::vector<std::string> default_channels(int count);
 /// Throws InputError unless a file that begins like this may be one of read_stb's.
 void check_stb_prefix(const std::string& path, std::string_view prefix);
 
-/// PNG, JPEG, TGA, BMP, HDR.
+/// What is said of a file that ends before its image does.
+InputError truncated_image(const std::string& path);
+
+/// PNG, JPEG, TGA, BMP.
 ImageFile read_stb(const std::string& path, std::string_view bytes, const ImageRequest& request);
+ImageFile read_hdr(const std::string& path, std::string_view bytes, const ImageRequest& request);
 ImageFile read_pfm(const std::string& path, std::string_view bytes, const ImageRequest& request);
-ImageFile read_exr(const std::string& path, std::uint64_t file_bytes, const ImageRequest& request);
+ImageFile read_exr(const std::string& path, std::string_view bytes, const ImageRequest& request);
+
+/// How many pixels a byte of a PNG, JPEG, BMP or TGA may stand for. Throws InputError for what stb_image must not see:
+/// a chunk of a PNG that is longer than the file; a BMP without all its pixels, with an index beyond its palette, or of
+/// OS/2 with a palette, of which stb_image forgets four colours.
+std::uint64_t check_before_stb(const std::string& path, std::string_view bytes, const ImageRequest& request);
+
+/// What OpenEXR must not see: see read_exr_header; and a file that lacks rows or tiles, or in which one of them does
+/// not fill its place: OpenEXR 3.1 takes the rest of it from memory. Throws InputError.
+void check_before_exr(const std::string& path, std::string_view bytes, const ImageRequest& request);
 
 void write_hdr(const std::string& path, const Image<float>& image);
 void write_pfm(const std::string& path, const Image<float>& image);

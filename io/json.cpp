@@ -1,5 +1,6 @@
 #include "io/json.h"
 
+#include "io/number_text.h"
 #include "io/text.h"
 
 #include <rapidjson/error/en.h>
@@ -12,8 +13,10 @@
 namespace refraster {
 namespace {
 
+// Numbers are handed over as text: what rapidjson 1.1 makes of 0e308 or 0.0e-9 rests on the number of leading zeros of
+// 0, which is not defined.
 constexpr unsigned parse_flags = rapidjson::kParseIterativeFlag | rapidjson::kParseCommentsFlag |
-                                 rapidjson::kParseTrailingCommasFlag | rapidjson::kParseFullPrecisionFlag |
+                                 rapidjson::kParseTrailingCommasFlag | rapidjson::kParseNumbersAsStringsFlag |
                                  rapidjson::kParseValidateEncodingFlag;
 
 /// rapidjson writes to whatever its allocator gives.
@@ -30,10 +33,25 @@ private:
   }
 };
 
-/// Of a rapidjson::StringStream itself the reader works on copies, and the original stands still meanwhile. Copies are
-/// only made of streams that ask for it (StreamTraits); this one does not, so that its position is the reader's.
-struct TrackedStream : rapidjson::StringStream {
-  using rapidjson::StringStream::GenericStringStream;
+/// The text as rapidjson reads it. Its own StringStream knows the end by a zero byte, and steps over that where a
+/// character of several bytes is cut there; and of that stream the reader works on copies, while the original stands
+/// still. This one ends where the text does, and its position is the reader's.
+struct TrackedStream {
+  using Ch = char;
+  const char *begin, *at, *end;
+
+  explicit TrackedStream(std::string_view text) : begin(text.data()), at(begin), end(begin + text.size()) {}
+
+  // NOLINTBEGIN(readability-identifier-naming): the names that rapidjson calls
+  char Peek() const { return at < end ? *at : '\0'; }
+  char Take() { return at < end ? *at++ : '\0'; }
+  std::size_t Tell() const { return static_cast<std::size_t>(at - begin); }
+  // For writers.
+  char* PutBegin() { return nullptr; }
+  void Put(char) {}
+  void Flush() {}
+  std::size_t PutEnd(char*) { return 0; }
+  // NOLINTEND(readability-identifier-naming)
 };
 static_assert(!rapidjson::StreamTraits<TrackedStream>::copyOptimization);
 
@@ -45,16 +63,22 @@ public:
       : text_(text), stream_(stream), decoded_(decoded), nodes_(nodes) {}
 
   bool too_deep() const { return open_.size() > limit::json_depth.value; }
+  bool number_is_too_big() const { return number_is_too_big_; }
 
   // NOLINTBEGIN(readability-identifier-naming): the names that rapidjson calls
   bool Null() { return scalar(JsonKind::null, offset() - 4); }
   bool Bool(bool value) { return scalar(JsonKind::boolean, offset() - (value ? 4 : 5)); }
-  bool Int(int value) { return number(value); }
-  bool Uint(unsigned value) { return number(value); }
-  bool Int64(std::int64_t value) { return number(static_cast<double>(value)); }
-  bool Uint64(std::uint64_t value) { return number(static_cast<double>(value)); }
-  bool Double(double value) { return number(value); }
-  bool RawNumber(const char*, rapidjson::SizeType, bool) { return false; } // only with kParseNumbersAsStringsFlag
+  bool RawNumber(const char* text, rapidjson::SizeType length, bool) {
+    double value = 0;
+    number_is_too_big_ = read_number(std::string_view(text, length), value) != NumberText::good;
+    return !number_is_too_big_ && number(value);
+  }
+  // Only without kParseNumbersAsStringsFlag.
+  bool Int(int) { return false; }
+  bool Uint(unsigned) { return false; }
+  bool Int64(std::int64_t) { return false; }
+  bool Uint64(std::uint64_t) { return false; }
+  bool Double(double) { return false; }
 
   bool String(const char* text, rapidjson::SizeType length, bool) {
     scalar(JsonKind::string, opening_quote());
@@ -146,6 +170,7 @@ private:
   std::vector<Open> open_;
   std::string_view key_;
   std::uint32_t key_begin_ = 0;
+  bool number_is_too_big_ = false;
 };
 
 const char* expected_syntax(rapidjson::ParseErrorCode code) {
@@ -202,7 +227,7 @@ JsonDocument::JsonDocument(std::string file, std::string text) : file_(std::move
   // text asks for.
   nodes_.reserve(1 + static_cast<std::size_t>(std::count_if(text_.begin(), text_.end(),
                                                             [](char c) { return c == ',' || c == '[' || c == '{'; })));
-  TrackedStream stream(text_.c_str());
+  TrackedStream stream(text_);
   rapidjson::GenericReader<rapidjson::UTF8<>, rapidjson::UTF8<>, ThrowingAllocator> reader;
   TreeBuilder builder(text_, stream, decoded_, nodes_);
   reader.Parse<parse_flags>(stream, builder);
@@ -213,7 +238,8 @@ JsonDocument::JsonDocument(std::string file, std::string text) : file_(std::move
     throw InputError(
         fault_at(at, "", found_of(limit::json_depth, limit::json_depth.value + 1), at_most(limit::json_depth)));
   std::string found = "the end of the file";
-  const char* expected = expected_syntax(reader.GetParseErrorCode());
+  const char* expected =
+      expected_syntax(builder.number_is_too_big() ? rapidjson::kParseErrorNumberTooBig : reader.GetParseErrorCode());
   if (at < text_.size() && text_[at] == '\n' &&
       reader.GetParseErrorCode() == rapidjson::kParseErrorStringEscapeInvalid) {
     found = "a line end"; // which the reader calls a bad escape

@@ -117,7 +117,8 @@ void check_cache_folder(const std::string& folder) {
 }
 
 Mesh read_obj_by_cache(const std::string& path, const std::string& folder, std::uint64_t least_bytes) {
-  if (file_fault(path, "an OBJ file", limit::obj_bytes.value) || file_size_bytes(path) < least_bytes) return read_obj(path);
+  if (file_fault(path, "an OBJ file", limit::obj_bytes.value) || file_size_bytes(path) < least_bytes)
+    return read_obj(path);
   if (std::optional<Mesh> mesh = kept_mesh(folder, file_sha256(path))) return std::move(*mesh);
   // Read once more: what is kept is the mesh of the very bytes that it is found by, also if the file changes meanwhile.
   std::string text = read_file(path, "an OBJ file", limit::obj_bytes.value);

@@ -12,14 +12,14 @@ bool is_large(std::string_view digits) {
   const std::size_t e = std::min(digits.find_first_of("eE"), digits.size());
   const std::size_t point = std::min(digits.substr(0, e).find('.'), e);
   const std::size_t first = digits.substr(0, e).find_first_of("123456789");
-  // The power of ten of the first digit that is not 0. Digits are fewer than 2^62, so the sum cannot overflow …
+  // The power of ten of the first digit that is not 0. Digits are fewer than 2^58, so the sum cannot overflow …
   const auto place = static_cast<long long>(point) - static_cast<long long>(first) - (first < point ? 1 : 0);
   if (e == digits.size()) return place >= 0;
   std::string_view exponent = digits.substr(e + 1);
   const bool down = exponent.front() == '-';
   if (down || exponent.front() == '+') exponent.remove_prefix(1);
   long long power = 0;
-  for (const char digit : exponent) power = std::min(power * 10 + (digit - '0'), 1LL << 62); // … once this is bounded
+  for (const char digit : exponent) power = std::min(power * 10 + (digit - '0'), 1LL << 58); // … once this is bounded
   return place + (down ? -power : power) >= 0;
 }
 

@@ -29,7 +29,11 @@ void add_missing_normals(ObjText& obj, ObjFaces& faces);
 /// Cuts a polygon of n >= 3 corners into n - 2 triangles of its winding, indices into `polygon`: ears are clipped, in
 /// the plane of two axes that it covers most. A convex polygon becomes the fan of its first corner. Every corner is a
 /// corner of some triangle, also one on a straight edge. Total: what intersects itself or has no area is cut somehow.
-/// O(n log n) where ears are small, O(n^2) at worst.
+/// O(n log n) where ears are small, O(n^2) at worst; of such steps 64 a corner are free, others are taken from
+/// `steps_left`. Where that is not enough, the result is empty, and so is `steps_left`.
+std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const Float3> polygon, std::uint64_t& steps_left);
+
+/// The same for one polygon of any size, however long it takes.
 std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const Float3> polygon);
 
 /// The area vector of a polygon by Newell's sum: along its normal, and twice its area long.

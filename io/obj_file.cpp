@@ -57,6 +57,16 @@ ObjFaces parse_faces(ObjText& obj) {
   return std::move(collector.faces);
 }
 
+/// Steps that all polygons of a file together may take to be cut, beyond what is in proportion to the file: some five
+/// seconds. Any polygon of 10,000 corners keeps within them.
+constexpr std::uint64_t most_steps = std::uint64_t{1} << 29;
+
+InputError too_intricate(const std::string& path, std::size_t face, std::size_t corners) {
+  return InputError(InputFault{path, 0, 0, "face " + std::to_string(face + 1),
+                               "a polygon of " + std::to_string(corners) + " corners that takes too long to cut",
+                               "simpler polygons, or triangles"});
+}
+
 } // namespace
 
 Mesh read_obj(const std::string& path) {
@@ -76,6 +86,7 @@ Mesh mesh_of_obj(const std::string& path, std::string text) {
   TripleIndex vertices(faces.corners.size());
   std::vector<Float3> polygon;
   std::vector<std::uint32_t> names;
+  std::uint64_t steps_left = most_steps;
   for (std::size_t f = 0; f < faces.count(); ++f) {
     polygon.clear();
     names.clear();
@@ -87,7 +98,9 @@ Mesh mesh_of_obj(const std::string& path, std::string text) {
       mesh.triangles.push_back({names[0], names[1], names[2]});
       continue;
     }
-    for (const auto& [a, b, c] : triangulate(polygon)) mesh.triangles.push_back({names[a], names[b], names[c]});
+    const auto triangles = triangulate(polygon, steps_left);
+    if (triangles.empty()) throw too_intricate(path, f, polygon.size());
+    for (const auto& [a, b, c] : triangles) mesh.triangles.push_back({names[a], names[b], names[c]});
   }
   mesh.positions.reserve(vertices.size());
   mesh.normals.reserve(vertices.size());

@@ -13,7 +13,7 @@ namespace refraster {
 ///   v, vt, vn   each coordinate is rounded once, to float. A missing vt is (0, 0)
 ///   f           3 to 4096 corners, also concave; indices from 1, or negative: counted back from the last one given.
 ///               A polygon with n corners becomes n - 2 triangles of the same winding; a convex one the fan of its
-///               first corner
+///               first corner. Refused if many thousand corners fold so that cutting takes more than seconds
 ///   s           corners without vn get the mean normal, weighted by angle, of the faces around the vertex that have
 ///   the
 ///               same smoothing group and no vn either. Faces after `s off` or `s 0` are flat. Where no `s` has been

@@ -78,13 +78,16 @@ private:
   void mend_line_ends() {
     for (std::size_t at = text_.find('\r'); at != std::string::npos; at = text_.find('\r', at + 1))
       if (at + 1 == text_.size() || text_[at + 1] != '\n') text_[at] = '\n';
+    // Each character is looked at once, however many lines are joined to one.
+    bool in_comment = false;
+    std::size_t seen = 0;
     for (std::size_t at = text_.find('\\'); at != std::string::npos; at = text_.find('\\', at + 1)) {
+      for (; seen < at; ++seen) in_comment = text_[seen] != '\n' && (in_comment || text_[seen] == '#');
       const std::size_t end = text_.find_first_not_of('\r', at + 1);
-      if (end == std::string::npos || text_[end] != '\n') continue;
-      const std::size_t line = at == 0 ? 0 : text_.rfind('\n', at - 1) + 1; // npos + 1 is 0
-      if (std::string_view(text_).substr(line, at - line).find('#') != std::string_view::npos) continue;
+      if (end == std::string::npos || text_[end] != '\n' || in_comment) continue;
       blank(at, end + 1);
       joints_.push_back(end);
+      seen = end + 1;
     }
   }
 

@@ -1,4 +1,5 @@
 // The bodies of stb_image and stb_image_write, which are headers. Their warnings are not ours: they are system headers.
+// Images come from strangers, and stb_image has open faults; cmake/stb.cmake says what else is done about them.
 #include <cstdlib>
 #include <new>
 
@@ -10,11 +11,18 @@ void* given(void* memory) {
 }
 } // namespace
 
+// Memory is handed out as zeros. Where a decoder does not fill all of an image, as with blocks that no scan of a JPEG
+// names, it would show what was in memory before: so that is black, and the same each time.
+#define STBI_MALLOC(size) std::calloc(1, size)
+#define STBI_REALLOC(memory, size) std::realloc(memory, size)
+#define STBI_FREE(memory) std::free(memory)
+
 #define STBI_ONLY_PNG
 #define STBI_ONLY_JPEG
 #define STBI_ONLY_TGA
 #define STBI_ONLY_BMP
-#define STBI_ONLY_HDR
+#define STBI_NO_HDR
+#define STBI_NO_LINEAR
 #define STBI_NO_STDIO
 #define STBI_MAX_DIMENSIONS 65536 // limit::image_side
 #define STB_IMAGE_IMPLEMENTATION

@@ -6,6 +6,7 @@
 #include <stb_image_write.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
 #include <memory>
 #include <new>
@@ -13,17 +14,20 @@
 namespace refraster {
 namespace {
 
-/// A file in memory that notices when more is asked for than it holds: stb goes on with zeros then, and some of its
-/// decoders return the image as if nothing were missing.
+/// A file in memory that notices when more is asked for than it holds: stb goes on with zeros then, or with whatever
+/// was in its memory, and some of its decoders return the image as if nothing were missing. Of its buffer, which it
+/// fills first and again and again, the end may stay empty; what it reads past that buffer, it needs.
 struct Source {
   std::string_view bytes;
   std::size_t at = 0;
+  const char* buffer = nullptr;
   bool ran_out = false;
 
   static int read(void* user, char* data, int size) {
     Source& self = *static_cast<Source*>(user);
+    if (!self.buffer) self.buffer = data;
     const std::size_t count = std::min(static_cast<std::size_t>(size), self.bytes.size() - self.at);
-    if (count == 0 && size > 0) self.ran_out = true;
+    if (count < static_cast<std::size_t>(size) && (count == 0 || data != self.buffer)) self.ran_out = true;
     std::memcpy(data, self.bytes.data() + self.at, count);
     self.at += count;
     return static_cast<int>(count);
@@ -42,19 +46,8 @@ struct Source {
   static constexpr stbi_io_callbacks calls{read, skip, at_end};
 };
 
-/// Deflate makes at most 1032 bytes of one, and the smallest pixel is one bit.
-constexpr std::uint64_t png_pixels_per_byte = 8 * 1032;
-
-constexpr std::string_view png_magic = "\x89PNG\r\n\x1a\n";
-
-std::uint32_t big_endian(const char* bytes) {
-  std::uint32_t value = 0;
-  std::memcpy(&value, bytes, sizeof value);
-  return __builtin_bswap32(value);
-}
-
 [[noreturn]] void not_decoded(const std::string& path, bool ran_out) {
-  if (ran_out) throw InputError(InputFault{path, 0, 0, "", "a truncated image", "a whole one"});
+  if (ran_out) throw truncated_image(path);
   const char* const reason = stbi_failure_reason(); // may quote the file
   if (reason && std::string_view(reason) == "outofmem") throw std::bad_alloc();
   throw InputError(InputFault{path, 0, 0, "",
@@ -94,7 +87,7 @@ struct Sink {
 } // namespace
 
 void check_stb_prefix(const std::string& path, std::string_view prefix) {
-  if (prefix.starts_with(png_magic)) return; // stb calls one that is too large an unknown image
+  if (prefix.starts_with("\x89PNG\r\n\x1a\n")) return; // stb calls one that is too large an unknown image
   Source source{prefix};
   int width = 0, height = 0, channels = 0;
   if (stbi_info_from_callbacks(&Source::calls, &source, &width, &height, &channels)) return;
@@ -103,26 +96,19 @@ void check_stb_prefix(const std::string& path, std::string_view prefix) {
 }
 
 ImageFile read_stb(const std::string& path, std::string_view bytes, const ImageRequest& request) {
-  // stb calls a PNG that is too large an unknown image: its size, at a fixed place, is looked at before.
-  if (bytes.starts_with(png_magic) && bytes.size() >= 24)
-    check_image_size(path, big_endian(&bytes[16]), big_endian(&bytes[20]), bytes.size(), png_pixels_per_byte, request);
+  const std::uint64_t pixels_per_byte = check_before_stb(path, bytes, request);
   Source source{bytes};
   int width = 0, height = 0, channels = 0;
   if (!stbi_info_from_callbacks(&Source::calls, &source, &width, &height, &channels)) not_decoded(path, source.ran_out);
-  // No other format here is denser than PNG.
+  height = std::abs(height); // negative of a BMP with its top row first
   check_image_size(path, static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height), bytes.size(),
-                   png_pixels_per_byte, request);
+                   pixels_per_byte, request);
   const auto need = [&](std::uint64_t decoded_bytes) {
     need_image(request, path, static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height), channels,
                decoded_bytes);
   };
   ImageFile result;
-  if (Source again{bytes}; stbi_is_hdr_from_callbacks(&Source::calls, &again)) {
-    need(sizeof(float));
-    decode<float>(path, bytes, result.values, stbi_loadf_from_callbacks);
-    result.bits = 32;
-    result.full_scale = 1;
-  } else if (Source again16{bytes}; stbi_is_16_bit_from_callbacks(&Source::calls, &again16)) {
+  if (Source again{bytes}; stbi_is_16_bit_from_callbacks(&Source::calls, &again)) {
     need(2);
     decode<stbi_us>(path, bytes, result.values, stbi_load_16_from_callbacks);
     result.bits = 16;

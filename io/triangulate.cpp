@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace refraster {
 namespace {
@@ -27,7 +28,7 @@ std::vector<Double2> flattened(std::span<const Float3> polygon) {
 /// "Computational geometry in C", 1998, section 1.6.
 class EarClipper {
 public:
-  explicit EarClipper(std::vector<Double2> points) : at_(std::move(points)) {
+  EarClipper(std::vector<Double2> points, std::uint64_t most_steps) : at_(std::move(points)), steps_left_(most_steps) {
     const std::uint32_t n = size();
     before_.resize(n), next_.resize(n), is_ear_.resize(n), is_reflex_.resize(n);
     for (std::uint32_t i = 0; i < n; ++i) before_[i] = (i + n - 1) % n, next_[i] = (i + 1) % n;
@@ -37,6 +38,7 @@ public:
     for (std::uint32_t i = 0; i < n; ++i) is_ear_[i] = ear(i);
   }
 
+  /// Empty if the steps did not suffice.
   std::vector<std::array<std::uint32_t, 3>> run() {
     std::vector<std::array<std::uint32_t, 3>> triangles;
     std::uint32_t left = size();
@@ -45,7 +47,9 @@ public:
     for (std::uint32_t i = 1; left > 3; --left) {
       std::uint32_t tried = 0;
       for (; !is_ear_[i] && tried < left; ++tried) i = next_[i];
+      spend(tried);
       if (!is_ear_[i]) i = least_bad(i, left);
+      if (steps_left_ == 0) return {};
       triangles.push_back({before_[i], i, next_[i]});
       i = clip(i);
     }
@@ -56,18 +60,22 @@ public:
     return triangles;
   }
 
+  std::uint64_t steps_left() const { return steps_left_; }
+
 private:
   std::uint32_t size() const { return static_cast<std::uint32_t>(at_.size()); }
+  void spend(std::uint64_t steps) { steps_left_ -= std::min(steps, steps_left_); }
   bool convex(std::uint32_t i) const { return turn(at_[before_[i]], at_[i], at_[next_[i]]) > 0; }
 
   /// A convex corner whose triangle holds no other corner: only a reflex one can be in it. A corner at the same point
   /// as one of the triangle's, where a polygon touches itself (a hole with its bridge), does not count.
-  bool ear(std::uint32_t i) const {
-    if (!convex(i)) return false;
+  bool ear(std::uint32_t i) {
+    if (!convex(i) || steps_left_ == 0) return false;
     const Double2 a = at_[before_[i]], b = at_[i], c = at_[next_[i]];
     const double left = std::min({a.x, b.x, c.x}), right = std::max({a.x, b.x, c.x});
     auto near = std::lower_bound(reflex_.begin(), reflex_.end(), left, [&](auto r, double x) { return at_[r].x < x; });
     for (; near != reflex_.end() && at_[*near].x <= right; ++near) {
+      spend(1);
       if (!is_reflex_[*near]) continue;
       const Double2 p = at_[*near];
       if (p == a || p == b || p == c) continue;
@@ -77,7 +85,8 @@ private:
   }
 
   /// Without an ear the polygon touches or crosses itself, or has no area left: the corner that turns left the most.
-  std::uint32_t least_bad(std::uint32_t start, std::uint32_t left) const {
+  std::uint32_t least_bad(std::uint32_t start, std::uint32_t left) {
+    spend(left);
     std::uint32_t best = start;
     double most = -HUGE_VAL;
     for (std::uint32_t tried = 0, i = start; tried < left; ++tried, i = next_[i])
@@ -110,12 +119,22 @@ private:
   std::vector<std::uint32_t> reflex_; // by x
   std::size_t stale_ = 0;             // how many of them are no longer reflex
   std::vector<char> is_ear_, is_reflex_;
+  std::uint64_t steps_left_;
 };
 
 } // namespace
 
+std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const Float3> polygon, std::uint64_t& steps_left) {
+  const std::uint64_t free = 64 * std::uint64_t{polygon.size()};
+  EarClipper clipper(flattened(polygon), free + steps_left);
+  auto triangles = clipper.run();
+  steps_left = std::min(steps_left, clipper.steps_left());
+  return triangles;
+}
+
 std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const Float3> polygon) {
-  return EarClipper(flattened(polygon)).run();
+  std::uint64_t any_number = std::numeric_limits<std::uint64_t>::max() / 2;
+  return triangulate(polygon, any_number);
 }
 
 } // namespace refraster

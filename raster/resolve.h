@@ -77,11 +77,20 @@ private:
   using Real = RealOf<T>;
   static constexpr int lanes = NumberTraits<T>::lanes;
 
+  /// A background beyond the largest number of the rung is that number, as any other colour is.
+  static Rgb<Real> finite_background(const FrameContext& context) {
+    const Rgb<Real> rgb = as<Real>(context.scene.background);
+    constexpr Real largest = std::numeric_limits<Real>::max();
+    return {minimum(rgb.x, largest), minimum(rgb.y, largest), minimum(rgb.z, largest)};
+  }
+
   // One colour for each pixel that any run touches: the first colour plus the mean difference to it, so that equal
-  // colours give that colour, bit for bit.
+  // colours give that colour, bit for bit. Each difference is weighted before it is added: their sum then is no larger
+  // than the largest, which may be the largest number there is. Shares are exact, samples being a power of two.
   void average(const FrameContext& context, std::span<const FragmentRun> runs, const FragmentColours<T>& colours) {
-    const Rgb<Real> background = as<Real>(context.scene.background);
+    const Rgb<Real> background = finite_background(context);
     const int samples = context.options.samples;
+    const auto share = [samples](int count) { return static_cast<Real>(count) / static_cast<Real>(samples); };
     pixel_runs_.clear();
     pixels_.resize(static_cast<std::uint32_t>(runs.size()));
     for (std::size_t i = 0; i < runs.size();) {
@@ -90,12 +99,12 @@ private:
       Rgb<Real> difference(Real(0));
       int covered = 0;
       for (; i < runs.size() && runs[i].x == run.x && runs[i].y == run.y; ++i) {
-        difference += (colours[runs[i].first_fragment] - first) * static_cast<Real>(runs[i].samples);
+        difference += (colours[runs[i].first_fragment] - first) * share(runs[i].samples);
         covered += runs[i].samples;
       }
-      if (covered < samples) difference += (background - first) * static_cast<Real>(samples - covered);
+      if (covered < samples) difference += (background - first) * share(samples - covered);
       const auto pixel = static_cast<std::uint32_t>(pixel_runs_.size());
-      pixels_.set(pixel, first + difference / static_cast<Real>(samples));
+      pixels_.set(pixel, first + difference);
       pixel_runs_.push_back({0, pixel, run.x, run.y, 1, 1});
     }
   }

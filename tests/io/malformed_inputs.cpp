@@ -2,6 +2,7 @@
 
 #include "io/json.h"
 #include "io/merl_file.h"
+#include "tests/io/malformed_images.h"
 
 #include <bit>
 #include <cstring>
@@ -279,6 +280,7 @@ const std::vector<MalformedInput>& malformed_inputs() {
   static const List list = [] {
     List inputs;
     for (const auto add : {add_files, add_json, add_scenes, add_obj, add_images, add_merl}) add(inputs);
+    for (MalformedInput& image : malformed_images()) inputs.push_back(std::move(image));
     return inputs;
   }();
   return list;

@@ -1,7 +1,7 @@
 #include "io/image_file.h"
 #include "io/input_error.h"
 #include "io/input_file.h"
-#include "tests/io/malformed_inputs.h"
+#include "tests/io/malformed_images.h"
 #include "tests/io/png_bytes.h"
 
 #include <doctest/doctest.h>
@@ -168,6 +168,45 @@ TEST_CASE("HDR gives each channel back within half a step of the largest one's m
     for (std::size_t c = 0; c < 3; ++c)
       CHECK(std::abs(static_cast<double>(read.values.values[pixel + c]) - static_cast<double>(wrote[c])) <= step / 2);
   }
+}
+
+TEST_CASE("HDR rows may be coded or not, in one file, and lie where they belong") {
+  const TemporaryFolder folder;
+  // Ten pixels: (1, 0.5, 0.25) by runs, then the same and its double, one by one.
+  const std::string coded("\x02\x02\x00\x0a\x8a\x80\x83\x40\x07@@@@@@@\x8a\x20\x05\x81\x81\x81\x81\x81\x85\x81", 26);
+  std::string plain;
+  for (int x = 0; x < 10; ++x) plain += x < 5 ? "\x80\x40\x20\x81" : "\x80\x40\x20\x82";
+  const ImageFile image = read_image(
+      file_with(folder, "i.hdr",
+                "#?RADIANCE\n# a comment\nFORMAT=32-bit_rle_rgbe\nEXPOSURE=2\n\n-Y 3 +X 10\n" + coded + plain + coded));
+  REQUIRE(image.values.width == 10);
+  REQUIRE(image.values.height == 3);
+  for (int y = 0; y < 3; ++y)
+    for (int x = 0; x < 10; ++x) {
+      const float unit = y == 1 && x >= 5 ? 2.0f : 1.0f;
+      const float* const pixel = image.values.at(x, y);
+      CHECK(std::vector<float>(pixel, pixel + 3) == std::vector<float>{unit, unit / 2, unit / 4});
+    }
+}
+
+TEST_CASE("a BMP may have its top row first, and few colours") {
+  const TemporaryFolder folder;
+  const std::string palette = std::string("\1\2\3\0\4\5\6\0", 8), rows("\0\0\0\0\1\0\0\0", 8);
+  for (const int height : {2, -2}) {
+    const ImageFile image = read_image(file_with(folder, "i.bmp", bmp_bytes(1, height, 8, palette, rows)));
+    const std::vector<float> first{3, 2, 1}, second{6, 5, 4};
+    std::vector<float> expected = height < 0 ? first : second;
+    const std::vector<float>& last = height < 0 ? second : first;
+    expected.insert(expected.end(), last.begin(), last.end());
+    CHECK(image.values.values == expected);
+  }
+}
+
+TEST_CASE("an OpenEXR file of rows, each packed by itself, is read") {
+  const TemporaryFolder folder;
+  const std::string one_two("\0\0\x80\x3f\0\0\0\x40", 8);
+  const ImageFile image = read_image(file_with(folder, "i.exr", exr_bytes(2, 0, {one_two, one_two})));
+  CHECK(image.values.values == std::vector<float>{1, 2, 1, 2});
 }
 
 TEST_CASE("what HDR cannot hold becomes 0 or its largest value") {

@@ -1,3 +1,4 @@
+#include "io/input_error.h"
 #include "io/obj_file.h"
 #include "raster/primitives.h"
 #include "tests/io/malformed_inputs.h"
@@ -91,6 +92,15 @@ TEST_CASE("comments, blank lines, tabs, carriage returns and continued lines cha
   CHECK(corners(obj(old_mac)) == corners(plain));
 }
 
+TEST_CASE("a line may be continued as often as one likes, but not behind a comment") {
+  // Each line once looked at its whole beginning: a file of this size took minutes.
+  std::string joints;
+  for (int i = 0; i < 300000; ++i) joints += "\\\n";
+  CHECK(obj("f 1 2 " + joints + "3\n" + square).triangles == Triangles{{0, 1, 2}});
+  CHECK(obj(square + "f 1 2 3 # \\\n4\n#\\\nf 1 2 3\n").triangles == Triangles{{0, 1, 2}, {0, 1, 2}});
+  CHECK(obj(square + "# one\nf 1 2 \\\r\n3 \\\n4 # \\\n5\n").triangles.size() == 2);
+}
+
 TEST_CASE("a coordinate is the float nearest to its digits, rounded once") {
   // 1 + 2^-24 lies in the middle between two floats and goes to 1, the even one; the digits after it lie just above the
   // middle, but vanish when they are rounded to double first.
@@ -179,6 +189,16 @@ TEST_CASE("what write_obj writes, read_obj reads back bit for bit") {
         CHECK(mesh.normals[a] == read.normals[b]);
         CHECK(mesh.uvs[a] == read.uvs[b]);
       }
+  }
+}
+
+TEST_SUITE("slow") {
+  TEST_CASE("a face that would take hours to cut is refused") {
+    std::string text = "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\nf";
+    for (int i = 0; i < 300000; ++i) text += " 1 2";
+    CHECK_THROWS_WITH_AS(obj(text + "\n"),
+                         doctest::Contains("face 2: found a polygon of 600000 corners that takes too long to cut"),
+                         InputError);
   }
 }
 

@@ -78,6 +78,27 @@ TEST_CASE("every optional key of the camera is read") {
   CHECK(camera.far == 10000);
 }
 
+TEST_CASE("a number may be written in every way that JSON has, and is rounded once") {
+  const std::pair<const char*, double> numbers[] = {{"0", 0},
+                                                    {"0e308", 0},
+                                                    {"0.000e-9", 0},
+                                                    {"0.1", 0.1},
+                                                    {"12e-1", 1.2},
+                                                    {"1E+2", 100},
+                                                    {"5e-324", 5e-324},
+                                                    {"1e-999999999", 0},
+      {"1e-4526761657999999999", 0},
+                                                    {"9007199254740993", 9007199254740992},
+                                                    {"18446744073709551616", 0x1p64},
+                                                    {"1.7976931348623157e308", 1.7976931348623157e308},
+                                                    {"2.2250738585072011e-308", 2.2250738585072011e-308}};
+  for (const auto& [text, value] : numbers) {
+    CAPTURE(text);
+    const Scene read = scene("\"glossiness\": 8", std::string("\"glossiness\": ") + text);
+    CHECK(std::get<Phong>(read.objects[0].material.model).glossiness == value);
+  }
+}
+
 TEST_CASE("lists may be empty, and a scene without objects is a scene") {
   const Scene empty = scene(R"({"scene": {"camera": {"position": "0 0 0"}, "point_lights": [], "direction_lights": [],
                               "objects": [], "background": "0.25 0.5 2"}})");

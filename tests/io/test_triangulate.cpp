@@ -162,4 +162,20 @@ TEST_CASE("polygons that cross themselves or have no area are cut into n - 2 tri
   CHECK(triangulate(Polygon{{-huge, -huge, 0}, {huge, -huge, 0}, {huge, huge, 0}, {-huge, huge, 0}}).size() == 2);
 }
 
+TEST_CASE("a polygon that takes too many steps is refused, and the steps are spent") {
+  Polygon folded;
+  for (int i = 0; i < 1000; ++i) folded.push_back({static_cast<float>(i % 2), 0, 0}); // no ear anywhere
+  std::uint64_t steps_left = 100000;
+  CHECK(triangulate(folded, steps_left).empty());
+  CHECK(steps_left == 0);
+  steps_left = 10000000;
+  CHECK(triangulate(folded, steps_left) == triangulate(folded));
+  CHECK(steps_left > 0);
+  CHECK(steps_left < 10000000);
+  // What is simple costs nothing.
+  const std::uint64_t before = steps_left;
+  CHECK(triangulate(Polygon{{0, 0, 0}, {4, 4, 0}, {0, 2, 0}, {-4, 4, 0}}, steps_left).size() == 2);
+  CHECK(steps_left == before);
+}
+
 } // namespace refraster::test

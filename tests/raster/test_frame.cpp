@@ -280,6 +280,32 @@ TEST_CASE("samples of equal colours resolve to that colour, bit for bit") {
     }
 }
 
+TEST_CASE("samples of the largest number and of 0 resolve to the share of it, neither less than 0 nor more") {
+  constexpr float largest = std::numeric_limits<float>::max();
+  // The second is beyond the float rung's numbers: there it is the largest of them.
+  for (const double huge : {static_cast<double>(largest), 1e300})
+    for (const bool is_bright : {false, true}) {
+      WindowScene window(8);
+      window.scene.background = Double3(is_bright ? 0 : huge);
+      const auto at = [&](double x, double y) { return window.place(x, y, 1); };
+      // All that is left of x = 4.5. Half of each pattern's samples are: the middle of an edge belongs to the right.
+      window.add({at(-20, -20), at(-20, 40), at(4.5, 40), at(-20, -20), at(4.5, 40), at(4.5, -20)},
+                 Double3(is_bright ? huge : 0));
+      for (const std::string_view rung : {"double", "float", "fast"})
+        for (const int samples : {2, 4, 8, 16}) {
+          RenderOptions options = window.options({}, samples);
+          options.rung = rung;
+          const Frame frame = render(window.scene, options);
+          CAPTURE(rung);
+          CAPTURE(samples);
+          CHECK(frame.radiance.at(3, 3)[0] == (is_bright ? largest : 0));
+          CHECK(frame.radiance.at(5, 3)[0] == (is_bright ? 0 : largest));
+          // The mean of 1e300 and 0 is as large as ever in double.
+          CHECK(frame.radiance.at(4, 3)[0] == (huge > 1e100 && rung == "double" ? largest : largest / 2));
+        }
+    }
+}
+
 TEST_CASE("a renderer's frames do not depend on the frames before") {
   Renderer renderer;
   Frame frame;

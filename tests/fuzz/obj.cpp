@@ -1,0 +1,54 @@
+#include "tests/fuzz/memory.h"
+#include "tests/fuzz/render_small.h"
+#include "tests/fuzz/targets.h"
+
+#include "io/input_error.h"
+#include "io/obj_file.h"
+#include "tests/support/invariants.h"
+
+#include <cstring>
+
+namespace refraster::fuzz {
+namespace {
+
+template <class Vector>
+bool same_bits(const Vector& a, const Vector& b) {
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0);
+}
+
+/// Whether vertex by vertex of every triangle, in order, both meshes hold the same bits.
+bool same_triangles(const Mesh& a, const Mesh& b) {
+  const auto corners = [](const Mesh& mesh, const auto& list) {
+    std::remove_cvref_t<decltype(list)> result;
+    for (const auto& triangle : mesh.triangles)
+      for (const std::uint32_t vertex : triangle)
+        if (!list.empty()) result.push_back(list[vertex]);
+    return result;
+  };
+  return same_bits(corners(a, a.positions), corners(b, b.positions)) &&
+         same_bits(corners(a, a.normals), corners(b, b.normals)) && same_bits(corners(a, a.uvs), corners(b, b.uvs));
+}
+
+} // namespace
+
+void read_obj_bytes(Bytes bytes) {
+  const std::string path = file_of("m.obj", bytes);
+  auto mesh = std::make_shared<Mesh>();
+  const PeakMemory peak;
+  try {
+    *mesh = read_obj(path);
+  } catch (const InputError& error) {
+    require(!error.faults().empty() && error.faults().size() <= 101, "a refusal has faults, not too many");
+    mesh.reset();
+  }
+  require_memory(peak, bytes.size(), 1 << 17, 128);
+  if (!mesh) return;
+  require_none(test::fault_of(*mesh), "an accepted mesh");
+  render_small(showing(mesh, nullptr, TextureFilter::nearest), bytes.size());
+
+  const std::string copy = file_of("copy.obj", {});
+  write_obj(copy, *mesh);
+  require(same_triangles(*mesh, read_obj(copy)), "what write_obj wrote is read back");
+}
+
+} // namespace refraster::fuzz

@@ -1,0 +1,184 @@
+#include "tests/support/invariants.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <variant>
+
+namespace refraster::test {
+namespace {
+
+template <class Values>
+bool all_finite(const Values& values) {
+  return std::all_of(values.begin(), values.end(), [](auto value) { return std::isfinite(value); });
+}
+bool finite(const Double3& a) {
+  return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
+}
+bool at_least_0(const Double3& a) {
+  return finite(a) && a.x >= 0 && a.y >= 0 && a.z >= 0;
+}
+bool is_zero(const Double3& a) {
+  return a.x == 0 && a.y == 0 && a.z == 0;
+}
+
+std::string fault_of(const Camera& camera) {
+  if (!finite(camera.position) || !finite(camera.target) || !finite(camera.up)) return "camera: not finite";
+  if (camera.position == camera.target || is_zero(camera.up)) return "camera: no direction";
+  if (!(camera.fov_y_degrees > 0 && camera.fov_y_degrees < 180)) return "camera: field of view";
+  if (!(0 < camera.near && camera.near < camera.far && std::isfinite(camera.far))) return "camera: depth range";
+  return "";
+}
+
+struct ModelFault {
+  std::string operator()(const PhongParameters& m) const {
+    if (!at_least_0(m.ka) || !at_least_0(m.kd) || !at_least_0(m.ks)) return "material: reflection";
+    return m.glossiness >= 0 && std::isfinite(m.glossiness) ? "" : "material: glossiness";
+  }
+  std::string operator()(const Merl& m) const { return m.table ? "" : "material: no table"; }
+};
+
+bool within(const Image<float>& image, double low, double high) {
+  return std::all_of(image.values.begin(), image.values.end(),
+                     [&](float v) { return low <= static_cast<double>(v) && static_cast<double>(v) <= high; });
+}
+
+template <class Value>
+bool is_shaped(const Image<Value>& image, const Crop& region, int channels) {
+  return image.width == region.width && image.height == region.height && image.channels == channels &&
+         image.values.size() == static_cast<std::size_t>(region.width) * static_cast<std::size_t>(region.height) *
+                                    static_cast<std::size_t>(channels);
+}
+
+template <class Value>
+bool same_bits(const Image<Value>& a, const Image<Value>& b) {
+  return a.width == b.width && a.height == b.height && a.channels == b.channels && a.values.size() == b.values.size() &&
+         (a.values.empty() || std::memcmp(a.values.data(), b.values.data(), a.values.size() * sizeof(Value)) == 0);
+}
+
+} // namespace
+
+std::string fault_of(const Mesh& mesh) {
+  if (mesh.triangles.empty()) return "mesh: no triangle";
+  const std::size_t count = mesh.positions.size();
+  if (mesh.normals.size() != count) return "mesh: normals";
+  if (!mesh.uvs.empty() && mesh.uvs.size() != count) return "mesh: uvs";
+  for (std::size_t i = 0; i < count; ++i) {
+    const Float3 p = mesh.positions[i], n = mesh.normals[i];
+    const Float2 uv = mesh.uvs.empty() ? Float2(0.0f) : mesh.uvs[i];
+    if (!all_finite(std::array{p.x, p.y, p.z, n.x, n.y, n.z, uv.x, uv.y})) return "mesh: a vertex is not finite";
+  }
+  std::vector<char> used(count);
+  for (const auto& triangle : mesh.triangles)
+    for (const std::uint32_t vertex : triangle) {
+      if (vertex >= count) return "mesh: an index out of range";
+      used[vertex] = 1;
+    }
+  return std::find(used.begin(), used.end(), 0) == used.end() ? "" : "mesh: a vertex of no triangle";
+}
+
+std::string fault_of(const Texture& texture) {
+  if (texture.full_scale != 255 && texture.full_scale != 65535) return "texture: full scale";
+  if (texture.levels.empty()) return "texture: no level";
+  for (std::size_t k = 0; k < texture.levels.size(); ++k) {
+    const TextureLevel& level = texture.levels[k];
+    if (level.width < 1 || level.height < 1) return "texture: size";
+    if (k > 0 && (level.width != std::max(1, texture.levels[k - 1].width / 2) ||
+                  level.height != std::max(1, texture.levels[k - 1].height / 2)))
+      return "texture: levels";
+    if (level.rgb.size() != 3 * static_cast<std::size_t>(level.width) * static_cast<std::size_t>(level.height))
+      return "texture: values";
+    for (std::size_t i = 0; i < level.rgb.size(); ++i)
+      if (!(level.rgb[i] >= 0 && static_cast<double>(level.rgb[i]) <= texture.full_scale)) return "texture: a value";
+  }
+  const TextureLevel& last = texture.levels.back();
+  return texture.levels.size() == 1 || (last.width == 1 && last.height == 1) ? "" : "texture: levels end early";
+}
+
+std::string fault_of(const Scene& scene) {
+  if (std::string fault = fault_of(scene.camera); !fault.empty()) return fault;
+  if (!at_least_0(scene.background)) return "background";
+  for (const PointLight& light : scene.point_lights)
+    if (!finite(light.position) || !at_least_0(light.radiance) ||
+        !at_least_0({light.constant, light.linear, light.quadratic}))
+      return "point light";
+  for (const DirectionLight& light : scene.direction_lights)
+    if (!finite(light.direction) || is_zero(light.direction) || !at_least_0(light.radiance)) return "direction light";
+  const Mesh* last_mesh = nullptr;
+  for (const Object& object : scene.objects) {
+    if (!object.mesh) return "object: no mesh";
+    if (!finite(object.position) || !finite(object.rotate_degrees) || !finite(object.scale))
+      return "object: transformation";
+    if (object.mesh.get() != last_mesh)
+      if (std::string fault = fault_of(*object.mesh); !fault.empty()) return fault;
+    last_mesh = object.mesh.get();
+    if (std::string fault = std::visit(ModelFault{}, object.material.model); !fault.empty()) return fault;
+    if (!object.material.texture) continue;
+    if (std::string fault = fault_of(*object.material.texture); !fault.empty()) return fault;
+    if (object.material.texture_filter == TextureFilter::trilinear) {
+      const TextureLevel& level = object.material.texture->levels.back();
+      if (level.width != 1 || level.height != 1) return "texture: no mip chain";
+    }
+  }
+  return "";
+}
+
+std::string fault_of(const Frame& frame, const Scene& scene, const RenderOptions& options) {
+  const Crop region = options.crop.empty() ? Crop{0, 0, options.width, options.height} : options.crop.front();
+  if (options.want_levels && !is_shaped(frame.levels, region, 3)) return "levels: shape";
+  if (options.want_radiance && !is_shaped(frame.radiance, region, 3)) return "radiance: shape";
+  for (const float value : frame.radiance.values)
+    if (!std::isfinite(value) || value < 0) return "radiance: " + std::to_string(value);
+  if (frame.aovs.size() != options.aovs.size()) return "aovs: count";
+  std::size_t most_triangles = 0;
+  std::uint64_t triangles = 0;
+  for (const Object& object : scene.objects) {
+    most_triangles = std::max(most_triangles, object.mesh->triangles.size());
+    triangles += object.mesh->triangles.size();
+  }
+  for (std::size_t i = 0; i < options.aovs.size(); ++i) {
+    const Aov aov = options.aovs[i];
+    const std::string name(aov_names[static_cast<std::size_t>(aov)]);
+    if (!is_shaped(frame.aovs[i], region, aov_channels[static_cast<std::size_t>(aov)])) return name + ": shape";
+    if (std::any_of(frame.aovs[i].values.begin(), frame.aovs[i].values.end(), [](float v) { return std::isnan(v); }))
+      return name + ": not a number";
+    if (aov == Aov::depth && !within(frame.aovs[i], 0, 1)) return "depth: outside [0, 1]";
+    if (aov == Aov::triangle && !within(frame.aovs[i], 0, static_cast<double>(most_triangles))) return "triangle";
+    if (aov == Aov::object && !within(frame.aovs[i], 0, static_cast<double>(scene.objects.size()))) return "object";
+  }
+  const FrameCounts& c = frame.counts;
+  if (c.triangles != triangles) return "counts: triangles";
+  if (c.not_finite + c.outside + c.degenerate + c.culled + c.between_samples + c.drawn != c.triangles)
+    return "counts: each triangle has one fate";
+  if (c.clipped > c.drawn) return "counts: clipped";
+  if (c.pixels != static_cast<std::uint64_t>(region.width) * static_cast<std::uint64_t>(region.height))
+    return "counts: pixels";
+  if (c.shaded > c.pixels || c.fragments < c.shaded || c.lane_slots < c.fragments ||
+      c.fragments > c.shaded * static_cast<std::uint64_t>(options.samples))
+    return "counts: shaded";
+  return "";
+}
+
+std::vector<Aov> all_aovs() {
+  std::vector<Aov> all;
+  for (int i = 0; i < static_cast<int>(Aov::count_); ++i) all.push_back(static_cast<Aov>(i));
+  return all;
+}
+
+std::string difference(const Frame& a, const Frame& b) {
+  if (!same_bits(a.levels, b.levels)) return "levels";
+  if (!same_bits(a.radiance, b.radiance)) return "radiance";
+  if (!same_bits(a.radiance_double, b.radiance_double)) return "radiance in double";
+  if (a.aovs.size() != b.aovs.size()) return "aovs";
+  for (std::size_t i = 0; i < a.aovs.size(); ++i)
+    if (!same_bits(a.aovs[i], b.aovs[i])) return "aov " + std::to_string(i);
+  const FrameCounts &x = a.counts, &y = b.counts;
+  const auto drawn = [](const FrameCounts& c) {
+    return std::array{c.triangles, c.not_finite, c.outside, c.degenerate, c.culled,   c.between_samples,
+                      c.clipped,   c.drawn,      c.pixels,  c.shaded,     c.fragments};
+  };
+  if (drawn(x) != drawn(y)) return "counts";
+  return x.undefined.counts == y.undefined.counts ? "" : "counts of what is undefined";
+}
+
+} // namespace refraster::test
