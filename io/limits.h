@@ -29,8 +29,6 @@ inline constexpr Limit json_depth{"nesting of JSON", 64, "levels", "N levels of 
                                   "no key of a scene is deeper than 8"};
 inline constexpr Limit obj_bytes{"an OBJ file", std::numeric_limits<std::int32_t>::max(), "bytes", "N bytes",
                                  "no list of it can have more entries than 31 bits count"};
-inline constexpr Limit face_corners{"corners of a face of an OBJ file", 4096, "corners", "a face with N corners",
-                                    "cutting it into triangles may take time as their square"};
 inline constexpr Limit image_bytes{"an image file", std::uint64_t{1} << 33, "bytes", "N bytes",
                                    "twice the largest image of four floats a pixel"};
 inline constexpr Limit glsl_bytes{"a GLSL file", std::uint64_t{1} << 20, "bytes", "N bytes",
@@ -69,10 +67,10 @@ inline constexpr Limit threads{
 } // namespace limit
 
 inline constexpr const Limit* all_limits[] = {
-    &limit::scene_bytes, &limit::json_depth,    &limit::obj_bytes,        &limit::face_corners,   &limit::image_bytes,
-    &limit::glsl_bytes,  &limit::image_side,    &limit::image_pixels,     &limit::image_channels, &limit::texture_side,
-    &limit::objects,     &limit::point_lights,  &limit::direction_lights, &limit::vertices,       &limit::triangles,
-    &limit::frame_side,  &limit::frame_samples, &limit::threads};
+    &limit::scene_bytes,   &limit::json_depth,       &limit::obj_bytes,      &limit::image_bytes,  &limit::glsl_bytes,
+    &limit::image_side,    &limit::image_pixels,     &limit::image_channels, &limit::texture_side, &limit::objects,
+    &limit::point_lights,  &limit::direction_lights, &limit::vertices,       &limit::triangles,    &limit::frame_side,
+    &limit::frame_samples, &limit::threads};
 
 /// What a message says was expected: "at most 65536 pixels a side".
 std::string at_most(const Limit& limit);

@@ -11,7 +11,7 @@ namespace refraster {
 
 /// Reads all faces of an OBJ file as one mesh, triangles in the order of the file.
 ///   v, vt, vn   each coordinate is rounded once, to float. A missing vt is (0, 0)
-///   f           3 to 4096 corners, also concave; indices from 1, or negative: counted back from the last one given.
+///   f           3 or more corners, also concave; indices from 1, or negative: counted back from the last one given.
 ///               A polygon with n corners becomes n - 2 triangles of the same winding; a convex one the fan of its
 ///               first corner. Refused if many thousand corners fold so that cutting takes more than seconds
 ///   s           corners without vn get the mean normal, weighted by angle, of the faces around the vertex that have

@@ -1,7 +1,6 @@
 #include "io/obj_text.h"
 
 #include "io/fault_list.h"
-#include "io/limits.h"
 #include "io/number_text.h"
 #include "io/text.h"
 
@@ -141,8 +140,6 @@ private:
     std::size_t corners = 0;
     for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest), ++corners) corner(word);
     if (corners < 3) fault(all, "a face with " + counted(corners, "corner"), "at least 3 corners");
-    if (corners > limit::face_corners.value)
-      fault(all, found_of(limit::face_corners, corners), at_most(limit::face_corners));
     obj_.smoothing.push_back(smoothing_);
   }
 

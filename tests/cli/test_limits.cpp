@@ -90,10 +90,6 @@ std::vector<Beyond> beyond_each() {
   add_scene(limit::obj_bytes, scene_of("", "", object_of(with_file("obj_file_path", "m.obj"))),
             "m.obj: found 2147483648 bytes, expected at most 2147483647 bytes",
             {{"m.obj", "v", limit::obj_bytes.value + 1}});
-  std::string face = triangle_soup(1) + "f";
-  for (std::uint64_t i = 0; i <= limit::face_corners.value; ++i) face += " 1";
-  add_scene(limit::face_corners, scene_of("", "", object_of(with_file("obj_file_path", "m.obj"))),
-            "m.obj:5:1: found a face with 4097 corners, expected at most 4096 corners", {{"m.obj", face + "\n"}});
   add(limit::image_bytes, {{"i.pfm", "PF", limit::image_bytes.value + 1}}, {"compare", "i.pfm", "i.pfm"},
       "i.pfm: found 8589934593 bytes, expected at most 8589934592 bytes");
   add(limit::image_side, {{"i.png", png_of(65537, 1)}}, {"compare", "i.png", "i.png"},
