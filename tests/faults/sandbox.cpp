@@ -99,7 +99,11 @@ void Sandbox::judge(const Finished& run, Before before, FaultRow& row) {
     row.wrong.push_back(what);
   }
   if (run.exit_code == 3 || run.exit_code == 4) {
-    const bool one_line = run.err.starts_with("refraster: ") && std::count(run.err.begin(), run.err.end(), '\n') == 1;
+    // The last line is the complaint, and the only one; `gl` has said before which shaders it uses.
+    const std::size_t complaint = run.err.rfind("refraster: ");
+    const bool one_line = complaint != std::string::npos && run.err.find("refraster: ") == complaint &&
+                          (complaint == 0 || run.err[complaint - 1] == '\n') &&
+                          run.err.find('\n', complaint) == run.err.size() - 1;
     if (!one_line) row.wrong.push_back("not one line: " + what);
   }
   const int new_before = row.new_files;
