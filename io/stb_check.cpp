@@ -35,7 +35,9 @@ Value little_endian(std::string_view bytes, std::size_t at) {
   return value;
 }
 
-/// Chunks: length, type, data, checksum. Memory for the data of one is taken before it is read.
+/// Chunks: length, type, data, checksum. Memory for the data of one is taken before it is read. A type that stb does
+/// not know and must not skip, it puts into its message, which is the same memory for all threads. One that it does
+/// know is Apple's, CgBI: blue before red, and colours multiplied by alpha, which it leaves so.
 void check_png(const std::string& path, std::string_view bytes, const ImageRequest& request) {
   constexpr std::size_t signature = 8, around_data = 12;
   for (std::size_t at = signature; at < bytes.size();) {
@@ -48,6 +50,9 @@ void check_png(const std::string& path, std::string_view bytes, const ImageReque
       check_image_size(path, big_endian(bytes, at + 8), big_endian(bytes, at + 12), bytes.size(),
                        packed_pixels_per_byte, request);
     if (type == "IEND") return;
+    const bool may_be_skipped = (static_cast<unsigned char>(type[0]) & 0x20) != 0;
+    if (!may_be_skipped && type != "IHDR" && type != "PLTE" && type != "IDAT")
+      fail(path, "", "a chunk " + in_quotes(type), "IHDR, PLTE, IDAT, IEND, or one that may be skipped");
     at += around_data + length;
   }
   throw truncated_image(path);

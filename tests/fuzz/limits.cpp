@@ -16,7 +16,7 @@ void read_limits_bytes(Bytes bytes) {
   } catch (const InputError& error) {
     require(!error.faults().empty(), "a refusal has faults");
   }
-  require_memory(peak, bytes.size(), 1 << 17, 512);
+  require_memory(peak, bytes.size(), 1 << 17, 75);
 }
 
 } // namespace refraster::fuzz

@@ -50,6 +50,10 @@ PeakMemory::PeakMemory() {
   most = 0;
 }
 
+std::int64_t bytes_in_use() {
+  return now;
+}
+
 std::int64_t PeakMemory::bytes() const {
   return most;
 }

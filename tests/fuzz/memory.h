@@ -17,8 +17,11 @@ public:
   std::int64_t bytes() const;
 };
 
+/// Allocated since the last PeakMemory was made, and not freed.
+std::int64_t bytes_in_use();
+
 /// Ends the process if a reader took more than `fixed` bytes and `per_byte` for each byte of its input: the multiples
-/// of docs/robustness.md.
+/// of docs/limits.md.
 void require_memory(const PeakMemory& peak, std::size_t input_bytes, std::int64_t fixed, std::int64_t per_byte);
 
 } // namespace refraster::fuzz

@@ -41,7 +41,7 @@ void read_obj_bytes(Bytes bytes) {
     require(!error.faults().empty() && error.faults().size() <= 101, "a refusal has faults, not too many");
     mesh.reset();
   }
-  require_memory(peak, bytes.size(), 1 << 17, 128);
+  require_memory(peak, bytes.size(), 1 << 17, 100);
   if (!mesh) return;
   require_none(test::fault_of(*mesh), "an accepted mesh");
   render_small(showing(mesh, nullptr, TextureFilter::nearest), bytes.size());

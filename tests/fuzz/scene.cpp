@@ -22,37 +22,31 @@ void write_companions() {
   file_of("t.png", bytes_of(image));
 }
 
-/// Whether the text asks for a shape that takes long to make: a number above 99 after "segments" or "rings". Such
-/// shapes are sound, but a run that makes millions of them finds nothing. (A key written with escapes gets by.)
-bool asks_for_fine_shapes(std::string_view text) {
-  for (const std::string_view key : {"segments", "rings"})
-    for (std::size_t at = text.find(key); at != std::string_view::npos; at = text.find(key, at + 1)) {
-      std::size_t digits = 0;
-      for (std::size_t i = at + key.size(); i < text.size() && text[i] != ',' && text[i] != '}'; ++i) {
-        if (text[i] == 'e' || text[i] == 'E') return true;
-        if (text[i] >= '0' && text[i] <= '9' && ++digits > 2) return true;
-      }
-    }
-  return false;
-}
+/// Fine shapes take long to make and to draw: a run that makes millions of them finds nothing.
+constexpr std::int64_t most_bytes_of_scene = 1 << 23;
 
 } // namespace
 
 void read_scene_bytes(Bytes bytes) {
-  if (asks_for_fine_shapes({reinterpret_cast<const char*>(bytes.data()), bytes.size()})) return;
   static const bool companions = (write_companions(), true);
   require(companions, "companions are there");
   const std::string path = file_of("s.json", bytes);
   Scene scene;
   const PeakMemory peak;
+  SceneOptions options;
+  if (memory_is_counted())
+    options.memory = MemoryBudget(most_bytes_of_scene, [] { return static_cast<std::uint64_t>(bytes_in_use()); });
   try {
-    scene = read_scene(path);
+    scene = read_scene(path, options);
   } catch (const InputError& error) {
     require(!error.faults().empty() && error.faults().size() <= 202, "a refusal has faults, not too many");
-    require_memory(peak, bytes.size(), 1 << 22, 2048);
+    require_memory(peak, bytes.size(), most_bytes_of_scene, 0);
+    return;
+  } catch (const OutOfMemory&) {
+    require_memory(peak, bytes.size(), most_bytes_of_scene, 0);
     return;
   }
-  require_memory(peak, bytes.size(), 1 << 22, 1 << 17); // a shape of 99 x 99 quads takes 40 bytes to name
+  require_memory(peak, bytes.size(), most_bytes_of_scene, 0);
   require_none(test::fault_of(scene), "an accepted scene");
   render_small(scene, bytes.size());
 }

@@ -29,6 +29,9 @@ void add_png(List& list) {
   std::string png = png_bytes(2, 1, 3, 8, {1, 2, 3, 4, 5, 6});
   png[33] = '\x40'; // the length of its IDAT: 2^30 more, for which stb would take the memory
   add(list, "a PNG with a chunk longer than the file", "i.png", png, truncated);
+  png.replace(33, 8, "\0\0\0\0CgBI"s);
+  add(list, "a PNG of Apple's kind", "i.png", png,
+      "found a chunk \"CgBI\", expected IHDR, PLTE, IDAT, IEND, or one that may be skipped");
 }
 
 void add_bmp(List& list) {
