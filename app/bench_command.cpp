@@ -12,7 +12,6 @@
 #include "app/memory_limit.h"
 #include "app/output.h"
 #include "app/progress_line.h"
-#include "io/mesh_cache.h"
 #include "io/scene_file.h"
 #include "verify/gl/render_gl.h"
 
@@ -184,7 +183,7 @@ private:
 ExitCode run(const BenchArguments& a) {
   for (const std::string& path : {a.json, a.html})
     if (!path.empty()) check_writable(path);
-  if (!a.reading.mesh_cache.empty()) check_cache_folder(a.reading.mesh_cache);
+  prepare_cache(a.reading.mesh_cache);
   Bench bench(a);
   try {
     if (a.scenes.empty() && a.scaling.empty()) bench.add(built_in_name, built_in_scene());

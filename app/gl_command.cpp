@@ -6,7 +6,6 @@
 #include "app/output.h"
 #include "app/progress_line.h"
 #include "io/image_file.h"
-#include "io/mesh_cache.h"
 #include "io/scene_file.h"
 #include "verify/gl/gl_report.h"
 #include "verify/gl/render_gl.h"
@@ -58,7 +57,7 @@ void write_outputs(const GlArguments& a, const GlOptions& options, const GlFrame
 ExitCode run(const GlArguments& a) {
   for (const std::string& path : {a.output, a.radiance, a.depth, a.json})
     if (!path.empty()) check_writable(path);
-  if (!a.reading.mesh_cache.empty()) check_cache_folder(a.reading.mesh_cache);
+  prepare_cache(a.reading.mesh_cache);
   GlOptions options = a.options;
   options.width = a.size.width;
   options.height = a.size.height;

@@ -5,6 +5,7 @@
 #include "io/image_file.h"
 #include "io/input_error.h"
 #include "io/input_file.h"
+#include "io/mesh_cache.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -26,6 +27,12 @@ void check_writable(const std::string& path) {
   if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored)) return;
   clean_when_interrupted(fs::weakly_canonical(fs::absolute(path), ignored).parent_path());
   AtomicFile trial(path); // leaves nothing: permissions alone do not say it, for root and for /proc
+}
+
+void prepare_cache(const std::string& folder) {
+  if (folder.empty()) return;
+  clean_when_interrupted(folder);
+  check_cache_folder(folder);
 }
 
 void write_text(const std::string& path, const std::string& text) {

@@ -16,6 +16,9 @@ inline constexpr const char* standard_output = "-";
 /// Standard output is always fine.
 void check_writable(const std::string& path);
 
+/// Makes the folder of --cache if need be; nothing if it is empty. Throws OutputError unless files can be written to it.
+void prepare_cache(const std::string& folder);
+
 /// Writes a text file as a whole or not at all; or to standard output. Throws OutputError.
 void write_text(const std::string& path, const std::string& text);
 

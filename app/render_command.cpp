@@ -7,7 +7,6 @@
 #include "app/output.h"
 #include "app/progress_line.h"
 #include "io/image_file.h"
-#include "io/mesh_cache.h"
 #include "io/report.h"
 #include "io/scene_file.h"
 #include "raster/render.h"
@@ -121,7 +120,7 @@ ExitCode run(const RenderArguments& arguments) {
   check_writable(arguments.output);
   for (const Aov aov : arguments.aovs) check_writable(aov_path(arguments.output, aov));
   if (!arguments.report.empty()) check_writable(arguments.report);
-  if (!arguments.reading.mesh_cache.empty()) check_cache_folder(arguments.reading.mesh_cache);
+  prepare_cache(arguments.reading.mesh_cache);
 
   const Stopwatch reading;
   const Scene scene = scene_of(arguments);

@@ -40,6 +40,12 @@ bool is_temporary_name(const std::string& name) {
 
 Sandbox::Sandbox(Command command) : command_(std::move(command)) {
   save_text(folder_ / "s.json", ball_scene);
+  std::string with_file = ball_scene, mesh; // of 1.3 MB: smaller ones are not kept
+  const std::string sphere = R"("mesh": {"sphere": {"segments": 24, "rings": 12}})";
+  with_file.replace(with_file.find(sphere), sphere.size(), R"("obj_file_path": "m.obj")");
+  save_text(folder_ / "mesh.json", with_file);
+  for (int i = 0; i < 40000; ++i) mesh += "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\n";
+  save_text(folder_ / "m.obj", mesh);
   Image<float> picture(16, 12, 3, 0.5f);
   write_float_image(folder_ / "a.pfm", picture);
   picture.values[7] = 0.75f;
@@ -52,6 +58,7 @@ Sandbox::Sandbox(Command command) : command_(std::move(command)) {
 
 void Sandbox::prepare(Before before) {
   fs::remove_all(out());
+  fs::remove_all(folder_ / "cache");
   fs::create_directory(out());
   if (before == Before::old_files)
     for (const std::string& name : command_.outputs) save_text(out() + "/" + name, old_text(name));
@@ -166,6 +173,8 @@ std::vector<Command> commands_that_write(Effort effort) {
   commands.push_back({"render .hdr", with(render, {"out/o.hdr"}), {"o.hdr"}});
   commands.push_back({"render .pfm", with(render, {"out/o.pfm"}), {"o.pfm"}});
   commands.push_back({"mesh", {"mesh", "sphere", "--segments", "8", "--rings", "4", "-o", "out/m.obj"}, {"m.obj"}});
+  commands.push_back({"render with --cache", with(render, {"out/o.png", "--cache", "cache"}), {"o.png"}});
+  commands.back().words[1] = "mesh.json";
   commands.push_back({"merl synth", {"merl", "synth", "lambert", "-o", "out/t.binary"}, {"t.binary"}});
   commands.push_back({"bench, report, page",
                       {"bench", "s.json", "--size", "16x12", "--frames", "1", "--seconds", "0", "--threads", "1",
