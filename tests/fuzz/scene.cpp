@@ -40,13 +40,13 @@ void read_scene_bytes(Bytes bytes) {
     scene = read_scene(path, options);
   } catch (const InputError& error) {
     require(!error.faults().empty() && error.faults().size() <= 202, "a refusal has faults, not too many");
-    require_memory(peak, bytes.size(), most_bytes_of_scene, 0);
+    require_memory(peak, bytes.size(), most_bytes_of_scene, 75);
     return;
   } catch (const OutOfMemory&) {
-    require_memory(peak, bytes.size(), most_bytes_of_scene, 0);
+    require_memory(peak, bytes.size(), most_bytes_of_scene, 75);
     return;
   }
-  require_memory(peak, bytes.size(), most_bytes_of_scene, 0);
+  require_memory(peak, bytes.size(), most_bytes_of_scene, 75);
   require_none(test::fault_of(scene), "an accepted scene");
   render_small(scene, bytes.size());
 }
