@@ -48,6 +48,33 @@ CornerLanes<N> gather_corners(const Vertex& vertex) {
   return corner;
 }
 
+/// A corner on the lattice, with what else is to go with it.
+template <int N, std::size_t count>
+struct PlacedCorner {
+  Wide<double, N> x, y;
+  std::array<Wide<double, N>, count> with;
+};
+
+/// Puts three corners into the order of x, and then y, in each lane: that of set_up_snapped.
+template <int N, std::size_t count>
+void sort_corners(std::array<PlacedCorner<N, count>, 3>& corner) {
+  using T = Wide<double, N>;
+  const auto key = [&](std::size_t k) { return corner[k].x * T(0x1p26) + corner[k].y; }; // exact
+  std::array<T, 3> keys{key(0), key(1), key(2)};
+  const auto exchange_if_after = [&](std::size_t i, std::size_t j) {
+    const auto after = keys[i] > keys[j];
+    const auto exchange = [&](T& p, T& q) {
+      const T first = select(after, q, p);
+      q = select(after, p, q);
+      p = first;
+    };
+    exchange(keys[i], keys[j]);
+    exchange(corner[i].x, corner[j].x), exchange(corner[i].y, corner[j].y);
+    for (std::size_t c = 0; c < count; ++c) exchange(corner[i].with[c], corner[j].with[c]);
+  };
+  exchange_if_after(0, 1), exchange_if_after(1, 2), exchange_if_after(0, 1);
+}
+
 /// N triangles as SnappedTriangle describes one. With corner 0 as the origin: line[1].at(x, y) = a1 (x - x0) +
 /// b1 (y - y0), line[2] likewise, and the three lines add up to `size`, twice the area, everywhere.
 template <int N>
@@ -65,19 +92,11 @@ struct SnappedLanes {
 template <int N>
 SnappedLanes<N> set_up_lanes(const CornerLanes<N>& v0, const CornerLanes<N>& v1, const CornerLanes<N>& v2) {
   using T = Wide<double, N>;
-  struct Corner {
-    T key, x, y, z; // key: in the order of x, and then y
-  };
-  const auto corner = [](const CornerLanes<N>& v) { return Corner{v.x * T(0x1p26) + v.y, v.x, v.y, v.z}; };
-  const auto exchange_if_after = [](Corner& p, Corner& q) {
-    const auto after = p.key > q.key;
-    const Corner first{minimum(p.key, q.key), select(after, q.x, p.x), select(after, q.y, p.y),
-                       select(after, q.z, p.z)};
-    q = {maximum(p.key, q.key), select(after, p.x, q.x), select(after, p.y, q.y), select(after, p.z, q.z)};
-    p = first;
-  };
-  Corner p0 = corner(v0), p1 = corner(v1), p2 = corner(v2);
-  exchange_if_after(p0, p1), exchange_if_after(p1, p2), exchange_if_after(p0, p1);
+  const auto corner = [](const CornerLanes<N>& v) { return PlacedCorner<N, 1>{v.x, v.y, {v.z}}; };
+  std::array<PlacedCorner<N, 1>, 3> sorted{corner(v0), corner(v1), corner(v2)};
+  sort_corners(sorted);
+  const auto& [p0, p1, p2] = sorted;
+  const auto z = [&](std::size_t k) { return sorted[k].with[0]; };
 
   const T dx1 = p1.x - p0.x, dy1 = p1.y - p0.y, dx2 = p2.x - p0.x, dy2 = p2.y - p0.y;
   const T area = dx1 * dy2 - dx2 * dy1;
@@ -90,11 +109,11 @@ SnappedLanes<N> set_up_lanes(const CornerLanes<N>& v0, const CornerLanes<N>& v1,
   // The top-left rule, see Line::owns_ties; |b| is less than 2^26.
   const auto least = [](const T& a, const T& b) { return select(a * T(0x1p26) + b > T(0.0), T(-0.5), T(0.0)); };
   t.least = {least(t.a0(), t.b0()), least(t.a1, t.b1), least(t.a2, t.b2)};
-  t.z0 = p0.z;
-  t.slope1 = (p1.z - p0.z) / t.size;
-  t.slope2 = (p2.z - p0.z) / t.size;
-  t.z_min = minimum(p0.z, minimum(p1.z, p2.z));
-  t.z_max = maximum(p0.z, maximum(p1.z, p2.z));
+  t.z0 = z(0);
+  t.slope1 = (z(1) - z(0)) / t.size;
+  t.slope2 = (z(2) - z(0)) / t.size;
+  t.z_min = minimum(z(0), minimum(z(1), z(2)));
+  t.z_max = maximum(z(0), maximum(z(1), z(2)));
   return t;
 }
 

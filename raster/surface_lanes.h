@@ -27,22 +27,12 @@ template <int N>
 SurfaceLanes<N> surface_lanes(const std::array<CornerLanes<N>, 3>& v, const std::array<Wide<double, N>, 3>& inverse_w) {
   using T = Wide<double, N>;
   using Words = VectorOf<std::uint32_t, N>;
-  struct Corner {
-    T key, x, y, inverse_w, number; // key: in the order of x, and then y
-  };
+  constexpr std::size_t inverse_of_w = 0, number = 1;
   const auto submitted = [&](std::size_t k) {
-    return Corner{v[k].x * T(0x1p26) + v[k].y, v[k].x, v[k].y, inverse_w[k], T(static_cast<double>(k))};
+    return PlacedCorner<N, 2>{v[k].x, v[k].y, {inverse_w[k], T(static_cast<double>(k))}};
   };
-  const auto exchange_if_after = [](Corner& p, Corner& q) {
-    const auto after = p.key > q.key;
-    const Corner first{minimum(p.key, q.key), select(after, q.x, p.x), select(after, q.y, p.y),
-                       select(after, q.inverse_w, p.inverse_w), select(after, q.number, p.number)};
-    q = {maximum(p.key, q.key), select(after, p.x, q.x), select(after, p.y, q.y),
-         select(after, p.inverse_w, q.inverse_w), select(after, p.number, q.number)};
-    p = first;
-  };
-  std::array<Corner, 3> p{submitted(0), submitted(1), submitted(2)};
-  exchange_if_after(p[0], p[1]), exchange_if_after(p[1], p[2]), exchange_if_after(p[0], p[1]);
+  std::array<PlacedCorner<N, 2>, 3> p{submitted(0), submitted(1), submitted(2)};
+  sort_corners(p);
 
   const T area = (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[2].x - p[0].x) * (p[1].y - p[0].y);
   const T sign = select(area > T(0.0), T(1.0), T(-1.0));
@@ -51,18 +41,19 @@ SurfaceLanes<N> surface_lanes(const std::array<CornerLanes<N>, 3>& v, const std:
   auto wraps = magnitude(area) <= T(0x1p30);
   SurfaceLanes<N> lanes;
   for (std::size_t k = 0; k < 3; ++k) {
-    const Corner &from = p[(k + 1) % 3], &to = p[(k + 2) % 3];
+    const auto &from = p[(k + 1) % 3], &to = p[(k + 2) % 3];
     const T a = sign * (from.y - to.y), b = sign * (to.x - from.x);
     wraps = wraps & (magnitude(a) <= T(0x1p21)) & (magnitude(b) <= T(0x1p21));
     const auto word = [](const T& x) { return reinterpret_cast<Words>(integers<N>(x)); };
     const Words c = -(word(a) * word(from.x) + word(b) * word(from.y));
-    lanes.corner[k] = {integers<N>(p[k].number), integers<N>(a), integers<N>(b),
+    lanes.corner[k] = {integers<N>(p[k].with[number]), integers<N>(a), integers<N>(b),
                        reinterpret_cast<VectorOf<std::int32_t, N>>(c), T(0.0)};
   }
   lanes.wraps = integers<N>(select(wraps, T(1.0), T(0.0)));
   // perspective_weights
-  const T nearest = maximum(p[0].inverse_w, maximum(p[1].inverse_w, p[2].inverse_w));
-  for (std::size_t k = 0; k < 3; ++k) lanes.corner[k].weight = p[k].inverse_w / nearest;
+  const auto inverse = [&](std::size_t k) { return p[k].with[inverse_of_w]; };
+  const T nearest = maximum(inverse(0), maximum(inverse(1), inverse(2)));
+  for (std::size_t k = 0; k < 3; ++k) lanes.corner[k].weight = inverse(k) / nearest;
   return lanes;
 }
 
