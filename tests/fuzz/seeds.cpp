@@ -128,11 +128,7 @@ void add_images(Seeds& seeds) {
 }
 
 void add_tables(Seeds& seeds) {
-  const auto bytes_of = [](auto value) {
-    std::string bytes(sizeof value, '\0');
-    std::memcpy(bytes.data(), &value, sizeof value);
-    return bytes;
-  };
+  using test::bytes_of;
   // As tests/fuzz/merl.cpp takes them: a header, then places and values.
   const std::string header = bytes_of(std::int32_t{90}) + bytes_of(std::int32_t{90}) + bytes_of(std::int32_t{180});
   int number = 0;

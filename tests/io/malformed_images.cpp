@@ -9,13 +9,6 @@ namespace {
 
 using namespace std::string_literals;
 
-template <class Value>
-std::string bytes_of(Value value) {
-  std::string bytes(sizeof value, '\0');
-  std::memcpy(bytes.data(), &value, sizeof value);
-  return bytes;
-}
-
 using List = std::vector<MalformedInput>;
 
 void add(List& list, const std::string& name, const std::string& input, const std::string& bytes,

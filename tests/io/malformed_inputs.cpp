@@ -14,13 +14,6 @@ namespace {
 using List = std::vector<MalformedInput>;
 using namespace std::string_literals;
 
-template <class Value>
-std::string bytes_of(Value value) {
-  std::string bytes(sizeof value, '\0');
-  std::memcpy(bytes.data(), &value, sizeof value);
-  return bytes;
-}
-
 // Files as such: the same for every format.
 void add_files(List& list) {
   list.push_back({"no such scene", Reader::scene, "s.json", {}, "s.json: found no such file, expected a scene file"});

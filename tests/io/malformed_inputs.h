@@ -2,6 +2,7 @@
 // Inputs with a fault, and the exact line that a user must read. Also used by tests/cli.
 
 #include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -28,6 +29,14 @@ struct MalformedInput {
 };
 
 const std::vector<MalformedInput>& malformed_inputs();
+
+/// A number as it lies in memory: in little-endian order.
+template <class Value>
+std::string bytes_of(Value value) {
+  std::string bytes(sizeof value, '\0');
+  std::memcpy(bytes.data(), &value, sizeof value);
+  return bytes;
+}
 
 /// A sound scene of one sphere, in which `from` is replaced by `to`; `from` must be there exactly once.
 std::string scene_with(const std::string& from, const std::string& to);
