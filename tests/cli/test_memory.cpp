@@ -1,5 +1,6 @@
 // --max-memory: either the run ends as it should, or one line says what did not fit; and never is more taken.
 
+#include "io/limits.h"
 #include "program.h"
 #include "scenes.h"
 #include "tests/io/png_bytes.h"
@@ -119,15 +120,15 @@ TEST_CASE("with any limit a run ends well or says that it does not fit, and neve
 TEST_CASE("a hostile file takes no more memory than the documented multiple of its size" * doctest::skip(sanitizer)) {
   const TemporaryFolder folder;
   const std::uint64_t idle = run_program(folder.path, {"list", "rungs"}).peak_bytes;
-  const auto check = [&](const std::string& name, const std::string& file, const std::string& text,
-                         std::uint64_t times) {
+  const auto check = [&](const std::string& name, const std::string& file, const std::string& text, std::uint64_t times,
+                         std::uint64_t more = 0) {
     save_text(folder / file, text);
     const Finished run = run_program(folder.path, {"render", "s.json", "--size", "8x8", "-o", "i.png"});
     INFO(name << ": " << run.err.substr(0, 200));
     CHECK((run.exit_code == 0 || run.exit_code == 3));
     const double taken = static_cast<double>(run.peak_bytes - std::min(run.peak_bytes, idle));
     MESSAGE(name << ": " << taken / static_cast<double>(text.size()) << " times its size");
-    CHECK(run.peak_bytes <= idle + 4 * mebi + times * text.size());
+    CHECK(run.peak_bytes <= idle + 4 * mebi + times * text.size() + more);
   };
   const auto repeated = [](const std::string& part, std::size_t bytes) {
     std::string text;
@@ -139,6 +140,13 @@ TEST_CASE("a hostile file takes no more memory than the documented multiple of i
                                    std::pair{"a list of objects", "{},"}, std::pair{"a list of texts", "\"\","}})
     check(name, "s.json", "[" + repeated(part, size) + "0]", 75);
   check("a text of commas", "s.json", "[\"" + repeated(",", size) + "\"]", 75);
+  const std::string camera = R"({"position": [0, 0, 3], "target": [0, 0, 0], "fov_y": 45})";
+  std::string objects = "{}";
+  for (std::uint64_t i = 1; i < limit::objects.value; ++i) objects += ",{}";
+  check("empty objects", "s.json",
+        R"({"scene": {"camera": )" + camera + R"(, "point_lights": [], "direction_lights": [], "objects": [)" +
+            objects + "]}}",
+        75, 1024 * limit::objects.value);
   check("unknown keys", "s.json", "{" + repeated("\"\":0,", size) + "\"\":0}", 75);
 
   std::string scene = ball_scene;
