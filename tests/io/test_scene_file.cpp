@@ -218,12 +218,15 @@ TEST_CASE("faults beyond the first hundred are counted") {
   }
 }
 
-TEST_CASE("a shape's vertices and triangles are known before it is made") {
+TEST_CASE("a shape's vertices and triangles are known before it is made, and no memory is taken for more") {
   for (const Shape& shape :
        {Shape(SphereShape{7, 2}), Shape(SphereShape{5, 9}), Shape(CubeShape{}), Shape(PlaneShape{1}),
         Shape(PlaneShape{6}), Shape(TorusShape{3, 8, 0.4}), Shape(KnotShape{20, 3, 0.2})}) {
     const auto mesh = make_mesh(shape);
     CHECK(mesh_counts(shape) == MeshCounts{mesh->positions.size(), mesh->triangles.size()});
+    CHECK(mesh_counts(shape) == MeshCounts{mesh->positions.capacity(), mesh->triangles.capacity()});
+    CHECK(mesh->normals.capacity() == mesh->positions.size());
+    CHECK(mesh->uvs.capacity() == mesh->positions.size());
   }
 }
 
