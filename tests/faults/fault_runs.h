@@ -19,7 +19,11 @@ struct FaultRow {
   std::vector<std::string> wrong;        // everything that should not be
 };
 
-enum class Effort { quick, thorough };
+enum class Effort {
+  quick,   // three commands, the first calls, the commonest failures
+  whole,   // every command and every failure
+  thorough // … at every call, and with and without old files
+};
 
 /// Every call that a command makes for its outputs fails once, in every way.
 std::vector<FaultRow> failing_calls(Effort effort);

@@ -36,27 +36,8 @@ TEST_CASE("whichever call fails, outputs are old or new and nothing is left" * d
   check(failing_calls(Effort::quick));
 }
 
-TEST_CASE("wherever the process is killed, outputs are old or new, and the next run is not harmed" *
-          doctest::skip(sanitizer)) {
-  check(killed_at_calls(Effort::quick));
-  check(killed_at_random(10));
-}
-
 TEST_CASE("whichever allocation fails, one line says so" * doctest::skip(sanitizer)) {
   check(failing_allocations(Effort::quick));
-}
-
-TEST_CASE("SIGINT and SIGTERM end long work with exit code 130 and leave nothing") {
-  check(interrupted_runs(Effort::quick));
-}
-
-TEST_CASE("a disk that is full or may not be written, and a limit of file sizes: exit code 4, old files whole") {
-  const std::vector<FaultRow> rows = bad_disks();
-  if (rows.empty()) {
-    MESSAGE("SKIPPED: no right to mount a small file system");
-    return;
-  }
-  check(rows);
 }
 
 TEST_CASE("a file that is gone, or something else, when it is opened behind its check is bad input" *
@@ -94,17 +75,27 @@ TEST_CASE("standard output that cannot be written is exit code 4") {
 }
 
 TEST_SUITE("slow") {
-  TEST_CASE("the same in every command and at every call" * doctest::skip(sanitizer)) {
-    check(failing_calls(Effort::thorough));
-    check(killed_at_calls(Effort::thorough));
-    check(failing_allocations(Effort::thorough));
+  TEST_CASE("the same in every command" * doctest::skip(sanitizer)) {
+    check(failing_calls(Effort::whole));
+    check(failing_allocations(Effort::whole));
   }
 
-  TEST_CASE("the same at three hundred random moments") {
-    check(killed_at_random(300));
+  TEST_CASE("wherever the process is killed, outputs are old or new, and the next run is not harmed" *
+            doctest::skip(sanitizer)) {
+    check(killed_at_calls(Effort::whole));
+    check(killed_at_random(60));
   }
 
-  TEST_CASE("signals end everything that can take long") {
-    check(interrupted_runs(Effort::thorough));
+  TEST_CASE("SIGINT and SIGTERM end everything that can take long with exit code 130 and leave nothing") {
+    check(interrupted_runs(Effort::whole));
+  }
+
+  TEST_CASE("a disk that is full or may not be written, and a limit of file sizes: exit code 4, old files whole") {
+    const std::vector<FaultRow> rows = bad_disks();
+    if (rows.empty()) {
+      MESSAGE("SKIPPED: no right to mount a small file system");
+      return;
+    }
+    check(rows);
   }
 }

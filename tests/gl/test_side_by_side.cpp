@@ -53,7 +53,7 @@ void check_gallery(std::string_view profile_name, int width, int height) {
 } // namespace
 
 TEST_CASE("a scene through llvmpipe shows the same surfaces, in colours within the bound") {
-  for (const std::string& path : quick_scenes()) check_scene(path, 160, 90, profile("llvmpipe"));
+  for (const std::string& path : quick_scenes()) check_scene(path, 112, 63, profile("llvmpipe"));
 }
 
 TEST_SUITE_BEGIN("slow");

@@ -253,7 +253,7 @@ TEST_CASE("the depth planes cut where they stand, for triangles of any place") {
   // In units of 2^-53: the planes' own coefficients are good to 4 and z to 8 of |z| + |w| <= 4 far; the depth to 32
   // more. A change of z / w by e moves the cut by e w^2 (far - near) / (2 near far) < e w far.
   long tested = 0, near_cut = 0, far_cut = 0, too_close = 0, wrong = 0;
-  for_all(30, [&](Random& random) {
+  for_all(20, [&](Random& random) {
     const double near = random.magnitude(1e-3, 1), far = near * random.magnitude(2, 1e4);
     WindowScene window(side, near, far);
     std::array<Float3, 3> corners;

@@ -97,7 +97,7 @@ TEST_CASE("bounds on a box contain what double makes of points in it") {
   for (const NamedModel& tried : all_models()) {
     CAPTURE(tried.name);
     std::mt19937_64 random(4);
-    for (int k = 0; k < trials; k += 3) {
+    for (int k = 0; k < trials; k += 5) {
       const Situation situation = random_situation(random, k);
       auto at = situation.fragment<Interval>();
       const auto light = situation.incident<Interval>();
