@@ -23,11 +23,16 @@ T atan2(const T& y, const T& x) {
   const T ax = maximum(magnitude(x), T(0)), ay = maximum(magnitude(y), T(0));
   const T largest(std::numeric_limits<F>::max());
   const T unscaled_long = maximum(ax, ay), unscaled_short = minimum(ax, ay);
-  const MaskOf<T> infinite = unscaled_long > largest;
-  // A power of two, exact: quotients and their rests neither overflow nor lose bits to subnormals on the way.
-  const T scale = reciprocal_binade(unscaled_long);
-  const T longer = select(infinite, T(1), select(unscaled_long > T(0), unscaled_long * scale, T(1)));
-  const T shorter = select(infinite, select(unscaled_short > largest, T(1), T(0)), unscaled_short * scale);
+  T longer = unscaled_long, shorter = unscaled_short;
+  // Far from the borders of the range scaling would change no bit.
+  constexpr F ordinary = sizeof(F) == 4 ? F(0x1p40) : F(0x1p200);
+  if (any(!((shorter >= T(1 / ordinary)) & (longer <= T(ordinary))))) {
+    const MaskOf<T> infinite = unscaled_long > largest;
+    // A power of two, exact: quotients and their rests neither overflow nor lose bits to subnormals on the way.
+    const T scale = reciprocal_binade(unscaled_long);
+    longer = select(infinite, T(1), select(unscaled_long > T(0), unscaled_long * scale, T(1)));
+    shorter = select(infinite, select(unscaled_short > largest, T(1), T(0)), unscaled_short * scale);
+  }
 
   // atan(shorter / longer), in [0, pi/4]: above pi/8 as pi/4 - atan((longer - shorter) / (longer + shorter)).
   const MaskOf<T> steep = shorter > longer * as<T>(0x1.a827999fcef32p-2); // tan(pi/8)

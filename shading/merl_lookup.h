@@ -95,43 +95,68 @@ Vec4<T> mix_cubic(const Vec4<T>& a, const Vec4<T>& b, const Vec4<T>& c, const Ve
                  fraction;
 }
 
-/// Reads the samples of one table as (r, g, b, 1), and as 0 where nothing was measured: a sum with any weights is then
-/// the weighted sum of what was measured, and beside it the sum of the weights.
+/// The weighted mean of what was measured: `sum` as MerlReader adds it up.
+template <Number T>
+MerlValue<T> merl_mean(const Vec4<T>& sum) {
+  const MaskOf<T> unmeasured = sum.w <= T(0);
+  const T scale = T(1) / select(unmeasured, T(1), sum.w);
+  return {Rgb<T>(sum.x * scale, sum.y * scale, sum.z * scale), unmeasured};
+}
+
+/// Reads the samples of one table.
 template <Number T, class Stored = RealOf<T>>
 struct MerlReader {
+  using Index = IndexOf<T>;
   const Stored* values;
 
-  Vec4<T> operator()(const IndexOf<T>& h, const IndexOf<T>& d, const IndexOf<T>& p) const {
+  Rgb<T> rgb(const Index& h, const Index& d, const Index& p) const {
     const RgbGrid<RealOf<T>, Stored> grid{values, MerlTable::offset(1, 0, 0), MerlTable::offset(0, 1, 0),
                                           MerlTable::offset(0, 0, 1)};
-    const Rgb<T> rgb = lookup<T>(grid, h, d, p);
-    const MaskOf<T> measured = minimum(rgb.x, minimum(rgb.y, rgb.z)) >= T(0);
-    const Rgb<T> kept = select<T>(measured, rgb, Rgb<T>(T(0)));
-    return {kept.x, kept.y, kept.z, select(measured, T(1), T(0))};
+    return lookup<T>(grid, h, d, p);
   }
 
-  Vec4<T> nearest(const MerlPoint<T>& at) const {
-    return (*this)(clamp_index(cell(at.u).index, 0, MerlTable::theta_h_bins - 1),
-                   clamp_index(cell(at.v).index, 0, MerlTable::theta_d_bins - 1),
-                   clamp_index(cell(at.w).index, 0, MerlTable::phi_d_bins - 1));
+  /// Where nothing was measured, 0.
+  MerlValue<T> sample(const Index& h, const Index& d, const Index& p) const {
+    const Rgb<T> value = rgb(h, d, p);
+    const MaskOf<T> measured = minimum(value.x, minimum(value.y, value.z)) >= T(0);
+    return {select<T>(measured, value, Rgb<T>(T(0))), !measured};
+  }
+
+  /// (r, g, b, 1), or 0 where nothing was measured: a sum with any weights is then the weighted sum of what was
+  /// measured, and beside it the sum of the weights.
+  Vec4<T> weighted(const Index& h, const Index& d, const Index& p) const {
+    const auto [f, unmeasured] = sample(h, d, p);
+    return {f.x, f.y, f.z, select(unmeasured, T(0), T(1))};
+  }
+
+  MerlValue<T> nearest(const MerlPoint<T>& at) const {
+    return sample(clamp_index(cell(at.u).index, 0, MerlTable::theta_h_bins - 1),
+                  clamp_index(cell(at.v).index, 0, MerlTable::theta_d_bins - 1),
+                  clamp_index(cell(at.w).index, 0, MerlTable::phi_d_bins - 1));
   }
 
   /// `first` is the coordinate of sample 0 on each axis: 0.5 where samples are at the centres of their bins, else 0.
-  Vec4<T> trilinear(const MerlPoint<T>& at, double first) const {
-    const auto h = clamped_taps<2>(at.u - as<T>(first), MerlTable::theta_h_bins);
-    const auto d = clamped_taps<2>(at.v - as<T>(first), MerlTable::theta_d_bins);
-    const auto p = wrapped_taps<2>(at.w - as<T>(first), MerlTable::phi_d_bins);
-    const auto along_p = [&](int i, int j) {
-      const auto &h_bin = h.index[static_cast<std::size_t>(i)], &d_bin = d.index[static_cast<std::size_t>(j)];
-      return mix((*this)(h_bin, d_bin, p.index[0]), (*this)(h_bin, d_bin, p.index[1]), p.fraction);
-    };
-    return mix(mix(along_p(0, 0), along_p(0, 1), d.fraction), mix(along_p(1, 0), along_p(1, 1), d.fraction),
-               h.fraction);
+  MerlValue<T> trilinear(const MerlPoint<T>& at, double first) const {
+    const Cube cube{clamped_taps<2>(at.u - as<T>(first), MerlTable::theta_h_bins),
+                    clamped_taps<2>(at.v - as<T>(first), MerlTable::theta_d_bins),
+                    wrapped_taps<2>(at.w - as<T>(first), MerlTable::phi_d_bins)};
+    if constexpr (NumberTraits<T>::lanes > 1) { // a bounds type could not ask
+      // Nearly always all was measured. The weights add up to exactly 1 then, and need not be computed.
+      T least(0);
+      const Rgb<T> mean = cube.mixed([&](const Index& h, const Index& d, const Index& p) {
+        const Rgb<T> value = rgb(h, d, p);
+        least = minimum(minimum(least, value.x), minimum(value.y, value.z));
+        return value;
+      });
+      if (!any(least < T(0))) [[likely]]
+        return {mean, T(0) < T(0)};
+    }
+    return mean_of_measured(cube);
   }
 
   /// Samples at the centres of their bins. Where one of the 64 was never measured, trilinear: the weights of a spline
   /// are partly negative, so that scaling them up to a sum of 1 could turn a bright neighbour into anything.
-  Vec4<T> tricubic(const MerlPoint<T>& at) const {
+  MerlValue<T> tricubic(const MerlPoint<T>& at) const {
     const auto h = clamped_taps<4>(at.u - as<T>(0.5), MerlTable::theta_h_bins);
     const auto d = clamped_taps<4>(at.v - as<T>(0.5), MerlTable::theta_d_bins);
     const auto p = wrapped_taps<4>(at.w - as<T>(0.5), MerlTable::phi_d_bins);
@@ -142,29 +167,41 @@ struct MerlReader {
       for (std::size_t j = 0; j < 4; ++j) {
         std::array<Vec4<T>, 4> tap;
         for (std::size_t k = 0; k < 4; ++k) {
-          tap[k] = (*this)(h.index[i], d.index[j], p.index[k]);
+          tap[k] = weighted(h.index[i], d.index[j], p.index[k]);
           measured = minimum(measured, tap[k].w);
         }
         along_d[j] = mix_cubic(tap[0], tap[1], tap[2], tap[3], p.fraction);
       }
       along_h[i] = mix_cubic(along_d[0], along_d[1], along_d[2], along_d[3], d.fraction);
     }
-    const Vec4<T> smooth = mix_cubic(along_h[0], along_h[1], along_h[2], along_h[3], h.fraction);
+    const Vec4<T> sum = mix_cubic(along_h[0], along_h[1], along_h[2], along_h[3], h.fraction);
+    const Rgb<T> smooth(sum.x, sum.y, sum.z);
     const MaskOf<T> incomplete = measured < T(1);
-    if (!any(incomplete)) return {smooth.x, smooth.y, smooth.z, T(1)};
-    const Vec4<T> plain = trilinear(at, 0.5);
-    return {select(incomplete, plain.x, smooth.x), select(incomplete, plain.y, smooth.y),
-            select(incomplete, plain.z, smooth.z), select(incomplete, plain.w, T(1))};
+    if (!any(incomplete)) return {smooth, incomplete};
+    const MerlValue<T> plain = trilinear(at, 0.5);
+    return {select<T>(incomplete, plain.f, smooth), static_cast<MaskOf<T>>(incomplete & plain.unmeasured)};
+  }
+
+private:
+  /// The eight samples around a point.
+  struct Cube {
+    Taps<T, 2> h, d, p;
+
+    template <class Read>
+    auto mixed(const Read& read) const {
+      const auto along_p = [&](std::size_t i, std::size_t j) {
+        return mix(read(h.index[i], d.index[j], p.index[0]), read(h.index[i], d.index[j], p.index[1]), p.fraction);
+      };
+      return mix(mix(along_p(0, 0), along_p(0, 1), d.fraction), mix(along_p(1, 0), along_p(1, 1), d.fraction),
+                 h.fraction);
+    }
+  };
+
+  // Not inlined: few points ask for it.
+  [[gnu::noinline]] MerlValue<T> mean_of_measured(const Cube& cube) const {
+    return merl_mean(cube.mixed([&](const Index& h, const Index& d, const Index& p) { return weighted(h, d, p); }));
   }
 };
-
-/// The weighted mean of what was measured.
-template <Number T>
-MerlValue<T> merl_mean(const Vec4<T>& sum) {
-  const MaskOf<T> unmeasured = sum.w <= T(0);
-  const T scale = T(1) / select(unmeasured, T(1), sum.w);
-  return {Rgb<T>(sum.x * scale, sum.y * scale, sum.z * scale), unmeasured};
-}
 
 /// f = epsilon (2^g - 1). A spline may dip below 0; f does not.
 template <Number T>
@@ -190,15 +227,15 @@ MerlValue<T> merl_value(const MerlTable& table, MerlLookup lookup, const MerlPoi
   const auto logarithms = [&] { return MerlReader<T>{table.log_values<F>()}; };
   switch (lookup) {
   case MerlLookup::nearest:
-    return from_units<Stored>(table, merl_mean(values().nearest(at)));
+    return from_units<Stored>(table, values().nearest(at));
   case MerlLookup::trilinear:
-    return from_units<Stored>(table, merl_mean(values().trilinear(at, 0.5)));
+    return from_units<Stored>(table, values().trilinear(at, 0.5));
   case MerlLookup::trilinear_edge:
-    return from_units<Stored>(table, merl_mean(values().trilinear(at, 0)));
+    return from_units<Stored>(table, values().trilinear(at, 0));
   case MerlLookup::trilinear_log:
-    return from_logarithm(merl_mean(logarithms().trilinear(at, 0.5)));
+    return from_logarithm(logarithms().trilinear(at, 0.5));
   case MerlLookup::tricubic_log:
-    return from_logarithm(merl_mean(logarithms().tricubic(at)));
+    return from_logarithm(logarithms().tricubic(at));
   }
   return {Rgb<T>(T(0)), T(0) <= T(0)};
 }

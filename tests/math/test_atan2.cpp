@@ -38,6 +38,16 @@ TEST_CASE_TEMPLATE("a tiny angle is off by at most 2 units in the last place", F
   });
 }
 
+TEST_CASE_TEMPLATE("atan2 of a direction has the same bits at every length", F, double, float) {
+  // Within the range that needs no scaling, at its borders, and far beyond.
+  constexpr int farthest = sizeof(F) == 4 ? 90 : 950;
+  for_all(20000, [](Random& random) {
+    const F y = F(random.uniform(-1, 1)), x = F(random.uniform(-1, 1));
+    const int e = static_cast<int>(random.uniform(-farthest, farthest));
+    REQUIRE(atan2(std::ldexp(y, e), std::ldexp(x, e)) == atan2(y, x));
+  });
+}
+
 TEST_CASE_TEMPLATE("atan2 keeps its error bound near the octants' borders", F, double, float) {
   check_error("atan2", atan2_error<F>, 20000, [](Random& random) {
     const double border = random.below(16) * std::numbers::pi / 8;

@@ -115,8 +115,10 @@ TEST_CASE("above the horizon a table made from a formula is read from measured s
     for (const auto& [n, i, o] : {random_pair(random), opposite_grazing_pair(random)}) {
       if (dot(n, i) <= 0 || dot(n, o) <= 0) continue;
       const MerlPoint<double> at = merl_point(half_difference(MerlAngles::closed, n, i, o));
-      REQUIRE(reader.nearest(at) == Vec4<double>(0.5 / pi, 0.5 / pi, 0.5 / pi, 1));
-      REQUIRE(reader.trilinear(at, 0.5) == Vec4<double>(0.5 / pi, 0.5 / pi, 0.5 / pi, 1));
-      REQUIRE(reader.trilinear(at, 0).w > 0); // samples at the starts of bins reach further than the rim
+      for (const MerlValue<double>& read : {reader.nearest(at), reader.trilinear(at, 0.5)}) {
+        REQUIRE(read.f == Rgb<double>(0.5 / pi));
+        REQUIRE_FALSE(read.unmeasured);
+      }
+      REQUIRE_FALSE(reader.trilinear(at, 0).unmeasured); // samples at the starts of bins reach further than the rim
     }
 }
