@@ -130,6 +130,7 @@ private:
       if (!has_size || pixels > value.size() || value.size() != 8 + 4 * pixels)
         fail(one_line(name), "a preview that ends early", "a whole one");
     }
+    if (type == "chlist" && name != "channels") fail(one_line(name), "a second list of channels", "one");
     for (const std::string_view unsafe : {"stringvector", "floatvector", "idmanifest"}) // none that an image needs
       if (type == unsafe) fail(one_line(name), "an attribute of type " + std::string(unsafe), "an image without");
   }

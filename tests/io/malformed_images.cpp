@@ -82,6 +82,9 @@ void add_exr(List& list) {
   add(list, "an OpenEXR file that calls itself deep", "i.exr",
       exr_bytes(2, 0, {row}, 0, "type\0string\0\x0c\0\0\0deepscanline"s),
       "type: found \"deepscanline\", expected scanlineimage or tiledimage");
+  add(list, "an OpenEXR file with channels that are not the image's", "i.exr",
+      exr_bytes(2, 0, {row}, 0, "more\0chlist\0\x01\0\0\0\0"s),
+      "more: found a second list of channels, expected one");
   add(list, "an OpenEXR file with a row that is too short", "i.exr", exr_bytes(2, 0, {row, "x"}),
       "chunk 1: found 1 bytes of pixels, expected 8");
   add(list, "an OpenEXR file with a row that unpacks to too little", "i.exr", exr_bytes(2, 1, {packed, "\x06x"s}),
