@@ -244,6 +244,12 @@ WideIndex<N> wrap_index(WideIndex<N> index, std::int32_t n) {
   using Ints = VectorOf<std::int32_t, N>;
   Ints i = index.i;
   if ((n & (n - 1)) == 0) return {i & (n - 1)}; // two's complement: right for negative i too
+  if constexpr (N > 2 && N * static_cast<int>(sizeof(double)) > native_vector_bytes) {
+    // By halves: doubles of all lanes are more than a register, which GCC 12 does not compile without optimisation.
+    auto half = std::bit_cast<std::array<WideIndex<N / 2>, 2>>(i);
+    for (WideIndex<N / 2>& h : half) h = wrap_index(h, n);
+    return std::bit_cast<WideIndex<N>>(half);
+  }
   // An estimate of the quotient in double (error < 1 for |i| < 2^31), then one step up or down.
   using Doubles = VectorOf<double, N>;
   const Doubles quotient = __builtin_convertvector(i, Doubles) * (1.0 / n);

@@ -127,6 +127,34 @@ TEST_CASE("the nearer surface is seen, and of equal depths the first drawn") {
   }
 }
 
+TEST_CASE("of equal depths the first drawn is seen, also among more triangles than one thread bins at a time") {
+  // Copies of three triangles, one of a pixel, one of a tile's part, one that reaches behind the eye.
+  WindowScene window(32);
+  const std::vector<Float3> three = {window.place(2, 2, 2),   window.place(2, 3.75, 2),  window.place(3.75, 2, 2), //
+                                     window.place(8, 8, 2),   window.place(8, 30, 2),    window.place(30, 8, 2),   //
+                                     window.place(20, 31, 2), window.place(31.5, 31, 2), Float3(0.5f, -0.9f, 1)};
+  std::vector<Float3> corners;
+  constexpr int copies = 10'000;
+  for (int i = 0; i < copies; ++i) corners.insert(corners.end(), three.begin(), three.end());
+  window.add(corners);
+  RenderOptions options = window.options({Aov::triangle});
+  for (const int threads : {1, 2, 3}) {
+    CAPTURE(threads);
+    options.threads = threads;
+    const Frame frame = render(window.scene, options);
+    std::array<int, 3> seen{};
+    for (int y = 0; y < 32; ++y)
+      for (int x = 0; x < 32; ++x) {
+        const auto triangle = static_cast<std::size_t>(*frame.aovs[0].at(x, y)); // 1 is the first
+        REQUIRE(triangle <= 3);
+        if (triangle > 0) ++seen[triangle - 1];
+      }
+    CHECK(seen[0] > 0);
+    CHECK(seen[1] > 100);
+    CHECK(seen[2] > 0);
+  }
+}
+
 TEST_CASE("triangles are counted by what became of them") {
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   WindowScene window(16, 1, 8);

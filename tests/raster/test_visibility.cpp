@@ -65,8 +65,8 @@ long wrong_samples(const Scene& scene, const Geometry& geometry, const Crop& reg
   return wrong;
 }
 
-// Nearly all are small, as in meshes: of a pixel or two, of a few, of some dozens; a few reach beyond the image, or to the
-// ends of the guard band. Depths are often equal, for many triangles and samples.
+// Nearly all are small, as in meshes: of a pixel or two, of a few, of some dozens; a few reach beyond the image, or to
+// the ends of the guard band. Depths are often equal, for many triangles and samples.
 std::vector<std::array<WindowVertex, 3>> mixed_triangles(Random& random, int count) {
   std::vector<std::array<WindowVertex, 3>> result;
   while (static_cast<int>(result.size()) < count) {
@@ -172,4 +172,25 @@ TEST_CASE("triangles that reach behind the eye see and are seen as one sample at
                 window.scene, geometry, {5, 3, 50, 60}, side, tile_size, samples, 1,
                 [&](std::int32_t x, std::int32_t y) { return nearest_of(set_up.size(), x, y, covers, depth); }) == 0);
   });
+}
+
+TEST_CASE("a triangle is not hidden by what is as near and drawn before it, but comes later in the scene") {
+  // The second triangle covers the tile, and its depth grows by columns, exactly. It begins nearer than the first, so
+  // that it is drawn before it. The first lies at one depth: that of the second at the last column it covers.
+  constexpr int side = 16, last_column = 7;
+  constexpr std::int32_t start = -(1 << 14), length = 1 << 16;
+  constexpr std::int32_t sample = last_column * subpixels + 128;
+  const double z = static_cast<double>(sample - start) / (2 * length);
+  const std::vector<std::array<WindowVertex, 3>> triangles = {
+      {lattice_vertex(0, -length, z), lattice_vertex(0, length, z), lattice_vertex(sample + 120, 8 * subpixels, z)},
+      {lattice_vertex(start, start, 0), lattice_vertex(start, start + length, 0),
+       lattice_vertex(start + length, start, 0.5)}};
+  TileVisibility visibility(side);
+  LatticeFrame(triangles).decide({0, 0, side, side}, sample_pattern(1), visibility);
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) {
+      CAPTURE(x);
+      CAPTURE(y);
+      REQUIRE(seen_triangle(visibility, 0, x, y) == (x == last_column ? 0 : 1));
+    }
 }
