@@ -33,6 +33,8 @@ std::vector<CutTriangle> cut_triangles() {
   return {
       {"in view", {window.place(3, 5, 1), window.place(20.5, 30, 4), window.place(29, 2.25, 2)}},
       {"beside the view", {window.place(-40, 5, 1), window.place(20.5, 80, 4), window.place(60, -70, 2)}},
+      {"of a thousand pixels a side",
+       {window.place(-600, -300, 1), window.place(500, -450, 4), window.place(10, 800, 2)}},
       {"one corner nearer than the near plane",
        {window.place(3, 5, 0.125), window.place(20.5, 30, 4), window.place(29, 2, 2)}},
       {"two corners nearer than the near plane",

@@ -1,6 +1,7 @@
 // Whole frames of triangles of all sizes, through every way that binning and tiles have for them, against one triangle
 // and one sample at a time.
 
+#include "raster/draw_projective.h"
 #include "tests/catalogue/window_scene.h"
 #include "tests/raster/oracle.h"
 #include "tests/raster/triangles.h"
@@ -193,4 +194,36 @@ TEST_CASE("a triangle is not hidden by what is as near and drawn before it, but 
       CAPTURE(y);
       REQUIRE(seen_triangle(visibility, 0, x, y) == (x == last_column ? 0 : 1));
     }
+}
+
+TEST_CASE("behind the eye, depths come from line values that are rounded once, however many bits they have") {
+  // One line as large as can be, with a value at one sample that lies next to the middle between two doubles; the
+  // others make its value the depth.
+  constexpr int side = 128;
+  const Crop tile{0, 0, side, side};
+  DepthTile depths(side);
+  for_all(200, [&](Random& random) {
+    const std::int32_t column = 64 + static_cast<std::int32_t>(random.below(64));
+    const std::int32_t x = column * subpixels + 128, y = 128;
+    const auto half_a_place = Int128{1} << 56; // of numbers from 2^109 to 2^110
+    const auto places = static_cast<Int128>(random.uniform(0x1p52, 0x1.8p52));
+    const Int128 value = 2 * half_a_place * places + half_a_place + static_cast<Int128>(random.below(80)) - 40;
+    ProjectiveTriangle triangle;
+    triangle.pieces = 1;
+    ProjectivePiece& piece = triangle.piece[0];
+    ProjectiveLine& line = piece.line[0];
+    line.a = static_cast<std::int64_t>(random.uniform(-0x1p60, 0x1p60)) | 1;
+    line.b = static_cast<std::int64_t>(random.uniform(-0x1p60, 0x1p60)) | 1;
+    line.c = value - static_cast<Int128>(line.a) * x - static_cast<Int128>(line.b) * y;
+    piece.line[1].c = piece.line[2].c = 1;
+    piece.weight = {0x1p-110, 1, 1}, piece.z = {1, 0, 0}, piece.w = {0, 1, 0};
+
+    depths.clear(tile, 1);
+    draw_projective(triangle, 0, tile, sample_pattern(1), depths);
+    for (const std::int32_t at : {column - 1, column, column + 1}) {
+      const std::size_t sample = depths.at(0, std::min(at, side - 1), 0);
+      REQUIRE(depths.nearest(sample) == 0);
+      REQUIRE(depths.depth(sample) == piece.depth(std::min(at, side - 1) * subpixels + 128, y));
+    }
+  });
 }
