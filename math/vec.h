@@ -63,15 +63,21 @@ T reciprocal_binade(const Vec3<T>& a) {
 /// |a|, without overflow or underflow on the way.
 template <class T>
 T length(const Vec3<T>& a) {
-  if constexpr (NumberTraits<T>::lanes > 1) {
+  const auto scaled = [&] {
+    const T scale = reciprocal_binade(a);
+    return root(squared_length(a * scale)) * exact_reciprocal(scale);
+  };
+  if constexpr (NumberTraits<T>::lanes > 1) { // a bounds type could not ask
     const T squared = squared_length(a);
-    if (!any(!square_in_range(squared))) [[likely]] {
-      if constexpr (is_quick<T>) return squared * reciprocal_root(squared);
-      else return root(squared);
+    const MaskOf<T> ordinary = square_in_range(squared);
+    if constexpr (is_quick<T>) {
+      const T quick = squared * reciprocal_root(squared);
+      return any(!ordinary) ? select(ordinary, quick, scaled()) : quick;
     }
+    if (!any(!ordinary)) [[likely]]
+      return root(squared);
   }
-  const T scale = reciprocal_binade(a);
-  return root(squared_length(a * scale)) * exact_reciprocal(scale);
+  return scaled();
 }
 
 /// Whether squares can be added up as they are. Where they can, scaling by a power of two first would change no bit.
@@ -84,16 +90,22 @@ MaskOf<T> square_in_range(const T& squared_length) {
 /// a / |a| for every finite a but 0, which gives 0: also for components of 1e30 or 1e-30 in float.
 template <class T>
 Vec3<T> normalize(const Vec3<T>& a) {
-  if constexpr (NumberTraits<T>::lanes > 1) { // nearly always; a bounds type could not ask
+  const auto through_scaled = [&] {
+    const Vec3<T> scaled = a * reciprocal_binade(a);
+    const T squared = squared_length(scaled); // in [1, 12), or 0
+    return scaled * select(squared > T(0), T(1) / root(squared), T(0));
+  };
+  if constexpr (NumberTraits<T>::lanes > 1) {
     const T squared = squared_length(a);
-    if (!any(!square_in_range(squared))) [[likely]] {
-      if constexpr (is_quick<T>) return a * reciprocal_root(squared);
-      else return a * (T(1) / root(squared));
+    const MaskOf<T> ordinary = square_in_range(squared);
+    if constexpr (is_quick<T>) { // an estimate has other bits: each lane keeps its own, whatever is beside it
+      const Vec3<T> quick = a * reciprocal_root(squared);
+      return any(!ordinary) ? select<T>(ordinary, quick, through_scaled()) : quick;
     }
+    if (!any(!ordinary)) [[likely]]
+      return a * (T(1) / root(squared));
   }
-  const Vec3<T> scaled = a * reciprocal_binade(a);
-  const T squared = squared_length(scaled); // in [1, 12), or 0
-  return scaled * select(squared > T(0), T(1) / root(squared), T(0));
+  return through_scaled();
 }
 
 /// From a to b, and exactly a for a = b.

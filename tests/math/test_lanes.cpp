@@ -98,6 +98,29 @@ TEST_CASE_TEMPLATE("each lane of a highlight has the bits of the highlight alone
   });
 }
 
+TEST_CASE("in the quick arithmetic, too, no lane's length and direction depend on the lanes beside it") {
+  using T = FastRung::Number;
+  for_all(2000, [](Random& random) {
+    const auto ordinary = [&] {
+      T x;
+      for (int lane = 0; lane < NumberTraits<T>::lanes; ++lane) x.set(lane, static_cast<float>(random.uniform(-2, 2)));
+      return x;
+    };
+    const Vec3<T> a(ordinary(), ordinary(), ordinary());
+    const int changed = random.below(NumberTraits<T>::lanes);
+    Vec3<T> b = a;
+    for (T* component : {&b.x, &b.y, &b.z}) component->set(changed, static_cast<float>(random.sign()) * 1e30f);
+    const Vec3<T> direction_a = normalize(a), direction_b = normalize(b);
+    const T length_a = length(a), length_b = length(b);
+    for (int lane = 0; lane < NumberTraits<T>::lanes; ++lane) {
+      if (lane == changed) continue;
+      CHECK(same(length_a[lane], length_b[lane]));
+      CHECK(lane_of(direction_a, lane) == lane_of(direction_b, lane));
+    }
+    CHECK(std::isfinite(length_b[changed]));
+  });
+}
+
 TEST_CASE_TEMPLATE("each lane of a basic operation has the bits of the number alone", T, WIDTHS) {
   for_all(2000, [](Random& random) {
     const T x = some_lanes<T>(random), y = some_lanes<T>(random);
