@@ -60,7 +60,8 @@ void write_aov(const FrameContext& context, const VisibleTile& visible, std::spa
       };
       const auto triangle = [&](int lane) -> const Triangle& { return packet.triangle(lane); };
       const auto put3 = [&](const Vec3<T>& v) {
-        for (int c = 0; c < 3; ++c) put(c, [&](int lane) { return v[c][lane]; });
+        const Vec3<T> kept = finite(v, tally);
+        for (int c = 0; c < 3; ++c) put(c, [&](int lane) { return kept[c][lane]; });
       };
       switch (aov) {
       case Aov::depth:

@@ -168,7 +168,10 @@ struct VertexStage {
                 v.z);
     store_lanes(inverse_w, v.inverse_w);
 
-    const auto position = [&](int row) { return homogeneous(matrices.world_from_object, row, p); };
+    const T far(0x1p1022); // the difference of two that lie farther would overflow
+    const auto position = [&](int row) {
+      return minimum(maximum(homogeneous(matrices.world_from_object, row, p), -far), far);
+    };
     const auto normal = [&](int row) { return linear(matrices.world_from_normal, row, n); };
     double* const at = &world->position.x;
     constexpr std::size_t stride = sizeof *world / sizeof(double);

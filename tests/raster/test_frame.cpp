@@ -8,6 +8,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <stdexcept>
@@ -153,6 +154,27 @@ TEST_CASE("of equal depths the first drawn is seen, also among more triangles th
     CHECK(seen[1] > 100);
     CHECK(seen[2] > 0);
   }
+}
+
+TEST_CASE("of a surface whose corners are as far apart as numbers go, no image holds a NaN") {
+  // Found by tests/soak: pixel centres beside the triangle, whose weights are negative, meet differences that overflow.
+  WindowScene window(40);
+  Camera& camera = window.scene.camera;
+  camera.position = {0.73701800461055722, -1.5416186214758993, 5}, camera.target = {0.48756509844324114, 0, 0};
+  camera.fov_y_degrees = 48.896216872619483;
+  camera.near = 0.76924873205049449, camera.far = 90.694002923653983;
+  Object& object =
+      window.add({Float3(0.661498427f, -1.43856215f, 0.613956213f), Float3(-0.21665673f, 0.889735758f, -0.379767269f),
+                  Float3(-0.262764961f, 0.214748695f, -0.629956663f)});
+  object.position = {-0.58637887779609588, -0.61289978878925822, 0};
+  object.rotate_degrees = {2.0610886613102082, 1.8592016082788074, -1.6990684980691275};
+  object.scale = {2.620440056260632, -0.62828743940903875, std::numeric_limits<double>::max()};
+  RenderOptions options = window.options({Aov::object, Aov::position, Aov::normal, Aov::albedo}, 2);
+  options.height = 19;
+  const Frame frame = render(window.scene, options);
+  CHECK(frame.counts.shaded > 0);
+  for (const Image<float>& image : frame.aovs)
+    CHECK(std::none_of(image.values.begin(), image.values.end(), [](float v) { return std::isnan(v); }));
 }
 
 TEST_CASE("triangles are counted by what became of them") {
