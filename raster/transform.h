@@ -83,7 +83,7 @@ struct WindowVertices {
 
 /// A vertex as shading sees it.
 struct WorldVertex {
-  Double3 position;
+  Double3 position; // coordinates within 2^1022, so that no difference overflows
   Double3 normal; // any length
 };
 
