@@ -84,7 +84,7 @@ struct WindowVertices {
 /// A vertex as shading sees it.
 struct WorldVertex {
   Double3 position; // coordinates within 2^1022, so that no difference overflows
-  Double3 normal; // any length
+  Double3 normal;   // any length
 };
 
 Double4 clip_position(const ObjectTransform& transform, const Float3& position);
