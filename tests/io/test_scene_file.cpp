@@ -87,15 +87,15 @@ TEST_CASE("a number may be written in every way that JSON has, and is rounded on
                                                     {"1E+2", 100},
                                                     {"5e-324", 5e-324},
                                                     {"1e-999999999", 0},
-      {"1e-4526761657999999999", 0},
+                                                    {"1e-4526761657999999999", 0},
                                                     {"9007199254740993", 9007199254740992},
                                                     {"18446744073709551616", 0x1p64},
                                                     {"1.7976931348623157e308", 1.7976931348623157e308},
                                                     {"2.2250738585072011e-308", 2.2250738585072011e-308}};
-  for (const auto& [text, value] : numbers) {
-    CAPTURE(text);
-    const Scene read = scene("\"glossiness\": 8", std::string("\"glossiness\": ") + text);
-    CHECK(std::get<Phong>(read.objects[0].material.model).glossiness == value);
+  for (const auto& number : numbers) {
+    CAPTURE(number.first);
+    const Scene read = scene("\"glossiness\": 8", std::string("\"glossiness\": ") + number.first);
+    CHECK(std::get<Phong>(read.objects[0].material.model).glossiness == number.second);
   }
 }
 
