@@ -158,9 +158,10 @@ TEST_CASE("what is no file is not read, nor waited for: a pipe, a socket, a devi
                                                         {"/dev/zero", "a device or pipe"},
                                                         {"/dev/tty", "a device or pipe"},
                                                         {"folder", "a folder"}};
-  for (const auto& [path, found] : things) {
+  for (const auto& thing : things) {
+    const std::string &path = thing.first, &found = thing.second;
     INFO(path);
-    const auto says = [&, found = found](const Finished& run, const std::string& expected) {
+    const auto says = [&](const Finished& run, const std::string& expected) {
       CHECK(run.exit_code == 3);
       CHECK_MESSAGE(run.err.find("found " + found) != std::string::npos, run.err);
       CHECK_MESSAGE(run.err.find("expected " + expected) != std::string::npos, run.err);
