@@ -96,8 +96,9 @@ TEST_CASE("scenes have as many triangles, lights and layers as their point says"
 }
 
 TEST_CASE("each image is full: every pixel is shaded once, however many triangles, layers, lights and threads") {
-  for (const auto& [growth, name] : growth_names) {
-    CAPTURE(name);
+  for (const auto& named : growth_names) {
+    const Growth growth = named.first;
+    CAPTURE(named.second);
     const std::vector<ScalingCurve> curves = quickly(small_task(growth, growth == Growth::pixels ? 4e4 : 2e4));
     REQUIRE(curves.size() == 2);
     for (const ScalingCurve& curve : curves) {

@@ -44,7 +44,7 @@ Tally check_oracle(const std::string& path, int rows_apart) {
   const auto seen = slow::seen_at(scene, width, height, pixels);
   Tally tally;
   for (std::size_t i = 0; i < pixels.size(); ++i) {
-    const auto [x, y] = pixels[i];
+    const auto x = pixels[i].x, y = pixels[i].y;
     const auto object = static_cast<std::size_t>(frame.aovs[0].at(x, y)[0]);
     const auto triangle = static_cast<std::size_t>(frame.aovs[1].at(x, y)[0]);
     if (!seen[i] || object == 0 || seen[i]->object != &scene.objects[object - 1]) continue;
