@@ -23,6 +23,13 @@ inline const std::string ball_scene = R"({
   ]}
 })";
 
+/// The same, with the file m.obj for the sphere.
+inline std::string ball_from_file() {
+  std::string scene = ball_scene;
+  const std::string sphere = R"("mesh": {"sphere": {"segments": 24, "rings": 12}})";
+  return scene.replace(scene.find(sphere), sphere.size(), R"("obj_file_path": "m.obj")");
+}
+
 /// Valid, with nothing to see.
 inline const std::string empty_scene = R"({"scene": {
   "camera": {"position": "0 0 5"}, "background": "0.2 0.4 0.6", "point_lights": [], "direction_lights": [], "objects": []

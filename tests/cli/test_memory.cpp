@@ -149,9 +149,7 @@ TEST_CASE("a hostile file takes no more memory than the documented multiple of i
         75, 1024 * limit::objects.value);
   check("unknown keys", "s.json", "{" + repeated("\"\":0,", size) + "\"\":0}", 75);
 
-  std::string scene = ball_scene;
-  const std::string sphere = R"("mesh": {"sphere": {"segments": 24, "rings": 12}})";
-  save_text(folder / "s.json", scene.replace(scene.find(sphere), sphere.size(), R"("obj_file_path": "m.obj")"));
+  save_text(folder / "s.json", ball_from_file());
   const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n";
   std::string polygon = "f";
   for (int i = 0; i < 1024; ++i) polygon += " 1 2 4 3";

@@ -33,12 +33,6 @@ std::string many_lights() {
   return scene.replace(begin, end - begin, lights);
 }
 
-std::string with_mesh_file() {
-  std::string scene = ball_scene;
-  const std::string sphere = R"("mesh": {"sphere": {"segments": 24, "rings": 12}})";
-  return scene.replace(scene.find(sphere), sphere.size(), R"("obj_file_path": "m.obj")");
-}
-
 /// One signal in one piece of work.
 void interrupt(const std::string& folder, const LongWork& work, double moment, int signal, FaultRow& row) {
   const fs::path out = fs::path(folder) / "out";
@@ -79,7 +73,7 @@ std::vector<FaultRow> interrupted_runs(Effort effort) {
   const test::TemporaryFolder folder;
   save_text(folder / "s.json", ball_scene);
   save_text(folder / "lights.json", many_lights());
-  save_text(folder / "mesh.json", with_mesh_file());
+  save_text(folder / "mesh.json", ball_from_file());
   const auto render = [](const char* scene, const char* size, const char* output) {
     return Words{"render", scene, "--size", size, "--samples", "8", "--tile-size", "128", "-o", output};
   };

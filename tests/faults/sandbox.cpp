@@ -40,10 +40,8 @@ bool is_temporary_name(const std::string& name) {
 
 Sandbox::Sandbox(Command command) : command_(std::move(command)) {
   save_text(folder_ / "s.json", ball_scene);
-  std::string with_file = ball_scene, mesh; // of 1.3 MB: smaller ones are not kept
-  const std::string sphere = R"("mesh": {"sphere": {"segments": 24, "rings": 12}})";
-  with_file.replace(with_file.find(sphere), sphere.size(), R"("obj_file_path": "m.obj")");
-  save_text(folder_ / "mesh.json", with_file);
+  save_text(folder_ / "mesh.json", ball_from_file());
+  std::string mesh; // of 1.3 MB: smaller ones are not kept
   for (int i = 0; i < 40000; ++i) mesh += "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\n";
   save_text(folder_ / "m.obj", mesh);
   Image<float> picture(16, 12, 3, 0.5f);

@@ -43,14 +43,11 @@ TEST_CASE("whichever allocation fails, one line says so" * doctest::skip(sanitiz
 TEST_CASE("a file that is gone, or something else, when it is opened behind its check is bad input" *
           doctest::skip(sanitizer)) {
   const TemporaryFolder folder;
-  std::string scene = ball_scene;
-  const std::string sphere = R"("mesh": {"sphere": {"segments": 24, "rings": 12}})";
-  scene.replace(scene.find(sphere), sphere.size(), R"("obj_file_path": "m.obj")");
   for (const std::string name : {"s.json", "m.obj"})
     for (const std::string replacement : {"unlink", "pipe", "folder"}) {
       std::error_code ignored;
       for (const char* const file : {"s.json", "m.obj"}) fs::remove_all(folder / file, ignored);
-      save_text(folder / "s.json", scene);
+      save_text(folder / "s.json", ball_from_file());
       save_text(folder / "m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
       const Environment environment(
           {{"LD_PRELOAD", REFRASTER_FAULTY_CALLS}, {"REFRASTER_REPLACED", name + " " + replacement}});
