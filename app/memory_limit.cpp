@@ -1,5 +1,6 @@
 #include "app/memory_limit.h"
 
+#include "app/sanitizer.h"
 #include "raster/parallel.h"
 
 #include <charconv>
@@ -47,13 +48,6 @@ std::uint64_t in_use_bytes() {
   return now.anonymous + now.files;
 }
 
-constexpr bool has_sanitizer =
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-    true; // takes memory of its own as it likes
-#else
-    false;
-#endif
-
 } // namespace
 
 std::optional<std::uint64_t> memory_from(std::string_view text) {
@@ -96,7 +90,7 @@ MemoryBudget hold_to(std::uint64_t bytes, int threads) {
   if (threads == 0) threads = omp_get_num_procs();
   parallel_for(threads, static_cast<std::size_t>(threads), [](std::size_t, int) {});
   budget.need(1, "the program");
-  if (has_sanitizer) return budget;
+  if (built_with_sanitizer) return budget;
   const InUse now = in_use();
   rlimit limit{};
   if (getrlimit(RLIMIT_DATA, &limit) != 0) return budget;

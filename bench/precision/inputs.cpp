@@ -12,18 +12,17 @@ namespace {
 
 using Engine = std::mt19937_64;
 
-Inputs ordinary_surface(Engine& random) {
+// The order in which a call's arguments are made is the compiler's. The inputs shall not depend on it: no call here
+// has two that are drawn.
+
+Inputs ordinary_surface(const SurfacePair& pair, Engine& random) {
   Inputs in;
+  in.n = pair.n, in.l = pair.i, in.v = pair.o;
   in.kd = uniform(random, 0.2, 1);
   in.ks = uniform(random, 0.2, 1);
   in.texture = uniform(random, 0.2, 1);
   in.radiance = uniform(random, 0.5, 1);
   in.glossiness = random_scale(random, 0, std::log10(128.0));
-  return in;
-}
-
-Inputs with(Inputs in, const SurfacePair& pair) {
-  in.n = pair.n, in.l = pair.i, in.v = pair.o;
   return in;
 }
 
@@ -61,22 +60,25 @@ SurfacePair plane_pair(Engine& random) {
 /// The half vector within three radii of the highlight from the normal: there the power is about exp(-x^2), x in [0,
 /// 3].
 Inputs in_highlight(Engine& random, double least_decade, double most_decade) {
-  Inputs in = ordinary_surface(random);
+  Inputs in = ordinary_surface({}, random);
   in.glossiness = random_scale(random, least_decade, most_decade);
   const double angle = std::min(std::sqrt(2 / in.glossiness) * uniform(random, 0, 3), 0.6);
   for (;;) {
     const Double3 n = random_direction(random), h = turned(n, angle, random);
     const Double3 i = random_direction_above(n, random), o = mirrored(i, h);
-    if (dot(n, i) >= 0.1 && dot(n, o) >= 0.1) return with(in, {n, i, o});
+    if (dot(n, i) < 0.1 || dot(n, o) < 0.1) continue;
+    in.n = n, in.l = i, in.v = o;
+    return in;
   }
 }
 
 /// A point within 10 of the origin; light and eye 0.1 to 10 away from it; all lengths times `scale`.
 Inputs in_space(Engine& random, Path path, double scale, double normal_scale) {
-  Inputs in = with(ordinary_surface(random), high_pair(random));
+  Inputs in = ordinary_surface(high_pair(random), random);
   in.path = path;
   in.normal = in.n * random_scale(random, -1, 1) * normal_scale;
-  in.position = random_direction(random) * uniform(random, 0, 10) * scale;
+  const Double3 toward = random_direction(random);
+  in.position = toward * uniform(random, 0, 10) * scale;
   in.eye = in.position + in.v * (random_scale(random, -1, 1) * scale);
   in.point.position = in.position + in.l * (random_scale(random, -1, 1) * scale);
   in.direction.direction = -in.l * random_scale(random, -1, 1) * scale;
@@ -84,28 +86,28 @@ Inputs in_space(Engine& random, Path path, double scale, double normal_scale) {
 }
 
 Inputs ordinary(Engine& random, double) {
-  return with(ordinary_surface(random), high_pair(random));
+  return ordinary_surface(high_pair(random), random);
 }
 Inputs retro(Engine& random, double) {
-  return with(ordinary_surface(random), retro_reflective_pair(random));
+  return ordinary_surface(retro_reflective_pair(random), random);
 }
 Inputs grazing(Engine& random, double) {
-  return with(ordinary_surface(random), grazing_pair(random));
+  return ordinary_surface(grazing_pair(random), random);
 }
 Inputs opposite(Engine& random, double) {
-  return with(ordinary_surface(random), opposite_grazing_pair(random));
+  return ordinary_surface(opposite_grazing_pair(random), random);
 }
 Inputs plane(Engine& random, double) {
-  return with(ordinary_surface(random), plane_pair(random));
+  return ordinary_surface(plane_pair(random), random);
 }
 Inputs uniform_pair(Engine& random, double) {
-  return with(ordinary_surface(random), random_pair(random));
+  return ordinary_surface(random_pair(random), random);
 }
 Inputs specular(Engine& random, double) {
-  return with(ordinary_surface(random), specular_pair(random));
+  return ordinary_surface(specular_pair(random), random);
 }
 Inputs soft(Engine& random, double) {
-  Inputs in = with(ordinary_surface(random), high_pair(random));
+  Inputs in = ordinary_surface(high_pair(random), random);
   in.glossiness = random_scale(random, -3, 0);
   return in;
 }
@@ -126,10 +128,12 @@ Inputs direction_light(Engine& random, double) {
   return in_space(random, Path::direction_light, 1, 1);
 }
 Inputs huge(Engine& random, double decades) {
-  return in_space(random, Path::point_light, random_scale(random, 0, decades), random_scale(random, 0, decades));
+  const double normal_scale = random_scale(random, 0, decades), scale = random_scale(random, 0, decades);
+  return in_space(random, Path::point_light, scale, normal_scale);
 }
 Inputs tiny(Engine& random, double decades) {
-  return in_space(random, Path::point_light, random_scale(random, -decades, 0), random_scale(random, -decades, 0));
+  const double normal_scale = random_scale(random, -decades, 0), scale = random_scale(random, -decades, 0);
+  return in_space(random, Path::point_light, scale, normal_scale);
 }
 
 constexpr Family for_phong[] = {

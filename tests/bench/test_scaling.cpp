@@ -1,5 +1,6 @@
 #include "app/bench/memory.h"
 #include "app/bench/scaling.h"
+#include "app/sanitizer.h"
 
 #include <doctest/doctest.h>
 
@@ -113,7 +114,7 @@ TEST_CASE("each image is full: every pixel is shaded once, however many triangle
   }
 }
 
-TEST_CASE("the peak of memory is that since it was last asked to count anew") {
+TEST_CASE("the peak of memory is that since it was last asked to count anew" * doctest::skip(built_with_sanitizer)) {
   restart_peak_memory();
   const auto before = peak_memory_bytes();
   if (!before) {

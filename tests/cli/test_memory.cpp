@@ -1,5 +1,6 @@
 // --max-memory: either the run ends as it should, or one line says what did not fit; and never is more taken.
 
+#include "app/sanitizer.h"
 #include "io/limits.h"
 #include "program.h"
 #include "scenes.h"
@@ -14,12 +15,6 @@ using namespace refraster;
 namespace {
 
 using Words = std::vector<std::string>;
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool sanitizer = true; // takes memory as it likes
-#else
-constexpr bool sanitizer = false;
-#endif
 
 constexpr std::uint64_t mebi = 1 << 20;
 
@@ -74,7 +69,8 @@ TEST_CASE("--max-memory takes sizes of at least 64M, and nothing else") {
   }
 }
 
-TEST_CASE("what is asked for before it is made is named, and nothing is taken for it" * doctest::skip(sanitizer)) {
+TEST_CASE("what is asked for before it is made is named, and nothing is taken for it" *
+          doctest::skip(built_with_sanitizer)) {
   const TemporaryFolder folder;
   save_text(folder / "ball.json", ball_scene);
   save_text(folder / "big.json", big_scene(2000));
@@ -98,7 +94,7 @@ TEST_CASE("what is asked for before it is made is named, and nothing is taken fo
 TEST_SUITE_BEGIN("slow");
 
 TEST_CASE("with any limit a run ends well or says that it does not fit, and never takes more" *
-          doctest::skip(sanitizer)) {
+          doctest::skip(built_with_sanitizer)) {
   const TemporaryFolder folder;
   save_text(folder / "ball.json", ball_scene);
   save_text(folder / "big.json", big_scene(900));
@@ -117,7 +113,8 @@ TEST_CASE("with any limit a run ends well or says that it does not fit, and neve
   CHECK(with_limits(folder, bench, 320, 64).done > 0);
 }
 
-TEST_CASE("a hostile file takes no more memory than the documented multiple of its size" * doctest::skip(sanitizer)) {
+TEST_CASE("a hostile file takes no more memory than the documented multiple of its size" *
+          doctest::skip(built_with_sanitizer)) {
   const TemporaryFolder folder;
   const std::uint64_t idle = run_program(folder.path, {"list", "rungs"}).peak_bytes;
   const auto check = [&](const std::string& name, const std::string& file, const std::string& text, std::uint64_t times,

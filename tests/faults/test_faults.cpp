@@ -1,5 +1,6 @@
 // Whatever fails: what is on disk is old or new, whole, and nothing else; and the exit code says what happened.
 
+#include "app/sanitizer.h"
 #include "tests/cli/program.h"
 #include "tests/cli/scenes.h"
 #include "tests/faults/disks.h"
@@ -16,12 +17,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool sanitizer = true; // its own calls stand where ours must
-#else
-constexpr bool sanitizer = false;
-#endif
-
 void check(const std::vector<FaultRow>& rows) {
   for (const FaultRow& row : rows) {
     INFO(row.fault);
@@ -32,16 +27,16 @@ void check(const std::vector<FaultRow>& rows) {
 
 } // namespace
 
-TEST_CASE("whichever call fails, outputs are old or new and nothing is left" * doctest::skip(sanitizer)) {
+TEST_CASE("whichever call fails, outputs are old or new and nothing is left" * doctest::skip(built_with_sanitizer)) {
   check(failing_calls(Effort::quick));
 }
 
-TEST_CASE("whichever allocation fails, one line says so" * doctest::skip(sanitizer)) {
+TEST_CASE("whichever allocation fails, one line says so" * doctest::skip(built_with_sanitizer)) {
   check(failing_allocations(Effort::quick));
 }
 
 TEST_CASE("a file that is gone, or something else, when it is opened behind its check is bad input" *
-          doctest::skip(sanitizer)) {
+          doctest::skip(built_with_sanitizer)) {
   const TemporaryFolder folder;
   for (const std::string name : {"s.json", "m.obj"})
     for (const std::string replacement : {"unlink", "pipe", "folder"}) {
@@ -72,13 +67,13 @@ TEST_CASE("standard output that cannot be written is exit code 4") {
 }
 
 TEST_SUITE("slow") {
-  TEST_CASE("the same in every command" * doctest::skip(sanitizer)) {
+  TEST_CASE("the same in every command" * doctest::skip(built_with_sanitizer)) {
     check(failing_calls(Effort::whole));
     check(failing_allocations(Effort::whole));
   }
 
   TEST_CASE("wherever the process is killed, outputs are old or new, and the next run is not harmed" *
-            doctest::skip(sanitizer)) {
+            doctest::skip(built_with_sanitizer)) {
     check(killed_at_calls(Effort::whole));
     check(killed_at_random(60));
   }
