@@ -7,10 +7,12 @@
 #include "app/output.h"
 #include "app/progress_line.h"
 #include "io/image_file.h"
+#include "io/input_error.h"
 #include "io/report.h"
 #include "io/scene_file.h"
 #include "raster/render.h"
 
+#include <algorithm>
 #include <chrono>
 #include <iostream>
 #include <memory>
@@ -116,6 +118,16 @@ std::vector<std::string> write_images(const Frame& frame, const RenderArguments&
   return paths;
 }
 
+/// Where a number would stand for several triangles, none is written.
+void check_triangle_numbers(const Scene& scene, const RenderArguments& arguments) {
+  if (std::find(arguments.aovs.begin(), arguments.aovs.end(), Aov::triangle) == arguments.aovs.end()) return;
+  for (std::size_t i = 0; i < scene.objects.size(); ++i)
+    if (const std::size_t triangles = scene.objects[i].mesh->triangles.size(); triangles > most_numbered_triangles)
+      throw InputError(InputFault{
+          arguments.scene, 0, 0, "/objects/" + std::to_string(i), std::to_string(triangles) + " triangles",
+          "at most " + std::to_string(most_numbered_triangles) + ", which the floats of --aov triangle can number"});
+}
+
 ExitCode run(const RenderArguments& arguments) {
   check_writable(arguments.output);
   for (const Aov aov : arguments.aovs) check_writable(aov_path(arguments.output, aov));
@@ -125,6 +137,7 @@ ExitCode run(const RenderArguments& arguments) {
   const Stopwatch reading;
   const Scene scene = scene_of(arguments);
   const double read_seconds = reading.seconds();
+  check_triangle_numbers(scene, arguments);
   if (interrupted()) return ExitCode::interrupted;
 
   const Frame frame = rendered(scene, arguments);

@@ -18,9 +18,6 @@ inline constexpr double radians_per_degree = 0x1.1df46a2529d39p-6;
 constexpr double radians(double degrees) {
   return degrees * radians_per_degree;
 }
-constexpr double degrees(double radians) {
-  return radians / radians_per_degree;
-}
 
 /// An angle as quarter turns and a rest in [-45, 45] degrees, of which sine and cosine are known to twice the
 /// precision.

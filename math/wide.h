@@ -313,29 +313,6 @@ Wide<F, 2 * N, A> joined(const Wide<F, N, A>& low, const Wide<F, N, A>& high) {
   (std::make_integer_sequence<int, 2 * N>{});
 }
 
-/// base[index] of each lane. All lanes must be valid.
-template <class F, int N>
-Wide<F, N> gather(const F* base, VectorOf<std::int32_t, N> index) {
-#if defined(__AVX512F__)
-  // The masked forms, with all lanes asked for: GCC 12 warns of its own undefined operand in the plain ones.
-  if constexpr (N == 16 && sizeof(F) == 4)
-    return VectorOf<F, N>(_mm512_mask_i32gather_ps(_mm512_setzero_ps(), 0xFFFF, __m512i(index), base, 4));
-  if constexpr (N == 8 && sizeof(F) == 8)
-    return VectorOf<F, N>(_mm512_mask_i32gather_pd(_mm512_setzero_pd(), 0xFF, __m256i(index), base, 8));
-#endif
-  if constexpr (N * sizeof(F) == 128) { // twice the widest register: by halves
-    const auto half = [&](int first) {
-      VectorOf<std::int32_t, N / 2> part;
-      for (int lane = 0; lane < N / 2; ++lane) part[lane] = index[first + lane];
-      return gather<F, N / 2>(base, part);
-    };
-    return joined(half(0), half(N / 2));
-  }
-  Wide<F, N> result;
-  for (int lane = 0; lane < N; ++lane) result.v[lane] = base[index[lane]];
-  return result;
-}
-
 template <class F, int N>
 int count_lanes(WideMask<F, N> m) {
   return std::popcount(lane_set(m));

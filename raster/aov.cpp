@@ -1,5 +1,7 @@
 #include "raster/shade_tile.h"
 
+#include <algorithm>
+#include <limits>
 #include <numbers>
 
 namespace refraster {
@@ -52,10 +54,11 @@ void write_aov(const FrameContext& context, const VisibleTile& visible, std::spa
       const UndefinedTally<T> tally(uncounted, first_lanes<double, NumberTraits<T>::lanes>(packet.count));
       const PacketData<T, Triangles::many> data(packet);
       const auto surface = [&] { return packet_surface(context.scene, context.geometry, material, data, tally); };
+      constexpr double largest = std::numeric_limits<float>::max(); // a finite double may lie beyond
       const auto put = [&](int channel, auto&& value) {
         for (int lane = 0; lane < packet.count; ++lane) {
           const auto [x, y] = place[first + static_cast<std::size_t>(lane)];
-          pixel(x, y)[channel] = static_cast<float>(value(lane));
+          pixel(x, y)[channel] = static_cast<float>(std::clamp<double>(value(lane), -largest, largest));
         }
       };
       const auto triangle = [&](int lane) -> const Triangle& { return packet.triangle(lane); };

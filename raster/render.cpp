@@ -78,8 +78,10 @@ void shade_tiles(const FrameContext& context, const TileGrid& grid, std::span<co
 // The image as a new one of this shape would be, but for what it holds.
 template <class Value>
 void reshape(Image<Value>& image, const Crop& region, int channels) {
-  if (image.width != region.width || image.height != region.height || image.channels != channels)
+  if (image.width != region.width || image.height != region.height || image.channels != channels) {
+    image = {}; // the budget was asked for one of the two
     image = Image<Value>(region.width, region.height, channels);
+  }
 }
 
 // What reshape_images will hold, whatever is there already.

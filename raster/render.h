@@ -22,10 +22,13 @@ enum class Aov {
   position, // 3: world space
   uv,       // 2: as interpolated, not wrapped
   albedo,   // 3: texture colour times kd; for a measured BRDF its value at normal incidence times pi
-  triangle, // 1: index of the triangle in its object's mesh, counted from 1
+  triangle, // 1: index of the triangle in its object's mesh, counted from 1; see most_numbered_triangles
   object,   // 1: index of the object in the scene, counted from 1
   count_
 };
+/// Up to so many triangles in an object a float tells one from the next; beyond, it is the nearest to the index.
+inline constexpr std::size_t most_numbered_triangles = std::size_t{1} << 24;
+
 /// Their names on the command line and in file names, and their channels, in the order of the enum.
 inline constexpr std::string_view aov_names[] = {"depth", "normal", "position", "uv", "albedo", "triangle", "object"};
 inline constexpr int aov_channels[] = {1, 3, 3, 2, 3, 1, 1};

@@ -71,11 +71,6 @@ struct ProjectiveTriangle {
   int pieces = 0;
   std::array<std::uint8_t, 3> corner{}; // which submitted vertex stands at each place
   Facing facing = Facing::front;
-
-  /// The piece that a sample belongs to, in the triangle or beside it.
-  const ProjectivePiece& piece_at(std::int32_t x, std::int32_t y) const {
-    return pieces == 1 || piece[0].line[1].covers(x, y) ? piece[0] : piece[1]; // line[1]: between the two
-  }
 };
 
 /// The size of an image, and the least distance w at which anything is drawn.

@@ -51,6 +51,7 @@ private:
   template <class Model>
   void shade_group(const FrameContext& context, const Crop& tile, const Material& material, const Model& model,
                    const Group& group, UndefinedCounts& undefined) {
+    batch_.packets = 0; // of a frame that an exception ended
     const auto shade_batch = [&] {
       add_light(context.scene, model, batch_, undefined);
       for (int i = 0; i < batch_.packets; ++i)

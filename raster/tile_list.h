@@ -12,6 +12,7 @@ namespace refraster {
 
 /// Something a tile has to look at. Pixels are counted from the tile's corner.
 struct TileEntry {
+  /// sample: one that a small triangle covers, at a depth that is drawn; its place is bytes(x, y, sample_mark, s).
   enum class Kind { box, projective, sample };
 
   std::uint32_t triangle; // number in the frame; entries of one triangle follow one another
@@ -21,10 +22,6 @@ struct TileEntry {
   /// A triangle on the lattice that may cover samples of these pixels, ends included.
   static TileEntry box(std::uint32_t triangle, int left, int top, int right, int bottom, double z_least) {
     return {triangle, bytes(left, top, right, bottom), z_least};
-  }
-  /// A sample that a small triangle covers, at a depth that is drawn.
-  static TileEntry sample(std::uint32_t triangle, int x, int y, int s, double z) {
-    return {triangle, bytes(x, y, sample_mark, s), z};
   }
   /// A triangle that needs projective set-up.
   static TileEntry projective(std::uint32_t triangle) { return {triangle, bytes(0, 0, projective_mark, 0), 0}; }

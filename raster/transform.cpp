@@ -119,7 +119,8 @@ T component(const Float3* at, int c) {
 template <class T>
 void store_pairs(double* at, std::size_t stride, const T& a, const T& b) {
   if constexpr (NumberTraits<T>::lanes == 1) {
-    at[0] = a, at[1] = b;
+    std::memcpy(at, &a, sizeof a); // at may stand for other members than numbers
+    std::memcpy(at + 1, &b, sizeof b);
   } else {
     constexpr int lanes = NumberTraits<T>::lanes;
     [&]<int... lane>(std::integer_sequence<int, lane...>) {

@@ -17,7 +17,7 @@ struct BlinnPhong : PhongParameters {
   Rgb<T> operator()(const Fragment<T>& at, const Incident<T>& light) const {
     const Vec3<T> n = at.normal, l = light.direction, v = at.to_eye;
     const Vec3<T> h = normalize(l + v);
-    at.undefined(Undefined::no_half_vector, squared_length(l + v) <= T(0)); // h = 0 there, and so is the lobe
+    at.undefined(Undefined::no_half_vector, squared_length(l + v) <= T(0)); // h = 0 there
     return reflected(at, light, dot(n, l), lobe(at, n, h, HalfGap<T>{n, l, v, h}));
   }
 };

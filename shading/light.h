@@ -47,10 +47,10 @@ Incident<T> arriving(const PointLight& light, const Fragment<T>& at) {
   const bool attenuated = light.constant > 0 || light.linear > 0 || light.quadratic > 0;
   Rgb<T> radiance = as<T>(light.radiance);
   if (attenuated) {
-    // By Horner's rule: where d d overflows, a coefficient of 0 must not meet infinity.
-    const T divisor = as<T>(light.constant) + d * (as<T>(light.linear) + d * as<T>(light.quadratic));
+    // By Horner's rule: where d d overflows, a coefficient of 0 must not meet infinity. Nor where d overflows.
+    const T largest(Limits::max()), far = minimum(d, largest);
+    const T divisor = as<T>(light.constant) + far * (as<T>(light.linear) + far * as<T>(light.quadratic));
     radiance *= T(1) / maximum(divisor, T(Limits::min()));
-    const T largest(Limits::max());
     radiance = {minimum(radiance.x, largest), minimum(radiance.y, largest), minimum(radiance.z, largest)};
   }
   return {normalize(way), select<T>(d > T(0), radiance, Rgb<T>(T(0)))};

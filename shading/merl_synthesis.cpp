@@ -1,14 +1,12 @@
 #include "shading/merl_synthesis.h"
 
+#include "math/degrees.h"
+
 #include <numbers>
 
 namespace refraster {
 
 namespace {
-
-struct SineCosine {
-  double sine, cosine;
-};
 
 /// Taylor series about 0, for |x| <= pi/2: the first term left out, x^24 / 24!, is below 1e-19. sine is odd in x and
 /// cosine even, to the last bit.

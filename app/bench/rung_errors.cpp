@@ -20,6 +20,12 @@ Frame image(const SceneTask& task, std::string_view rung, int threads) {
   return render(task.scene, options);
 }
 
+/// Whether the AOVs name each triangle.
+bool are_numbered(const Scene& scene) {
+  return std::all_of(scene.objects.begin(), scene.objects.end(),
+                     [](const Object& object) { return object.mesh->triangles.size() <= most_numbered_triangles; });
+}
+
 /// Some hundred of the pixels that show a surface, spread over all of them by the golden ratio: no two near each other
 /// in the order of rows, no regular grid.
 std::vector<SeenPixel> chosen_pixels(const Frame& reference) {
@@ -46,7 +52,9 @@ std::vector<SeenPixel> chosen_pixels(const Frame& reference) {
 /// The right colours of chosen pixels.
 class Answers {
 public:
-  Answers(const SceneTask& task, const Frame& reference) : pixels_(chosen_pixels(reference)) {
+  Answers(const SceneTask& task, const Frame& reference) {
+    if (!are_numbered(task.scene)) return;
+    pixels_ = chosen_pixels(reference);
     const PixelOracle oracle(task.scene, task.width, task.height);
     for (const SeenPixel& pixel : pixels_) colours_.push_back(oracle.radiance(pixel));
   }
@@ -72,6 +80,7 @@ public:
       sum += relative;
     }
     error.mean_relative = sum / static_cast<double>(error.followed);
+    if (error.asked == 0) error.reason = "no surface is seen, or an object has too many triangles to number";
     if (error.followed < error.asked)
       error.reason = "for the others a direction is undefined, or the fragment function has no "
                      "formula in verify/oracle";

@@ -40,7 +40,9 @@ struct AnyTriangle {
   }
   double depth(std::int32_t x, std::int32_t y) const {
     if (const auto* snapped = std::get_if<SnappedTriangle>(&set_up)) return snapped->depth(x, y);
-    return std::get<ProjectiveTriangle>(set_up).piece_at(x, y).depth(x, y);
+    const auto& projective = std::get<ProjectiveTriangle>(set_up);
+    const bool first = projective.pieces == 1 || projective.piece[0].line[1].covers(x, y); // line[1] is between the two
+    return projective.piece[first ? 0 : 1].depth(x, y);
   }
 };
 

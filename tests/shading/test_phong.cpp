@@ -160,3 +160,16 @@ TEST_CASE_TEMPLATE("a light very near or very far stays finite", F, double, floa
     CHECK((at.position.z == 0 || std::abs(incident.direction.z + 1) <= three_roundings));
   }
 }
+
+TEST_CASE_TEMPLATE("beyond the largest distance there is, attenuation is what it is at the largest", F, double, float) {
+  constexpr double largest = std::numeric_limits<F>::max(),
+                   far = largest * 0.9; // in x and in y: their distance overflows
+  const auto red = [&](double constant, double linear, double quadratic) {
+    const PointLight light{{far, far, 0}, {1, 0, 0}, constant, linear, quadratic};
+    return arriving(light, Fragment<F>{}).radiance.x;
+  };
+  CHECK(red(1, 0, 0) == 1);
+  CHECK(red(0.5, 0, 0) == 2);
+  CHECK(red(1, 1, 0) <= F(1 / largest));
+  CHECK(red(1, 0, 1) <= F(1 / largest));
+}

@@ -140,8 +140,7 @@ std::string fault_of(const Frame& frame, const Scene& scene, const RenderOptions
     const Aov aov = options.aovs[i];
     const std::string name(aov_names[static_cast<std::size_t>(aov)]);
     if (!is_shaped(frame.aovs[i], region, aov_channels[static_cast<std::size_t>(aov)])) return name + ": shape";
-    if (std::any_of(frame.aovs[i].values.begin(), frame.aovs[i].values.end(), [](float v) { return std::isnan(v); }))
-      return name + ": not a number";
+    if (!all_finite(frame.aovs[i].values)) return name + ": not finite";
     if (aov == Aov::depth && !within(frame.aovs[i], 0, 1)) return "depth: outside [0, 1]";
     if (aov == Aov::triangle && !within(frame.aovs[i], 0, static_cast<double>(most_triangles))) return "triangle";
     if (aov == Aov::object && !within(frame.aovs[i], 0, static_cast<double>(scene.objects.size()))) return "object";
