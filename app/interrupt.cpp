@@ -22,7 +22,8 @@ std::atomic<bool> signalled = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may not wait for a lock");
 
 std::mutex folders_mutex;
-std::set<fs::path> folders; // that files are written to
+/// That files are written to. Never destroyed: the thread below may look at it while the process ends.
+std::set<fs::path>& folders = *new std::set<fs::path>;
 
 constexpr timespec grace{0, 500'000'000}; // most work looks at interrupted() more often than twice a second
 

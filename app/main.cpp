@@ -67,5 +67,6 @@ int main(int argc, char** argv) {
   ExitCode code = run_and_tell(argc, argv);
   std::cout.flush();
   if (!std::cout && code == ExitCode::ok) code = failed(ExitCode::cannot_write, "standard output: cannot write");
+  if (interrupted()) code = ExitCode::interrupted; // also if all was done before anyone looked
   return static_cast<int>(code);
 }

@@ -42,7 +42,7 @@ void add_shape(CLI::App& mesh, Action& chosen) {
       {
         const ProgressLine line("making " + *output);
         const MeshCounts counts = mesh_counts(*shape);
-        memory.need(32 * counts.vertices + 12 * counts.triangles, std::to_string(counts.triangles) + " triangles");
+        memory.need(counts.size_bytes(), std::to_string(counts.triangles) + " triangles");
         write_obj(*output, *make_mesh(*shape));
       }
       std::cout << *output << "\n";

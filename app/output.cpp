@@ -25,7 +25,7 @@ void check_writable(const std::string& path) {
   if (!fs::is_directory(folder, ignored)) throw OutputError(path, folder.string() + " is not a folder");
   // A device or pipe is opened once, when it is written: what reads from it would take a trial for the end.
   if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored)) return;
-  clean_when_interrupted(fs::weakly_canonical(fs::absolute(path), ignored).parent_path());
+  clean_when_interrupted(fs::weakly_canonical(fs::absolute(path, ignored), ignored).parent_path());
   AtomicFile trial(path); // leaves nothing: permissions alone do not say it, for root and for /proc
 }
 

@@ -28,6 +28,18 @@ std::string link_to(int descriptor) {
   return "/proc/self/fd/" + std::to_string(descriptor);
 }
 
+/// What a symbolic link stands for, and that if it is one; also where nothing is there yet. Empty if it is itself.
+std::string without_links(const std::string& path) {
+  std::filesystem::path target = path;
+  std::error_code error;
+  for (int links = 0; links < 40; ++links) { // as many as Linux follows
+    const std::filesystem::path next = std::filesystem::read_symlink(target, error);
+    if (error) return target.string(); // not a link
+    target = target.parent_path() / next;
+  }
+  return {};
+}
+
 /// Tries names beside the target until `make` does not find one taken. 0 or an error number.
 template <class Make>
 int make_beside(const std::string& target, std::string& name, Make&& make) {
@@ -47,8 +59,8 @@ std::string temporary_name_prefix(int process) {
 }
 
 AtomicFile::AtomicFile(const std::string& path) : shown_(path), target_(path) {
-  std::error_code error;
-  if (const auto real = std::filesystem::canonical(path, error); !error) target_ = real.string();
+  target_ = without_links(path);
+  if (target_.empty()) fail(path.empty() ? ENOENT : ELOOP);
   struct stat status {};
   const bool exists = stat(target_.c_str(), &status) == 0;
   if (exists && S_ISDIR(status.st_mode)) fail(EISDIR);
@@ -127,10 +139,10 @@ void AtomicFile::commit() {
       if (const int reason = make_beside(target_, temporary_, link_as)) fail(reason);
     }
   }
-  // After EINTR the descriptor is closed, close(2), and what was written is on disk.
+  // After EINTR the descriptor is closed, close(2). Where there was an fsync, it has said that all is on disk.
   const int closed = close(descriptor_);
   descriptor_ = -1;
-  if (closed != 0 && errno != EINTR) fail(errno);
+  if (closed != 0 && errno != EINTR && form_ == Form::direct) fail(errno);
   if (!temporary_.empty() && std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
   temporary_.clear();
 }

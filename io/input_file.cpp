@@ -35,35 +35,24 @@ InputFault system_fault(const std::string& path, std::string_view expected) {
   return fault_of(path, std::strerror(errno), expected);
 }
 
-/// An open file. That it is one was asked before it was opened: to open a device may do something.
-class Descriptor {
-public:
-  explicit Descriptor(const std::string& path)
-      : number_(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK)) {} // and if it has become a pipe?
-  ~Descriptor() {
-    if (number_ >= 0) close(number_);
+/// That it is a file was asked before it is opened: to open a device may do something. And if it has become a pipe?
+int open_to_read(const std::string& path) {
+  return open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK);
+}
+
+/// As many bytes as there are, at most size_bytes; nothing if the system cannot read it.
+std::optional<std::size_t> read_at(int descriptor, std::uint64_t position, void* to, std::size_t size_bytes) {
+  std::size_t count = 0;
+  while (count < size_bytes) {
+    const ssize_t got =
+        pread(descriptor, static_cast<char*>(to) + count, size_bytes - count, static_cast<off_t>(position + count));
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) return std::nullopt;
+    if (got == 0) break;
+    count += static_cast<std::size_t>(got);
   }
-  Descriptor(const Descriptor&) = delete;
-
-  bool is_open() const { return number_ >= 0; }
-  int number() const { return number_; }
-
-  /// As many bytes as there are, at most size_bytes; nothing if the system cannot read it.
-  std::optional<std::size_t> read(char* to, std::size_t size_bytes) const {
-    std::size_t count = 0;
-    while (count < size_bytes) {
-      const ssize_t got = ::read(number_, to + count, size_bytes - count);
-      if (got < 0 && errno == EINTR) continue;
-      if (got < 0) return std::nullopt;
-      if (got == 0) break;
-      count += static_cast<std::size_t>(got);
-    }
-    return count;
-  }
-
-private:
-  int number_;
-};
+  return count;
+}
 
 } // namespace
 
@@ -75,26 +64,47 @@ std::optional<InputFault> file_fault(const std::string& path, std::string_view e
   return {};
 }
 
-std::string read_file(const std::string& path, std::string_view expected, std::uint64_t limit_bytes) {
+InputFile::InputFile(const std::string& path, std::string_view expected, std::uint64_t limit_bytes)
+    : path_(path), expected_(expected) {
   if (auto fault = file_fault(path, expected, limit_bytes)) throw InputError(std::move(*fault));
-  const Descriptor file(path);
+  descriptor_ = open_to_read(path);
+  if (descriptor_ < 0) throw InputError(system_fault(path, expected));
   struct stat status {};
-  if (!file.is_open() || fstat(file.number(), &status) != 0) throw InputError(system_fault(path, expected));
-  // Once more: it may be another file than a moment ago.
-  if (auto fault = fault_in(path, status, expected, limit_bytes)) throw InputError(std::move(*fault));
-  std::string bytes(static_cast<std::size_t>(status.st_size), '\0');
-  const std::optional<std::size_t> count = file.read(bytes.data(), bytes.size());
-  if (!count) throw InputError(system_fault(path, expected));
-  if (*count < bytes.size())
-    throw InputError(fault_of(path, "a file that ends after " + std::to_string(*count) + " bytes while it is read",
-                              std::to_string(bytes.size()) + " bytes"));
+  std::optional<InputFault> fault;
+  if (fstat(descriptor_, &status) != 0) fault = system_fault(path, expected);
+  else fault = fault_in(path, status, expected, limit_bytes); // once more: it may be another file than a moment ago
+  if (fault) {
+    close(descriptor_);
+    throw InputError(std::move(*fault));
+  }
+  size_bytes_ = static_cast<std::uint64_t>(status.st_size);
+}
+
+InputFile::~InputFile() {
+  close(descriptor_);
+}
+
+void InputFile::read(std::uint64_t position, void* to, std::size_t size_bytes) const {
+  const std::optional<std::size_t> count = read_at(descriptor_, position, to, size_bytes);
+  if (!count) throw InputError(system_fault(path_, expected_));
+  if (*count < size_bytes)
+    throw InputError(fault_of(path_,
+                              "a file that ends after " + std::to_string(position + *count) + " bytes while it is read",
+                              std::to_string(size_bytes_) + " bytes"));
+}
+
+std::string read_file(const std::string& path, std::string_view expected, std::uint64_t limit_bytes) {
+  const InputFile file(path, expected, limit_bytes);
+  std::string bytes(static_cast<std::size_t>(file.size_bytes()), '\0');
+  file.read(0, bytes.data(), bytes.size());
   return bytes;
 }
 
 std::string read_prefix(const std::string& path, std::size_t size_bytes) {
   std::string bytes(size_bytes, '\0');
-  const Descriptor file(path);
-  bytes.resize(file.is_open() ? file.read(bytes.data(), size_bytes).value_or(0) : 0);
+  const int descriptor = open_to_read(path);
+  bytes.resize(descriptor < 0 ? 0 : read_at(descriptor, 0, bytes.data(), size_bytes).value_or(0));
+  if (descriptor >= 0) close(descriptor);
   return bytes;
 }
 

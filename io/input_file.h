@@ -15,8 +15,29 @@ namespace refraster {
 /// file".
 std::optional<InputFault> file_fault(const std::string& path, std::string_view expected, std::uint64_t limit_bytes);
 
-/// The whole file. What is judged is what is read, also if another one takes its name meanwhile. Throws InputError with
-/// file_fault, or if it shrinks while it is read.
+/// A file that is read in parts. What is judged is what is read, also if another one takes its name meanwhile. For
+/// several threads at once.
+class InputFile {
+public:
+  /// Throws InputError with file_fault.
+  InputFile(const std::string& path, std::string_view expected, std::uint64_t limit_bytes);
+  ~InputFile();
+  InputFile(const InputFile&) = delete;
+  InputFile& operator=(const InputFile&) = delete;
+
+  /// As it was when it was opened.
+  std::uint64_t size_bytes() const { return size_bytes_; }
+
+  /// Bytes from `position` on. Throws InputError if they are not there, the file having shrunk, or cannot be read.
+  void read(std::uint64_t position, void* to, std::size_t size_bytes) const;
+
+private:
+  std::string path_, expected_;
+  int descriptor_ = -1;
+  std::uint64_t size_bytes_ = 0;
+};
+
+/// The whole file, as InputFile reads it.
 std::string read_file(const std::string& path, std::string_view expected, std::uint64_t limit_bytes);
 
 /// Its first bytes, at most the whole; its size. For a file without file_fault.

@@ -1,5 +1,7 @@
 #include "io/json_writer.h"
 
+#include "io/text.h"
+
 #include <rapidjson/prettywriter.h>
 #include <rapidjson/stringbuffer.h>
 
@@ -32,7 +34,8 @@ void JsonWriter::end_array() {
   document_->writer.EndArray();
 }
 void JsonWriter::key(std::string_view name) {
-  document_->writer.Key(name.data(), static_cast<rapidjson::SizeType>(name.size()));
+  const std::string text = as_utf8(name);
+  document_->writer.Key(text.data(), static_cast<rapidjson::SizeType>(text.size()));
 }
 
 void JsonWriter::null() {
@@ -42,7 +45,8 @@ void JsonWriter::value(double number) {
   if (std::isfinite(number)) document_->writer.Double(number);
   else null();
 }
-void JsonWriter::value(std::string_view text) {
+void JsonWriter::value(std::string_view given) {
+  const std::string text = as_utf8(given);
   document_->writer.String(text.data(), static_cast<rapidjson::SizeType>(text.size()));
 }
 void JsonWriter::write_bool(bool flag) {

@@ -11,7 +11,7 @@
 namespace refraster {
 
 /// Writes one document, indented, members in the order of the calls. Numbers read back as the same double; what JSON
-/// has no number for (NaN, infinity) becomes null. Calls must nest properly (assert).
+/// has no number for (NaN, infinity) becomes null, and what is no UTF-8 U+FFFD. Calls must nest properly (assert).
 class JsonWriter {
 public:
   JsonWriter();

@@ -7,8 +7,6 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 
 namespace refraster {
 namespace {
@@ -37,12 +35,11 @@ InputFault not_finite(const std::string& path, std::size_t channel, std::size_t 
 
 std::shared_ptr<const MerlTable> read_merl(const std::string& path) {
   constexpr std::uint64_t any_size = std::uint64_t{1} << 40; // the exact size is asked for below, before it is read
-  if (auto fault = file_fault(path, "a MERL table", any_size)) throw InputError(std::move(*fault));
-  const std::uint64_t size = file_size_bytes(path);
+  const InputFile file(path, "a MERL table", any_size);
+  const std::uint64_t size = file.size_bytes();
   if (size >= header_bytes) {
     std::array<std::int32_t, 3> found{};
-    const std::string header = read_prefix(path, header_bytes);
-    std::memcpy(found.data(), header.data(), header_bytes);
+    file.read(0, found.data(), header_bytes);
     if (found != dimensions) throw InputError(fault_in(path, "dimensions", text_of(found), text_of(dimensions)));
   }
   if (size != merl_file_bytes)
@@ -52,16 +49,11 @@ std::shared_ptr<const MerlTable> read_merl(const std::string& path) {
   PaddedVector<double> rgb(3 * MerlTable::samples);
   constexpr std::size_t part = MerlTable::theta_d_bins * MerlTable::phi_d_bins;
   std::vector<double> stored(part);
-  std::array<std::ifstream, 3> planes;
   std::array<FaultList, 3> faults;
-  for (std::size_t channel = 0; channel < 3; ++channel) {
-    planes[channel].open(path, std::ios::binary);
-    planes[channel].seekg(static_cast<std::streamoff>(header_bytes + sizeof(double) * channel * MerlTable::samples));
-  }
   for (std::size_t first = 0; first < MerlTable::samples; first += part)
     for (std::size_t channel = 0; channel < 3; ++channel) {
-      if (!planes[channel].read(reinterpret_cast<char*>(stored.data()), part * sizeof(double)))
-        throw InputError(fault_in(path, "", "a file that ends while it is read", std::to_string(size) + " bytes"));
+      file.read(header_bytes + sizeof(double) * (channel * MerlTable::samples + first), stored.data(),
+                part * sizeof(double));
       bool finite = true;
       for (std::size_t i = 0; i < part; ++i) {
         finite &= std::isfinite(stored[i]);

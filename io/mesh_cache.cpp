@@ -11,7 +11,7 @@
 #include <bit>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
+#include <limits>
 #include <system_error>
 #include <type_traits>
 
@@ -62,21 +62,24 @@ bool has_size(const Header& header, std::uint64_t file_bytes) {
 
 } // namespace
 
-std::optional<Mesh> kept_mesh(const std::string& folder, const std::string& sha256) {
+std::optional<Mesh> kept_mesh(const std::string& folder, const std::string& sha256) try {
   const std::string path = file_of(folder, sha256);
-  std::error_code error;
-  const std::uint64_t size = fs::file_size(path, error);
-  if (error) return {};
-  std::ifstream file(path, std::ios::binary);
+  constexpr std::uint64_t any_size = std::numeric_limits<std::uint64_t>::max(); // the header says which
+  if (file_fault(path, "a kept mesh", any_size)) return {};                     // most often there is none
+  const InputFile file(path, "a kept mesh", any_size);
+  const std::uint64_t size = file.size_bytes();
+  if (size < sizeof(Header)) return {};
   Sha256 digest;
   digest.add(sha256.data(), sha256.size());
+  std::uint64_t position = 0;
   const auto read = [&](void* to, std::size_t bytes) {
-    file.read(static_cast<char*>(to), static_cast<std::streamsize>(bytes));
+    file.read(position, to, bytes);
     digest.add(to, bytes);
+    position += bytes;
   };
   Header header{};
   read(&header, sizeof header);
-  if (!file || header.magic != magic || header.version != mesh_cache_version || !has_size(header, size)) return {};
+  if (header.magic != magic || header.version != mesh_cache_version || !has_size(header, size)) return {};
 
   Mesh mesh;
   mesh.positions.resize(header.vertices);
@@ -85,11 +88,13 @@ std::optional<Mesh> kept_mesh(const std::string& folder, const std::string& sha2
   mesh.triangles.resize(header.triangles);
   for_each_array(mesh, [&](auto& array) { read(array.data(), bytes_of(array)); });
   std::array<unsigned char, sha256_bytes> expected{};
-  file.read(reinterpret_cast<char*>(expected.data()), sha256_bytes);
-  if (!file || digest.result() != expected) return {};
+  file.read(position, expected.data(), sha256_bytes);
+  if (digest.result() != expected) return {};
   for (const auto& triangle : mesh.triangles)
     if (*std::max_element(triangle.begin(), triangle.end()) >= header.vertices) return {};
   return mesh;
+} catch (const InputError&) { // it has gone meanwhile, or cannot be read
+  return {};
 }
 
 void keep_mesh(const std::string& folder, const std::string& sha256, const Mesh& mesh) {

@@ -14,10 +14,9 @@ namespace refraster {
 ///   f           3 or more corners, also concave; indices from 1, or negative: counted back from the last one given.
 ///               A polygon with n corners becomes n - 2 triangles of the same winding; a convex one the fan of its
 ///               first corner. Refused if many thousand corners fold so that cutting takes more than seconds
-///   s           corners without vn get the mean normal, weighted by angle, of the faces around the vertex that have
-///   the
-///               same smoothing group and no vn either. Faces after `s off` or `s 0` are flat. Where no `s` has been
-///               given they are smooth, as most viewers show them
+///   s           corners without vn get the mean normal, weighted by angle, of the faces around the vertex in the
+///               same smoothing group that have no vn either. Faces after `s off` or `s 0` are flat. Where no `s` has
+///               been given they are smooth, as most viewers show them
 ///   others      are skipped: o, g, usemtl … say nothing about the shape
 /// Vertices are one for each different (v, vt, vn). At most 2 GiB.
 /// Throws InputError with all faults, each with its line.

@@ -22,11 +22,10 @@ namespace fs = std::filesystem;
 /// The same for every way to write the path of one file.
 std::string identity(const std::string& path) {
   std::error_code error;
-  const fs::path canonical = fs::weakly_canonical(fs::absolute(path), error);
+  fs::path canonical = fs::absolute(path, error); // there may be no working folder any more
+  if (!error) canonical = fs::weakly_canonical(canonical, error);
   return error ? path : canonical.string();
 }
-
-constexpr std::uint64_t vertex_bytes = 2 * sizeof(Float3) + sizeof(Float2); // of a shape
 
 /// Everything that the objects name, loaded or made. Each file is loaded once, and its faults are told once.
 class Loader {
@@ -136,7 +135,7 @@ private:
     for (const auto& [made, mesh] : shapes_)
       if (made == wanted) return mesh;
     const MeshCounts counts = mesh_counts(wanted);
-    options_.memory.need(counts.vertices * vertex_bytes + counts.triangles * sizeof(Mesh::triangles[0]),
+    options_.memory.need(counts.size_bytes(),
                          std::to_string(counts.triangles) + " triangles of a " +
                              std::string(std::visit([](const auto& s) { return s.name; }, wanted)));
     return shapes_.emplace_back(wanted, make_mesh(wanted)).second;

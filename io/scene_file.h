@@ -19,7 +19,8 @@ struct SceneOptions {
 };
 
 /// Reads a scene with every file that it names: meshes, textures, measured tables. A file named twice is loaded once.
-/// Throws InputError with all faults: of the scene in the order of the file, then of the files it names.
+/// Throws InputError with all faults: of the scene in the order of the file, then of the files it names; and
+/// OutputError if a folder for meshes is given that lets nothing be written to it.
 Scene read_scene(const std::string& path, const SceneOptions& options = {});
 
 /// The keys of a scene file as Markdown tables, made from the declaration that the reader follows.

@@ -3,12 +3,12 @@
 // error messages and the table in docs/scene-format.md (scene_markdown.cpp) are three readings of these functions.
 //
 // `keys` is the reading. It is called
-//     keys("fov_y", value, range, "meaning", presence)      for a value; its type says what JSON may stand there
-//     keys.object("camera", presence, "meaning", declare)   for an object; declare(keys) has its members
-//     keys.list("objects", limit::objects, limit, "meaning", items, declare) for an array of objects; declare(item,
-//     keys) keys.shape("mesh", shape, "meaning")                  for one of the shapes below keys.check(value) for
-//     what a single key cannot show keys.parameters(model, use)                           for what a fragment function
-//     declares (shading/fields.h)
+//   keys("fov_y", value, range, "meaning", presence)                 a value; its type says what JSON may stand there
+//   keys.object("camera", presence, "meaning", declare)              an object; declare(keys) has its members
+//   keys.list("objects", limit::objects, "meaning", items, declare)  objects; declare(item, keys) has those of each
+//   keys.shape("mesh", shape, "meaning")                             one of the shapes below
+//   keys.check(value)                                                what a single key cannot show
+//   keys.parameters(model, use)                                      what a fragment function declares (fields.h)
 // A value that may be left out keeps what the member is initialised with.
 
 #include "io/limits.h"

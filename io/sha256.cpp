@@ -4,8 +4,8 @@
 
 #include <openssl/evp.h>
 
+#include <algorithm>
 #include <cstdint>
-#include <fstream>
 #include <limits>
 #include <new>
 #include <vector>
@@ -44,13 +44,13 @@ std::string in_hexadecimal(const std::array<unsigned char, sha256_bytes>& digest
 
 std::string file_sha256(const std::string& path) {
   constexpr std::uint64_t any_size = std::numeric_limits<std::uint64_t>::max();
-  if (auto fault = file_fault(path, "a file", any_size)) throw InputError(std::move(*fault));
-  std::ifstream file(path, std::ios::binary);
+  const InputFile file(path, "a file", any_size);
   std::vector<char> part(std::size_t{1} << 18); // stays in the second level of cache
   Sha256 digest;
-  while (file) {
-    file.read(part.data(), static_cast<std::streamsize>(part.size()));
-    digest.add(part.data(), static_cast<std::size_t>(file.gcount()));
+  for (std::uint64_t at = 0; at < file.size_bytes(); at += part.size()) {
+    const std::size_t bytes = std::min<std::uint64_t>(part.size(), file.size_bytes() - at);
+    file.read(at, part.data(), bytes);
+    digest.add(part.data(), bytes);
   }
   return in_hexadecimal(digest.result());
 }

@@ -13,6 +13,10 @@ std::string in_quotes(std::string_view word);
 /// What a library says, as one line: control characters become '?'.
 std::string one_line(std::string_view message);
 
+/// The text as UTF-8: each byte that is part of no character becomes U+FFFD. A path may hold any bytes, JSON may not.
+/// Well-formed is what The Unicode Standard, table 3-7, says.
+std::string as_utf8(std::string_view text);
+
 /// "1 number", "2 numbers".
 std::string counted(std::size_t count, std::string_view noun);
 

@@ -3,6 +3,8 @@
 #include "io/json_writer.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 
@@ -22,13 +24,16 @@ std::string line(const char* label, const std::string& content) {
   return format("%-14s %s\n", label, content.c_str());
 }
 
-std::string number(double x) {
-  return format("%.6g", x);
+/// As printf's %.{digits}g in the locale "C".
+std::string number(double x, int digits = 6) {
+  std::array<char, 40> text;
+  return {text.data(),
+          std::to_chars(text.data(), text.data() + text.size(), x, std::chars_format::general, digits).ptr};
 }
 
 /// Nine digits tell any two floats apart; levels are integers.
 std::string value_text(double value) {
-  return format("%.9g", value);
+  return number(value, 9);
 }
 
 std::string values_text(const std::vector<double>& values) {
@@ -44,7 +49,7 @@ std::string values_text(const std::vector<double>& values) {
 std::string count_text(std::uint64_t count, std::uint64_t whole) {
   double percent = 100 * static_cast<double>(count) / static_cast<double>(whole);
   if (percent > 1) percent = std::floor(percent * 1e4) / 1e4;
-  return format("%-10llu %.6g %%", static_cast<unsigned long long>(count), percent);
+  return format("%-10llu %s %%", static_cast<unsigned long long>(count), number(percent).c_str());
 }
 
 std::string limits_text(const CompareLimits& limits) {

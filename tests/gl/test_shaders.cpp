@@ -12,6 +12,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <locale>
 
 using namespace refraster;
 
@@ -169,6 +170,24 @@ TEST_CASE("shaders that do not fit each other are told with both names") {
   Scene scene = ball(Phong{});
   scene.objects[0].fragment_shader_path = path;
   CHECK_THROWS_WITH_AS(through_gl(scene), doctest::Contains(("our vertex shader + " + path).c_str()), InputError);
+}
+
+TEST_CASE("our GLSL does not depend on the locale") {
+  struct Commas : std::numpunct<char> {
+    char do_decimal_point() const override { return ','; }
+    char do_thousands_sep() const override { return '.'; }
+    std::string do_grouping() const override { return "\1"; }
+  };
+  Scene scene = ball(Merl{});
+  scene.point_lights.resize(12);
+  const auto text = [&] {
+    return own_fragment_glsl(scene, scene.objects[0].material, MerlFilter::manual, GlslDialect::core_330);
+  };
+  const std::string before = text();
+  const std::locale usual = std::locale::global(std::locale(std::locale::classic(), new Commas));
+  const std::string with_commas = text();
+  std::locale::global(usual);
+  CHECK(before == with_commas);
 }
 
 TEST_CASE("our GLSL compiles for every fragment function, lookup, angle method and filter") {

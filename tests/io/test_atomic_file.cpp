@@ -47,6 +47,25 @@ TEST_CASE("a file that is replaced keeps its permissions, a symbolic link its ta
   CHECK((fs::status(folder / "f").permissions() & fs::perms::all) == (fs::perms::owner_read | fs::perms::owner_write));
 }
 
+TEST_CASE("a symbolic link to where nothing is yet stays one") {
+  const TemporaryFolder folder;
+  fs::create_directory(folder / "inside");
+  fs::create_symlink("inside/second", folder / "first");
+  fs::create_symlink("f", folder / "inside/second");
+  write_file(folder / "first", "new");
+  CHECK(fs::is_symlink(folder / "first"));
+  CHECK(fs::is_symlink(folder / "inside/second"));
+  CHECK(read_file(folder / "inside/f", "", 100) == "new");
+  CHECK(files_in(folder) == 2);
+}
+
+TEST_CASE("a symbolic link to itself cannot be written") {
+  const TemporaryFolder folder;
+  fs::create_symlink("f", folder / "f");
+  CHECK_THROWS_AS(write_file(folder / "f", "new"), OutputError);
+  CHECK(fs::is_symlink(folder / "f"));
+}
+
 TEST_CASE("a full device, a folder, and a folder that is not there cannot be written") {
   const TemporaryFolder folder;
   CHECK_THROWS_WITH_AS(write_file("/dev/full", "x"), "/dev/full: cannot write: No space left on device", OutputError);

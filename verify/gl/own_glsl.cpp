@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <locale>
 #include <sstream>
 
 namespace refraster {
@@ -71,6 +72,7 @@ std::string own_vertex_glsl(GlslDialect dialect) {
 
 std::string own_fragment_glsl(const Scene& scene, const Material& material, MerlFilter filter, GlslDialect dialect) {
   std::ostringstream text;
+  text.imbue(std::locale::classic()); // whatever the program's own is
   text << version(dialect);
   text << "#define POINT_LIGHTS " << scene.point_lights.size() << "\n";
   text << "#define DIRECTION_LIGHTS " << scene.direction_lights.size() << "\n";
