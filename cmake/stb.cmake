@@ -3,7 +3,7 @@
 # A newer stb_image is copied as it is. What no version mends is met in io/stb.cpp and io/stb_check.cpp, and here by
 #   -fwrapv                       coefficients of a corrupt JPEG overflow (nothings/stb issue 1533): defined, and harmless
 #   -ftrivial-auto-var-init=zero  palettes and blocks on the stack that a file does not fill (1535, 1595, 1861, 1929)
-# Each is shown by a file in tests/fuzz/regressions/image.
+# What fuzzing found beyond those has a file in tests/fuzz/regressions/image.
 file(READ ${STB_INCLUDE_DIR}/stb_image.h stb_image)
 if(NOT stb_image MATCHES "stb_image - v([0-9.]+)")
   message(FATAL_ERROR "${STB_INCLUDE_DIR}/stb_image.h does not tell its version")

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// --- colour spaces --------------------------------------------------------------------------------------------------
+// Colour spaces.
 
 double linear_from_srgb(double s) {
   return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
@@ -52,8 +52,7 @@ double hyab(const Double3& a, const Double3& b) {
   return std::abs(a.x - b.x) + std::hypot(a.y - b.y, a.z - b.z);
 }
 
-// --- filters
-// ------------------------------------------------------------------------------------------------------------
+// Filters.
 
 using Plane = Image<double>;
 

@@ -51,7 +51,7 @@ double float_from_double(const Model& in_double, const Model& in_float, const In
   return std::abs(apart) / arriving;
 }
 
-// --- Phong and Blinn-Phong
+// Phong and Blinn-Phong.
 
 template <class Model>
 Model model_of(const Inputs& in) {
@@ -81,7 +81,7 @@ ShadingRow measure_phong(const Family& inputs, Exactly (*exactly)(const Inputs&)
           in_double.result.summary(),         in_float.result.summary(), apart.summary()};
 }
 
-// --- MERL
+// MERL.
 
 /// Whether rounding decides which bin a point lies in: `nearest` then reads the neighbouring sample, which says nothing
 /// about last places. Such inputs are counted and left out.

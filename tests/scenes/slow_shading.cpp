@@ -9,7 +9,7 @@ namespace {
 
 constexpr Real pi = std::numbers::pi_v<Real>;
 
-// --- textures ---------------------------------------------------------------------------------------------------
+// Textures.
 
 int wrapped(Real cell, int n) {
   const Real rest = cell - n * std::floor(cell / n);
@@ -57,7 +57,7 @@ Vec texture_colour(const Material& material, const Seen& at) {
   return {};
 }
 
-// --- measured BRDFs ---------------------------------------------------------------------------------------------
+// Measured BRDFs.
 
 struct Angles {
   Real theta_h, theta_d, phi_d;
@@ -124,7 +124,7 @@ std::optional<Vec> brdf(const Merl& merl, Vec n, Vec i, Vec o) {
   return std::nullopt;
 }
 
-// --- light --------------------------------------------------------------------------------------------------------
+// Light.
 
 struct Arriving {
   Vec direction, radiance; // direction: to the light

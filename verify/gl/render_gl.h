@@ -54,9 +54,9 @@ struct GlFrame {
 
 /// Draws the scene with the GLSL that it names where those files exist, else with our own GLSL of the same formulas.
 /// docs/glsl-interface.md says what a shader is given. Row 0 of each image is the top; window coordinates, and with
-/// them gl_FragCoord, count downward, so that ties on edges fall as in render(). Throws NoOpenGl; InputError for GLSL
-/// that does not compile or link. Not to be called from two threads at once: a driver is chosen by the environment of
-/// the process.
+/// them gl_FragCoord, count downward, so that ties on edges fall as in render(). Throws NoOpenGl; std::runtime_error if
+/// the driver reports an error; InputError for GLSL that does not compile or link. Not to be called from two threads at
+/// once: a driver is chosen by the environment of the process.
 GlFrame render_gl(const Scene& scene, const GlOptions& options);
 
 } // namespace refraster
