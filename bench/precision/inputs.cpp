@@ -77,8 +77,8 @@ Inputs in_space(Engine& random, Path path, double scale, double normal_scale) {
   Inputs in = ordinary_surface(high_pair(random), random);
   in.path = path;
   in.normal = in.n * random_scale(random, -1, 1) * normal_scale;
-  const Double3 toward = random_direction(random);
-  in.position = toward * uniform(random, 0, 10) * scale;
+  const double distance = uniform(random, 0, 10);
+  in.position = random_direction(random) * distance * scale;
   in.eye = in.position + in.v * (random_scale(random, -1, 1) * scale);
   in.point.position = in.position + in.l * (random_scale(random, -1, 1) * scale);
   in.direction.direction = -in.l * random_scale(random, -1, 1) * scale;
