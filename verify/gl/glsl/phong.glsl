@@ -35,7 +35,7 @@ float highlight(vec3 n, vec3 v, vec3 l, float n_l) {
 #ifdef SPECULAR_GATE
     lobe = n_l > 0.0 ? lobe : 0.0;
 #endif
-    return dot(n, n) > 0.0 ? lobe : 0.0; // none without a normal
+    return lobe;
 }
 
 vec3 reflected(vec3 n, vec3 v, vec3 t, Incident light) {
