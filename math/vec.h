@@ -11,6 +11,8 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <type_traits>
+
 namespace refraster {
 
 template <class T>
@@ -80,7 +82,8 @@ T length(const Vec3<T>& a) {
   return scaled();
 }
 
-/// Whether squares can be added up as they are. Where they can, scaling by a power of two first would change no bit.
+/// Whether squares can be added up as they are. Where they can, scaling by a power of two first would change no bit of
+/// the sum's root.
 template <class T>
 MaskOf<T> square_in_range(const T& squared_length) {
   constexpr auto far = static_cast<RealOf<T>>(sizeof(RealOf<T>) == 4 ? 0x1p40 : 0x1p400);
@@ -95,17 +98,24 @@ Vec3<T> normalize(const Vec3<T>& a) {
     const T squared = squared_length(scaled); // in [1, 12), or 0
     return scaled * select(squared > T(0), T(1) / root(squared), T(0));
   };
+  // What lies beside it in a register must not matter: an estimate has other bits, and a component that is subnormal
+  // would lose its last ones twice where it is scaled first.
   if constexpr (NumberTraits<T>::lanes > 1) {
     const T squared = squared_length(a);
     const MaskOf<T> ordinary = square_in_range(squared);
-    if constexpr (is_quick<T>) { // an estimate has other bits: each lane keeps its own, whatever is beside it
-      const Vec3<T> quick = a * reciprocal_root(squared);
-      return any(!ordinary) ? select<T>(ordinary, quick, through_scaled()) : quick;
-    }
+    const auto plain = [&]() -> Vec3<T> {
+      if constexpr (is_quick<T>) return a * reciprocal_root(squared);
+      else return a * (T(1) / root(squared));
+    };
     if (!any(!ordinary)) [[likely]]
-      return a * (T(1) / root(squared));
+      return plain();
+    return select<T>(ordinary, plain(), through_scaled());
+  } else if constexpr (std::is_floating_point_v<T>) { // a bounds type could not ask
+    const T squared = squared_length(a);
+    return square_in_range(squared) ? a * (T(1) / root(squared)) : through_scaled();
+  } else {
+    return through_scaled();
   }
-  return through_scaled();
 }
 
 /// From a to b, and exactly a for a = b.

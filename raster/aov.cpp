@@ -86,7 +86,7 @@ void write_aov(const FrameContext& context, const VisibleTile& visible, std::spa
       case Aov::uv: {
         const PacketBarycentrics<T> at = barycentrics<Derivatives::no>(data);
         for (int c = 0; c < 2; ++c) {
-          const T fraction = interpolated_uv(data, c, at);
+          const T fraction = finite(interpolated_uv(data, c, at), tally); // the centre may lie far beside the triangle
           put(c, [&](int lane) {
             return fraction[lane] +
                    whole_repeats(context.scene, context.geometry, triangle(lane).number)[static_cast<std::size_t>(c)];

@@ -112,8 +112,9 @@ public:
 
   /// Renders the scene into `frame`, whose images are used again if they are of the right size. Options must be within
   /// their ranges (assert). Total: any finite or non-finite vertex, any scale. The same bits for every number of
-  /// threads, tile size and crop. Pixels of a cancelled frame are those of this one or of the one before. What a
-  /// progress function throws, or std::bad_alloc, ends the frame and comes out; the next frame is not harmed.
+  /// threads, tile size and crop. Pixels of a cancelled frame are those of this one or of the one before; of
+  /// AOVs, those of this one or 0. What a progress function throws, or std::bad_alloc, ends the frame and comes out;
+  /// the next frame is not harmed.
   void render(const Scene& scene, const RenderOptions& options, Frame& frame);
 
 private:

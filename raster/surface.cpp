@@ -15,8 +15,10 @@ namespace {
 
 // A million triangles come through here: what follows is inlined into one piece of code.
 
-// Line values lie between 1 and 2^52: above this no product of value and weight is subnormal, so that scaling by a
-// power of two, as in a packet that holds a projective triangle, changes no digit.
+// Line values are 0 or lie between 1 and 2^52: from this weight on no product of the two is subnormal, so that scaling
+// by a power of two, as in a packet that holds a projective triangle, changes no digit. A corner that is farther yet
+// counts as this far: where the nearest one has a part, it is none to speak of; and on the edge opposite the nearest
+// one, where that has none, something must be left.
 template <class Real>
 constexpr double least_weight = sizeof(Real) == 4 ? 0x1p-70 : 0x1p-900;
 
@@ -149,8 +151,7 @@ void set_up_surfaces(const Scene& scene, const Geometry& geometry, const Bins& b
     std::array<std::array<double, lanes>, 3> weights;
     for (std::size_t k = 0; k < 3; ++k) {
       const Row least(least_weight<Real>);
-      const Row weight = set_up.corner[k].weight;
-      weights[k] = listed(select(weight < least, Row(0.0), weight));
+      weights[k] = listed(maximum(set_up.corner[k].weight, least));
     }
 
     for (std::size_t i = 0; i < here; ++i) {

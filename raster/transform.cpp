@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
@@ -73,7 +74,7 @@ Double4x4 clip_from_view(const Camera& camera, double aspect) {
   projection[1][1] = cotangent;
   projection[2][2] = (camera.far + camera.near) / depth;
   projection[2][3] = -1;
-  projection[3][2] = 2 * camera.far * camera.near / depth;
+  projection[3][2] = 2 * camera.near * camera.far / depth;
   return projection;
 }
 
@@ -204,6 +205,8 @@ void transform(const Scene& scene, int width, int height, int threads, Geometry&
   geometry.first_vertex.assign(1, 0);
   geometry.first_triangle.assign(1, 0);
   for (const Object& object : scene.objects) {
+    assert(object.mesh->positions.size() <= INT32_MAX - geometry.first_vertex.back());
+    assert(object.mesh->triangles.size() <= INT32_MAX - geometry.first_triangle.back());
     geometry.transforms.push_back(object_transform(object, view_projection));
     geometry.first_vertex.push_back(geometry.first_vertex.back() +
                                     static_cast<std::uint32_t>(object.mesh->positions.size()));

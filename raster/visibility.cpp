@@ -50,7 +50,7 @@ void TileVisibility::sort_boxed() {
     nearest = minimum(depth(boxed), nearest);
     farthest = maximum(depth(boxed), farthest);
   }
-  if (!(nearest < farthest)) return;
+  if (!(farthest - nearest >= 0x1p-1000)) return; // the same depth; or so near it that the scale would be infinite
   const double scale = (drawers - 0.5) / (farthest - nearest);
   const auto drawer_of = [&](const Boxed& boxed) {
     return std::min(static_cast<std::size_t>((depth(boxed) - nearest) * scale), drawers - 1);

@@ -34,7 +34,7 @@ public:
 
   /// The f that a stored value of 1 means. Of double and float 1; of Half a power of two, chosen so that the greatest
   /// value of the table lies in (32752, 65504]: a metal's highlight is brighter than the largest half, and what is
-  /// 2^30 times darker still has all its digits.
+  /// 2^28 times darker still has all its digits.
   template <class Stored>
   double unit() const;
 

@@ -49,7 +49,7 @@ struct Texture {
 void build_mip_levels(Texture& texture);
 
 /// u without those whole turns that only cost precision, exactly. Table indices hold 2^30 cells, and a level has up to
-/// 2^16 a turn: so that u may have 2^14 turns. For |u| >= 2^44 the result is 0: a double has no texel left there.
+/// 2^16 a turn: so that u may have 2^14 turns. For |u| >= 2^44 the result is 0.
 template <Number T>
 T fewer_turns(const T& u) {
   constexpr double turns = 1 << 14;

@@ -92,8 +92,25 @@ TEST_CASE_TEMPLATE("each lane of a highlight has the bits of the highlight alone
     const double s = random.magnitude(0.1, 1e6);
     const T all = cosine_power(n, h, s);
     for (int lane = 0; lane < NumberTraits<T>::lanes; ++lane) {
-      CHECK(same(n.x[lane], normalize(lane_of(a, lane)).x));
+      const Vec3<Real<T>> alone = normalize(lane_of(a, lane));
+      CHECK((same(n.x[lane], alone.x) && same(n.y[lane], alone.y) && same(n.z[lane], alone.z)));
       CHECK(same(all[lane], cosine_power(lane_of(n, lane), lane_of(h, lane), s)));
+    }
+  });
+}
+
+TEST_CASE_TEMPLATE("a direction with a subnormal component has the same bits alone, and beside whatever else", T,
+                   WIDTHS) {
+  using F = Real<T>;
+  for_all(2000, [](Random& random) {
+    const F tiny = std::numeric_limits<F>::min() * static_cast<F>(random.uniform(0, 4));
+    const Vec3<F> a(static_cast<F>(random.uniform(1, 8000)), static_cast<F>(random.uniform(-20, 20)), tiny);
+    const Vec3<F> alone = normalize(a);
+    for (const F beside : {F(1), std::numeric_limits<F>::max()}) {
+      Vec3<T> lanes{T(beside), T(beside), T(beside)};
+      for (int c = 0; c < 3; ++c) lanes[c].set(0, a[c]);
+      const Vec3<F> found = lane_of(normalize(lanes), 0);
+      CHECK((same(found.x, alone.x) && same(found.y, alone.y) && same(found.z, alone.z)));
     }
   });
 }
