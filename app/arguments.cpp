@@ -3,7 +3,6 @@
 #include "math/rungs.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace refraster {
@@ -17,15 +16,6 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
     start = end + 1;
   }
   return parts;
-}
-
-/// The number that the whole text is. from_chars takes no sign for an unsigned one, and no locale.
-template <class Number>
-std::optional<Number> number_from(std::string_view text) {
-  Number number{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return number;
 }
 
 /// Exactly `count` whole numbers in [0, largest_side], and nothing else.

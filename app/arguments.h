@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <charconv>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -59,19 +60,35 @@ void add_outside_option(CLI::App& command, Outside& outside);
 /// --cache, for the commands that read scenes: a folder of large meshes that were read before. check_cache_folder.
 void add_cache_option(CLI::App& command, std::string& folder);
 
+/// The number that the whole text is. from_chars takes no sign for an unsigned one, and no locale.
+template <class Number>
+std::optional<Number> number_from(std::string_view text) {
+  Number number{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
 /// An option for a number in a range; the help shows the range in place of the value. NaN is in none.
 template <class Number>
 CLI::Option* add_number_option(CLI::App& command, const std::string& name, Number& value, const Range& range,
                                const std::string& description) {
-  const auto text = [](double x) { return CLI::detail::to_string(x); };
+  const auto text = [](double x) { // not 1e+06
+    const auto whole = static_cast<Number>(x);
+    return static_cast<double>(whole) == x ? CLI::detail::to_string(whole) : CLI::detail::to_string(x);
+  };
   const std::string form = range.ends == Ends::included ? text(range.min) + ".." + text(range.max)
                                                         : ">" + text(range.min) + "..<" + text(range.max);
-  const auto fault = [range, form](const std::string& given) {
-    double number = 0;
-    if (CLI::detail::lexical_cast(given, number) && range.contains(number)) return std::string();
-    return "found " + given + ", expected a number in " + form;
+  // Not as CLI11 reads numbers: to it, 010 is 8.
+  const auto read = [&value, range, form, name](const std::string& given) {
+    const std::optional<Number> number = number_from<Number>(given);
+    if (!number || !range.contains(static_cast<double>(*number)))
+      throw CLI::ValidationError(name, "found " + given + ", expected a number in " + form);
+    value = *number;
   };
-  return command.add_option(name, value, description)->type_name(form)->check(CLI::Validator(fault, ""));
+  return command.add_option_function<std::string>(name, read, description)
+      ->type_name(form)
+      ->default_str(CLI::detail::to_string(value));
 }
 
 /// An option for one of a few words or numbers; the help shows them.

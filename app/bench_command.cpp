@@ -181,9 +181,13 @@ private:
 };
 
 ExitCode run(const BenchArguments& a) {
+  check_different({a.json, a.html}, a.scenes);
   for (const std::string& path : {a.json, a.html})
     if (!path.empty()) check_writable(path);
   prepare_cache(a.reading.mesh_cache);
+  // What is wrong with any of them is told before the first is measured.
+  if (a.scenes.size() > 1)
+    for (const std::string& path : a.scenes) read_scene(path, a.reading);
   Bench bench(a);
   try {
     if (a.scenes.empty() && a.scaling.empty()) bench.add(built_in_name, built_in_scene());
@@ -252,7 +256,8 @@ void add_bench(CLI::App& program, Action& chosen) {
   add_memory_option(command, a.max_memory);
   add_cache_option(command, a.reading.mesh_cache);
   command.add_option("--json", a.json, "write the report as JSON; - is standard output")->type_name("FILE");
-  command.add_option("--html", a.html, "write the report as one HTML page with pictures")->type_name("FILE");
+  command.add_option("--html", a.html, "write the report as one HTML page with pictures; - is standard output")
+      ->type_name("FILE");
   command.add_flag_callback(
       "--no-marginal", [&a] { a.marginals = Marginals::left_out; },
       "only the scene as it is: no further light, texture, samples");

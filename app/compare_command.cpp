@@ -44,6 +44,7 @@ CompareLimits all_limits(const CompareArguments& arguments) {
 
 ExitCode run(const CompareArguments& arguments) {
   const MemoryBudget memory = hold_to(arguments.max_memory, 1);
+  check_different({arguments.diff, arguments.json}, {arguments.a, arguments.b, arguments.limits_file});
   if (!arguments.diff.empty()) check_writable(arguments.diff);
   if (!arguments.json.empty()) check_writable(arguments.json);
   const CompareLimits limits = all_limits(arguments);

@@ -55,7 +55,9 @@ void write_outputs(const GlArguments& a, const GlOptions& options, const GlFrame
 }
 
 ExitCode run(const GlArguments& a) {
-  for (const std::string& path : {a.output, a.radiance, a.depth, a.json})
+  const std::vector<std::string> outputs = {a.output, a.radiance, a.depth, a.json};
+  check_different(outputs, {a.scene});
+  for (const std::string& path : outputs)
     if (!path.empty()) check_writable(path);
   prepare_cache(a.reading.mesh_cache);
   GlOptions options = a.options;
@@ -121,8 +123,8 @@ void add_gl(CLI::App& program, Action& chosen) {
   add_choice(command, "--renderer", a.options.renderer, "who draws; the software drivers are Mesa's");
   add_choice(command, "--merl-filter", a.options.merl_filter,
              "how our GLSL reads a measured table between its samples");
-  command.add_option("--frames", a.options.timed_frames, "draw so many more frames and time each; see --json")
-      ->check(CLI::Range(0, 1'000'000));
+  add_number_option(command, "--frames", a.options.timed_frames, Range{0, 1'000'000},
+                    "draw so many more frames and time each; see --json");
   add_outside_option(command, a.reading.outside);
   add_memory_option(command, a.max_memory);
   add_cache_option(command, a.reading.mesh_cache);

@@ -7,6 +7,8 @@
 #include "io/input_file.h"
 #include "io/mesh_cache.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
@@ -27,6 +29,29 @@ void check_writable(const std::string& path) {
   if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored)) return;
   clean_when_interrupted(fs::weakly_canonical(fs::absolute(path, ignored), ignored).parent_path());
   AtomicFile trial(path); // leaves nothing: permissions alone do not say it, for root and for /proc
+}
+
+namespace {
+/// By whatever names they are called; also of files that are not there yet.
+bool same_file(const std::string& a, const std::string& b) {
+  if (a.empty() || b.empty()) return false;
+  std::error_code error;
+  if (fs::exists(a, error) && !fs::is_regular_file(a, error)) return false;
+  if (a == b || fs::equivalent(a, b, error)) return true;
+  const auto whole = [&](const std::string& path) { return fs::weakly_canonical(fs::absolute(path, error), error); };
+  const fs::path whole_a = whole(a), whole_b = whole(b);
+  return !error && whole_a == whole_b;
+}
+} // namespace
+
+void check_different(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs) {
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j)
+      if (same_file(outputs[i], outputs[j]))
+        throw CLI::ValidationError(outputs[i], "would be written twice, expected a file for each output");
+    for (const std::string& input : inputs)
+      if (same_file(outputs[i], input)) throw CLI::ValidationError(outputs[i], "would be written over what is read");
+  }
 }
 
 void prepare_cache(const std::string& folder) {
@@ -59,7 +84,8 @@ void write_values(const std::string& path, const Image<float>& image) {
 }
 
 std::string stem(const std::string& path) {
-  return fs::path(path).stem().string();
+  const std::string name = fs::path(path).stem().string();
+  return name.empty() || name == "." || name == ".." ? "image" : name; // "": then the scene is what is wrong
 }
 
 } // namespace refraster

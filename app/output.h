@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace refraster {
 
@@ -16,7 +17,12 @@ inline constexpr const char* standard_output = "-";
 /// Standard output is always fine.
 void check_writable(const std::string& path);
 
-/// Makes the folder of --cache if need be; nothing if it is empty. Throws OutputError unless files can be written to it.
+/// Throws CLI::ValidationError if two of the outputs are one file, or an output is an input: one would be lost. Paths
+/// may be empty. Devices and pipes may be named more than once.
+void check_different(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs);
+
+/// Makes the folder of --cache if need be; nothing if it is empty. Throws OutputError unless files can be written to
+/// it.
 void prepare_cache(const std::string& folder);
 
 /// Writes a text file as a whole or not at all; or to standard output. Throws OutputError.

@@ -129,9 +129,11 @@ void check_triangle_numbers(const Scene& scene, const RenderArguments& arguments
 }
 
 ExitCode run(const RenderArguments& arguments) {
-  check_writable(arguments.output);
-  for (const Aov aov : arguments.aovs) check_writable(aov_path(arguments.output, aov));
-  if (!arguments.report.empty()) check_writable(arguments.report);
+  std::vector<std::string> outputs = {arguments.output, arguments.report};
+  for (const Aov aov : arguments.aovs) outputs.push_back(aov_path(arguments.output, aov));
+  check_different(outputs, {arguments.scene});
+  for (const std::string& path : outputs)
+    if (!path.empty()) check_writable(path);
   prepare_cache(arguments.reading.mesh_cache);
 
   const Stopwatch reading;

@@ -102,6 +102,7 @@ ImageFile read_exr(const std::string& path, std::string_view bytes, const ImageR
     ImageFile result;
     result.bits = 32;
     result.full_scale = 1;
+    result.names_channels = true;
     const Imf::ChannelList& list = file.header().channels();
     for (auto it = list.begin(); it != list.end(); ++it) result.channels.push_back(it.name());
     // The file has them in alphabetic order: A B G R. The colour comes first here, as R G B A.

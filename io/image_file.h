@@ -17,6 +17,7 @@ struct ImageFile {
   int bits = 8;                      // of a channel: 8, 16 or 32 (float)
   double full_scale = 255;           // the value that means 1: 255, 65535, or 1 for float
   std::vector<std::string> channels; // names, as R G B A, or Y for one channel
+  bool names_channels = false;       // whether the file says them (EXR), or they follow from their number
 };
 
 /// Reads `.png .jpg .tga .bmp` (8 or 16 bits), `.hdr .pfm .exr` (float). What it is, is seen from its content.

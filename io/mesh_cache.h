@@ -17,7 +17,7 @@ Mesh read_obj_by_cache(const std::string& path, const std::string& folder,
 
 /// Part of what a mesh is found by. To be raised when read_obj makes another mesh of the same bytes, or when the format
 /// below changes: a test says when.
-inline constexpr std::uint32_t mesh_cache_version = 1;
+inline constexpr std::uint32_t mesh_cache_version = 2;
 
 /// The mesh that was kept under a sha256; nothing if none was, or if what is there is not, byte for byte, what was
 /// written under that sha256: another length, another digest at its end. A file is not believed beyond that: an index

@@ -36,6 +36,7 @@ public:
       fault(std::string_view(text_).substr(zero), "a zero byte", "text");
       return faults_.throw_if_any();
     }
+    if (text_.starts_with("\xef\xbb\xbf")) blank(0, 3); // byte order mark
     mend_line_ends();
     for (std::size_t begin = 0, end = 0; begin < text_.size(); begin = end + 1) {
       end = std::min(text_.find('\n', begin), text_.size());

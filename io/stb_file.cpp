@@ -88,6 +88,7 @@ struct Sink {
 
 void check_stb_prefix(const std::string& path, std::string_view prefix) {
   if (prefix.starts_with("\x89PNG\r\n\x1a\n")) return; // stb calls one that is too large an unknown image
+  if (prefix.starts_with("\xff\xd8")) return;          // JPEG: what a camera notes may come first, and is long
   Source source{prefix};
   int width = 0, height = 0, channels = 0;
   if (stbi_info_from_callbacks(&Source::calls, &source, &width, &height, &channels)) return;

@@ -2,6 +2,7 @@
 
 #include "io/image_file.h"
 #include "io/input_error.h"
+#include "io/text.h"
 
 namespace refraster {
 namespace {
@@ -9,6 +10,17 @@ namespace {
 std::string shape_text(const Image<float>& image) {
   return std::to_string(image.width) + " x " + std::to_string(image.height) + " pixels of " +
          std::to_string(image.channels) + (image.channels == 1 ? " channel" : " channels");
+}
+
+std::string listed(const std::vector<std::string>& channels) {
+  std::string text;
+  for (const std::string& name : channels) text += (text.empty() ? "" : ", ") + name;
+  return "channels " + one_line(text);
+}
+
+/// A single channel is what it is, whatever it is called.
+bool mean_the_same(const ImageFile& a, const ImageFile& b) {
+  return !a.names_channels || !b.names_channels || a.channels.size() == 1 || a.channels == b.channels;
 }
 
 void scale_to_values(ImageFile& image) {
@@ -29,6 +41,8 @@ ImagePair read_image_pair(const std::string& path_a, const std::string& path_b, 
     fault.expected = shape_text(a.values) + " as " + path_a + " has";
     throw InputError(fault);
   }
+  if (!mean_the_same(a, b))
+    throw InputError(InputFault{path_b, 0, 0, "", listed(b.channels), listed(a.channels) + " as " + path_a + " has"});
   const CompareUnit unit = a.bits == 8 && b.bits == 8 ? CompareUnit::levels : CompareUnit::values;
   if (unit == CompareUnit::values) {
     scale_to_values(a);

@@ -16,7 +16,8 @@ struct ImagePair {
 
 /// Reads two images. Levels are kept if both have 8 bits a channel; else a level becomes the float nearest to its share
 /// of the full scale, l / 255 or l / 65535.
-/// Throws InputError if one cannot be read, or if they differ in size or number of channels.
+/// Throws InputError if one cannot be read, or if they differ in size, number of channels, or,
+/// where both files name them (EXR), names of channels.
 ImagePair read_image_pair(const std::string& path_a, const std::string& path_b, const MemoryBudget& memory = {});
 
 } // namespace refraster

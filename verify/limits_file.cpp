@@ -23,6 +23,12 @@ CompareLimits read_limits(const std::string& path) {
       faults.push_back(document.fault_at(member.key_begin, place, "an unknown key", "max_abs, max_rms or max_count"));
       continue;
     }
+    const bool again = is_count ? limits.max_count.has_value()
+                                : (member.key == "max_abs" ? limits.max_abs : limits.max_rms).has_value();
+    if (again) {
+      faults.push_back(document.fault_at(member.key_begin, place, "the key a second time", "each key once"));
+      continue;
+    }
     // Above 2^53 a double is no count any more, and no image has as many pixels.
     const bool good = member.kind == JsonKind::number && member.number >= 0 &&
                       (!is_count || (std::floor(member.number) == member.number && member.number <= 0x1p53));

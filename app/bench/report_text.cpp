@@ -48,7 +48,10 @@ std::string split(const SceneResult& scene) {
                    "resolve", "other"});
   for (const RungResult& rung : scene.rungs) {
     std::vector<std::string> row = {rung.rung, std::to_string(rung.threads)};
-    for (const auto& [name, part] : split_parts) row.push_back(format("%.2f", rung.split_ns.*part));
+    for (const auto& [name, part] : split_parts) {
+      const double ns = rung.split_ns.*part; // of no pixel it is no number
+      row.push_back(std::isfinite(ns) ? format("%.2f", ns) : none);
+    }
     table.add(row);
   }
   return table.text();
@@ -99,8 +102,8 @@ std::string errors(const SceneResult& scene) {
   return table.text() + more;
 }
 
-/// What one of what grows costs: ns; of a shaded pixel, where each pixel meets all of them. Of threads: how many times as
-/// fast they are as the first.
+/// What one of what grows costs: ns; of a shaded pixel, where each pixel meets all of them. Of threads: how many times
+/// as fast they are as the first.
 std::string each(const ScalingCurve& curve, const MeasuredPoint& one) {
   const double ms = one.frame_ms.median, ns = ms * 1e6 / one.point.n;
   switch (curve.growth) {

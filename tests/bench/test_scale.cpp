@@ -28,6 +28,10 @@ TEST_CASE("an axis begins and ends at round numbers around what it shows") {
   CHECK(decades.to() >= 1e-7);
   const Scale whole = Scale::around(Scale::Kind::whole, 1, 3, 0, 1);
   CHECK(labels(whole) == std::vector<std::string>{"1", "2", "3"});
+  CHECK(whole(2) == doctest::Approx(0.5));
+  const Scale from_0 = Scale::around(Scale::Kind::whole, 1, 8, 0, 80); // in steps of 2
+  CHECK(labels(from_0) == std::vector<std::string>{"0", "2", "4", "6", "8"});
+  CHECK(from_0(1) == doctest::Approx(10));
 }
 
 TEST_CASE("an axis for one value has two ends") {

@@ -108,6 +108,23 @@ TEST_CASE("images that cannot be compared are bad input") {
   CHECK(folder.compare({"a.png", "wide.png"}).err.find("5 x 3") != std::string::npos);
 }
 
+TEST_CASE("EXR files say what their channels are: others are not compared, one alone is what it is") {
+  const PairFolder folder;
+  const auto write = [&](const char* name, int channels, std::vector<std::string> names) {
+    write_float_image(folder / name, Image<float>(4, 3, channels), std::move(names));
+  };
+  write("rgb.exr", 3, {});
+  write("xyz.exr", 3, {"X", "Y", "Z"});
+  write("y.exr", 1, {});
+  write("z.exr", 1, {"Z"});
+  const Finished other = folder.compare({"rgb.exr", "xyz.exr"});
+  CHECK(other.exit_code == 3);
+  CHECK(other.err.find("channels X, Y, Z, expected channels R, G, B as rgb.exr has") != std::string::npos);
+  CHECK(folder.compare({"rgb.exr", "rgb.exr"}).exit_code == 0);
+  CHECK(folder.compare({"xyz.exr", "xyz.exr"}).exit_code == 0);
+  CHECK(folder.compare({"y.exr", "z.exr"}).exit_code == 0);
+}
+
 TEST_CASE("a heat image that cannot be written is exit code 4") {
   const PairFolder folder;
   CHECK(folder.compare({"a.png", "b.png", "--diff", "none/d.png"}).exit_code == 4);

@@ -105,6 +105,10 @@ TEST_CASE("every wrong argument is answered with exit code 2, one line and a hin
       {"render", "ball.json", "--samples", "3"},
       {"render", "ball.json", "--threads", "-1"},
       {"render", "ball.json", "--threads", "two"},
+      {"render", "ball.json", "--threads", "0x4"},
+      {"render", "ball.json", "--report", "ball.json"},
+      {"render", "ball.json", "-o", "same.png", "--report", "./same.png"},
+      {"render", "ball.json", "-o", "same.exr", "--aov", "depth", "--report", "same.depth.exr"},
       {"render", "ball.json", "--tile-size", "48"},
       {"render", "ball.json", "--aov", "depth,colour"},
       {"render", "ball.json", "--aov", "depth,depth"},
@@ -122,6 +126,11 @@ TEST_CASE("every wrong argument is answered with exit code 2, one line and a hin
       {"compare", "a.png", "b.png", "--max-count", "-1"},
       {"compare", "a.png", "b.png", "--max-count", "1.5"},
       {"compare", "a.png", "b.png", "--diff", "d.exr"},
+      {"compare", "a.png", "b.png", "--diff", "a.png"},
+      {"compare", "a.png", "b.png", "--diff", "d.png", "--json", "d.png"},
+      {"gl", "ball.json", "--frames", "1.5"},
+      {"gl", "ball.json", "--float", "same.exr", "--depth", "same.exr"},
+      {"bench", "ball.json", "--json", "-", "--html", "-"},
       {"bench", "ball.json", "--rungs", "half"},
       {"bench", "ball.json", "--rungs", "float,float"},
       {"bench", "ball.json", "--rungs", ""},
@@ -165,6 +174,31 @@ TEST_CASE("every wrong argument is answered with exit code 2, one line and a hin
     CHECK(run.err.find("--help") != std::string::npos);
   }
   CHECK(files_in(folder) == Words{"ball.json"});
+}
+
+TEST_CASE("a leading zero is no octal number") {
+  const TemporaryFolder folder;
+  save_text(folder / "ball.json", ball_scene);
+  const Finished run = run_program(folder.path, {"render", "ball.json", "--threads", "010", "--report", "-"});
+  CHECK(run.out.find("\"threads\": 10,") != std::string::npos);
+}
+
+TEST_CASE("of a scene without a name it is the scene that is wrong") {
+  const TemporaryFolder folder;
+  for (const char* const scene : {"", ".", "./"}) {
+    const Finished run = run_program(folder.path, {"render", scene});
+    INFO(run.err);
+    CHECK(run.exit_code == 3);
+    CHECK(run.err.find("a scene file") != std::string::npos);
+  }
+}
+
+TEST_CASE("what is wrong with a later scene is told before the first is measured") {
+  const TemporaryFolder folder;
+  save_text(folder / "ball.json", ball_scene);
+  const Finished run = run_program(folder.path, {"bench", "ball.json", "none.json", "--seconds", "3600"});
+  CHECK(run.exit_code == 3);
+  CHECK(run.err.find("none.json") != std::string::npos);
 }
 
 TEST_CASE("what there is to choose from is listed") {

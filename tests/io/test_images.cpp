@@ -36,6 +36,26 @@ Image<float> difficult(int channels) {
   return image;
 }
 
+/// A grey JPEG of 17 x 9 pixels, with a comment of so many bytes before its size. By hand, with tables of few codes.
+std::string grey_jpeg(std::size_t comment_bytes) {
+  const auto segment = [](char marker, const std::string& data) {
+    const std::size_t length = data.size() + 2;
+    return std::string{'\xff', marker, static_cast<char>(length >> 8), static_cast<char>(length & 255)} + data;
+  };
+  const auto bytes = [](std::initializer_list<int> list) {
+    std::string text;
+    for (const int byte : list) text += static_cast<char>(byte);
+    return text;
+  };
+  std::string quantization(1, '\0');
+  for (char i = 1; i <= 64; ++i) quantization += i;
+  const std::string none(12, '\0'), codes_dc = bytes({0, 0, 3, 1}) + none + '\0' + bytes({0, 1, 2, 5}),
+                                    codes_ac = bytes({0x10, 0, 2, 2, 1}) + none + bytes({0, 1, 0x11, 0xf0, 0x10});
+  return "\xff\xd8" + segment('\xe1', std::string(comment_bytes, '\0')) + segment('\xdb', quantization) +
+         segment('\xc0', bytes({8, 0, 9, 0, 17, 1, 1, 0x11, 0})) + segment('\xc4', codes_dc) +
+         segment('\xc4', codes_ac) + segment('\xda', bytes({1, 1, 0, 0, 63, 0})) + std::string(60, '\0') + "\xff\xd9";
+}
+
 bool same_bits(const std::vector<float>& a, const std::vector<float>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](float x, float y) {
     return std::bit_cast<std::uint32_t>(x) == std::bit_cast<std::uint32_t>(y);
@@ -43,6 +63,17 @@ bool same_bits(const std::vector<float>& a, const std::vector<float>& b) {
 }
 
 } // namespace
+
+TEST_CASE("a JPEG may begin with much that is no picture: what a camera notes") {
+  const TemporaryFolder folder;
+  for (const std::size_t comment_bytes : {0, 900, 3000, 60000}) {
+    CAPTURE(comment_bytes);
+    const ImageFile image = read_image(file_with(folder, "a.jpg", grey_jpeg(comment_bytes)));
+    CHECK(image.values.width == 17);
+    CHECK(image.values.height == 9);
+  }
+  CHECK_THROWS_AS(read_image(file_with(folder, "a.jpg", grey_jpeg(3000).substr(0, 2000))), InputError);
+}
 
 TEST_CASE("an image of 1 to 4 channels and 8 or 16 bits is read as stored, row 0 at the top") {
   const TemporaryFolder folder;

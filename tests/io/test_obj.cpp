@@ -84,7 +84,7 @@ TEST_CASE("several shapes, groups and materials are one mesh, in the order of th
 TEST_CASE("comments, blank lines, tabs, carriage returns and continued lines change nothing") {
   const Mesh plain = obj(square + "f 1 2 3 4\n");
   for (const std::string& text : {"# f 1 2 \\\n\n" + square + "  f\t1 2   3 4 # the square\n", square + "f 1 2 \\\n3 4",
-                                  square + "f 1 2 \\\r\n 3\\\r\n 4\r\n"})
+                                  square + "f 1 2 \\\r\n 3\\\r\n 4\r\n", "\xef\xbb\xbf" + square + "f 1 2 3 4\n"})
     CHECK(corners(obj(text)) == corners(plain));
   std::string old_mac = square + "f 1 2 3 4\n";
   for (char& c : old_mac)

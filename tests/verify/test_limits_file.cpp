@@ -42,4 +42,8 @@ TEST_CASE("every wrong limit of a file is told by its place") {
     CHECK(error.faults()[3].found == "an unknown key");
   }
   CHECK_THROWS_AS(limits_in("[]"), InputError);
+  for (const char* const key : {"max_abs", "max_rms", "max_count"}) {
+    const std::string member = std::string("\"") + key + "\": ";
+    CHECK_THROWS_AS(limits_in("{" + member + "0, " + member + "1}"), InputError);
+  }
 }

@@ -85,7 +85,7 @@ Scale Scale::around(Kind kind, double least, double most, double a, double b) {
 
 double Scale::operator()(double value) const {
   const double share =
-      kind_ == Kind::linear ? (value - from_) / (to_ - from_) : std::log(value / from_) / std::log(to_ / from_);
+      kind_ == Kind::logarithmic ? std::log(value / from_) / std::log(to_ / from_) : (value - from_) / (to_ - from_);
   return a_ + (b_ - a_) * share;
 }
 
