@@ -44,17 +44,20 @@ concept Number = requires(T x, T y, MaskOf<T> m, IndexOf<T> i) {
   { next_index(i) } -> std::same_as<IndexOf<T>>;        // i + 1
 };
 
-/// A parameter, which is always a double, enters a formula: rounded once to T's precision. A finite one beyond its range
-/// is the largest number: an infinite light would make NaN where nothing of it is reflected.
+/// A parameter, which is always a double, enters a formula: rounded once to T's precision.
 template <class T>
 constexpr T as(double parameter) {
-  using Real = RealOf<T>;
-  if constexpr (sizeof(Real) < sizeof(double)) {
-    constexpr double largest = std::numeric_limits<Real>::max(), largest_double = std::numeric_limits<double>::max();
-    if (parameter > largest && parameter <= largest_double) parameter = largest;
-    if (parameter < -largest && parameter >= -largest_double) parameter = -largest;
-  }
-  return T(static_cast<Real>(parameter));
+  return T(static_cast<RealOf<T>>(parameter));
+}
+
+/// A finite parameter as near as Real comes to it: the largest number where it is beyond. Rounded by as<T> alone it
+/// would be infinite, and an infinite light makes NaN where nothing of it is reflected.
+template <class Real>
+constexpr double within_range(double parameter) {
+  constexpr double largest = std::numeric_limits<Real>::max(), largest_double = std::numeric_limits<double>::max();
+  if (parameter > largest && parameter <= largest_double) return largest;
+  if (parameter < -largest && parameter >= -largest_double) return -largest;
+  return parameter;
 }
 
 /// Whether T trades last bits for speed; see math/wide.h.

@@ -118,6 +118,11 @@ Vec3<T> normalize(const Vec3<T>& a) {
   }
 }
 
+template <class Real>
+Double3 within_range(const Double3& a) {
+  return {within_range<Real>(a.x), within_range<Real>(a.y), within_range<Real>(a.z)};
+}
+
 /// From a to b, and exactly a for a = b.
 template <class T>
 Vec3<T> mix(const Vec3<T>& a, const Vec3<T>& b, const T& fraction) {

@@ -118,11 +118,17 @@ struct PacketBatch {
 template <class T, class Model>
 [[gnu::flatten, gnu::noinline]] void add_light(const Scene& scene, const Model& model, PacketBatch<T>& batch,
                                                UndefinedCounts& counts) {
-  const Model here = model; // nothing that is written below can be part of it
+  using Real = RealOf<T>;
+  Model copy = model; // nothing that is written below can be part of it
+  if constexpr (sizeof(Real) < sizeof(double))
+    Model::fields(copy, [](auto&&, auto& value, auto&&...) {
+      if constexpr (requires { value = within_range<Real>(value); }) value = within_range<Real>(value);
+    });
+  const Model& here = copy;
   batch.for_each(counts, [&](Rgb<T>& sum, const Fragment<T>& at, const auto&) { sum = here.ambient(at); });
   const auto add = [&](const auto& lights) {
     for (const auto& light : lights) {
-      const auto prepared = prepared_light(light);
+      const auto prepared = within_range<Real>(prepared_light(light));
       batch.for_each(counts,
                      [&](Rgb<T>& sum, const Fragment<T>& at, const auto&) { sum += here(at, arriving(prepared, at)); });
     }

@@ -36,6 +36,17 @@ inline DirectionToLight prepared_light(const DirectionLight& light) {
   return {-normalize(light.direction), light.radiance};
 }
 
+/// A light as the numbers of a rung can hold it.
+template <class Real>
+PointLight within_range(const PointLight& light) {
+  return {within_range<Real>(light.position), within_range<Real>(light.radiance), within_range<Real>(light.constant),
+          within_range<Real>(light.linear), within_range<Real>(light.quadratic)};
+}
+template <class Real>
+DirectionToLight within_range(const DirectionToLight& light) {
+  return {light.direction, within_range<Real>(light.radiance)};
+}
+
 /// C = radiance times 1 / (Kc + Kl d + Kq d^2), at most the largest finite number: d may be so small that nothing is
 /// left of the divisor. With d = 0 no direction is defined and nothing arrives.
 template <class T>
