@@ -65,7 +65,6 @@ bool has_size(const Header& header, std::uint64_t file_bytes) {
 std::optional<Mesh> kept_mesh(const std::string& folder, const std::string& sha256) try {
   const std::string path = file_of(folder, sha256);
   constexpr std::uint64_t any_size = std::numeric_limits<std::uint64_t>::max(); // the header says which
-  if (file_fault(path, "a kept mesh", any_size)) return {};                     // most often there is none
   const InputFile file(path, "a kept mesh", any_size);
   const std::uint64_t size = file.size_bytes();
   if (size < sizeof(Header)) return {};
@@ -93,7 +92,7 @@ std::optional<Mesh> kept_mesh(const std::string& folder, const std::string& sha2
   for (const auto& triangle : mesh.triangles)
     if (*std::max_element(triangle.begin(), triangle.end()) >= header.vertices) return {};
   return mesh;
-} catch (const InputError&) { // it has gone meanwhile, or cannot be read
+} catch (const InputError&) { // there is none, or it cannot be read
   return {};
 }
 

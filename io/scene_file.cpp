@@ -19,14 +19,6 @@ namespace refraster {
 namespace {
 namespace fs = std::filesystem;
 
-/// The same for every way to write the path of one file.
-std::string identity(const std::string& path) {
-  std::error_code error;
-  fs::path canonical = fs::absolute(path, error); // there may be no working folder any more
-  if (!error) canonical = fs::weakly_canonical(canonical, error);
-  return error ? path : canonical.string();
-}
-
 /// Everything that the objects name, loaded or made. Each file is loaded once, and its faults are told once.
 class Loader {
 public:

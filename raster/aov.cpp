@@ -1,6 +1,7 @@
 #include "raster/shade_tile.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numbers>
 
@@ -54,17 +55,18 @@ void write_aov(const FrameContext& context, const VisibleTile& visible, std::spa
       const UndefinedTally<T> tally(uncounted, first_lanes<double, NumberTraits<T>::lanes>(packet.count));
       const PacketData<T, Triangles::many> data(packet);
       const auto surface = [&] { return packet_surface(context.scene, context.geometry, material, data, tally); };
-      constexpr double largest = std::numeric_limits<float>::max(); // a finite double may lie beyond
+      // Pixel centres beside a triangle may make any number of it; and a finite double may lie beyond a float.
+      constexpr double largest = std::numeric_limits<float>::max();
       const auto put = [&](int channel, auto&& value) {
         for (int lane = 0; lane < packet.count; ++lane) {
           const auto [x, y] = place[first + static_cast<std::size_t>(lane)];
-          pixel(x, y)[channel] = static_cast<float>(std::clamp<double>(value(lane), -largest, largest));
+          const auto v = static_cast<double>(value(lane));
+          pixel(x, y)[channel] = std::isnan(v) ? 0 : static_cast<float>(std::clamp(v, -largest, largest));
         }
       };
       const auto triangle = [&](int lane) -> const Triangle& { return packet.triangle(lane); };
       const auto put3 = [&](const Vec3<T>& v) {
-        const Vec3<T> kept = finite(v, tally);
-        for (int c = 0; c < 3; ++c) put(c, [&](int lane) { return kept[c][lane]; });
+        for (int c = 0; c < 3; ++c) put(c, [&](int lane) { return v[c][lane]; });
       };
       switch (aov) {
       case Aov::depth:
@@ -86,7 +88,7 @@ void write_aov(const FrameContext& context, const VisibleTile& visible, std::spa
       case Aov::uv: {
         const PacketBarycentrics<T> at = barycentrics<Derivatives::no>(data);
         for (int c = 0; c < 2; ++c) {
-          const T fraction = finite(interpolated_uv(data, c, at), tally); // the centre may lie far beside the triangle
+          const T fraction = interpolated_uv(data, c, at);
           put(c, [&](int lane) {
             return fraction[lane] +
                    whole_repeats(context.scene, context.geometry, triangle(lane).number)[static_cast<std::size_t>(c)];
