@@ -8,6 +8,7 @@
 #include "app/bench/rung_errors.h"
 #include "app/bench/scene_bench.h"
 #include "app/command.h"
+#include "app/diagnostics.h"
 #include "app/interrupt.h"
 #include "app/memory_limit.h"
 #include "app/output.h"
@@ -60,6 +61,7 @@ struct BenchArguments {
   std::vector<std::string> scenes, rungs;
   SceneOptions reading;
   std::uint64_t max_memory = 0;
+  Diagnostics diagnostics;
   std::vector<int> threads;
   std::vector<GrowthRequest> scaling;
   std::vector<Size> sizes = {Size{}};
@@ -180,6 +182,18 @@ private:
   Run run_;
 };
 
+enum class Remarks { printed, withheld };
+
+Scene scene_of(const std::string& path, const BenchArguments& a, Remarks remarks) {
+  NoteList notes;
+  SceneOptions reading = a.reading;
+  reading.notes = &notes;
+  Scene scene = read_scene(path, reading);
+  if (a.diagnostics.file_notes == FileNotes::refused || remarks == Remarks::printed)
+    print_file_notes(notes, a.diagnostics);
+  return scene;
+}
+
 ExitCode run(const BenchArguments& a) {
   check_different({a.json, a.html}, a.scenes);
   for (const std::string& path : {a.json, a.html})
@@ -187,12 +201,12 @@ ExitCode run(const BenchArguments& a) {
   prepare_cache(a.reading.mesh_cache);
   // What is wrong with any of them is told before the first is measured.
   if (a.scenes.size() > 1)
-    for (const std::string& path : a.scenes) read_scene(path, a.reading);
+    for (const std::string& path : a.scenes) scene_of(path, a, Remarks::withheld);
   Bench bench(a);
   try {
     if (a.scenes.empty() && a.scaling.empty()) bench.add(built_in_name, built_in_scene());
     for (const std::string& path : a.scenes) {
-      bench.add(path, read_scene(path, a.reading));
+      bench.add(path, scene_of(path, a, Remarks::printed));
       if (interrupted()) return ExitCode::interrupted;
     }
     for (const GrowthRequest& request : a.scaling) {
@@ -255,6 +269,8 @@ void add_bench(CLI::App& program, Action& chosen) {
   add_outside_option(command, a.reading.outside);
   add_memory_option(command, a.max_memory);
   add_cache_option(command, a.reading.mesh_cache);
+  add_strict_option(command, a.diagnostics);
+  add_quiet_option(command, a.diagnostics);
   command.add_option("--json", a.json, "write the report as JSON; - is standard output")->type_name("FILE");
   command.add_option("--html", a.html, "write the report as one HTML page with pictures; - is standard output")
       ->type_name("FILE");

@@ -2,6 +2,7 @@
 
 #include "app/arguments.h"
 #include "app/command.h"
+#include "app/diagnostics.h"
 #include "app/memory_limit.h"
 #include "app/output.h"
 #include "app/progress_line.h"
@@ -21,6 +22,7 @@ struct GlArguments {
   Size size;
   SceneOptions reading;
   std::uint64_t max_memory = 0;
+  Diagnostics diagnostics;
   GlOptions options;
 };
 
@@ -69,15 +71,23 @@ ExitCode run(const GlArguments& a) {
 
   GlFrame frame;
   try {
-    const ProgressLine line("drawing " + a.scene);
-    const Scene scene = read_scene(a.scene, a.reading);
+    NoteList notes;
+    SceneOptions reading = a.reading;
+    reading.notes = &notes;
+    auto line = std::make_unique<ProgressLine>("reading " + a.scene);
+    const Scene scene = read_scene(a.scene, reading);
+    line.reset(); // before anything is printed
+    print_file_notes(notes, a.diagnostics);
+    line = std::make_unique<ProgressLine>("drawing " + a.scene);
     frame = render_gl(scene, options);
   } catch (const NoOpenGl& error) {
     std::cerr << "refraster: " << error.what() << "\n";
     return ExitCode::no_opengl;
   }
-  for (const std::string& line : frame.shaders) std::cerr << line << "\n";
-  for (const std::string& line : frame.warnings) std::cerr << "warning: " << line << "\n";
+  if (a.diagnostics.verbosity == Verbosity::normal) {
+    for (const std::string& line : frame.shaders) std::cerr << line << "\n";
+    for (const std::string& line : frame.warnings) std::cerr << "warning: " << line << "\n";
+  }
   write_outputs(a, options, frame);
   if (a.json == standard_output) return ExitCode::ok; // which then holds the report and nothing else
   for (const std::string& path : {a.output, a.radiance, a.depth})
@@ -128,6 +138,8 @@ void add_gl(CLI::App& program, Action& chosen) {
   add_outside_option(command, a.reading.outside);
   add_memory_option(command, a.max_memory);
   add_cache_option(command, a.reading.mesh_cache);
+  add_strict_option(command, a.diagnostics);
+  add_quiet_option(command, a.diagnostics);
   command.add_option("--json", a.json, "write driver, times and counts as JSON; - is standard output")
       ->type_name("FILE");
   command.footer(

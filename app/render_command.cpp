@@ -2,6 +2,7 @@
 
 #include "app/arguments.h"
 #include "app/command.h"
+#include "app/diagnostics.h"
 #include "app/interrupt.h"
 #include "app/memory_limit.h"
 #include "app/output.h"
@@ -20,8 +21,6 @@
 namespace refraster {
 namespace {
 
-enum class Progress { shown, quiet };
-
 struct RenderArguments {
   std::string scene, output, report;
   Size size;
@@ -32,7 +31,7 @@ struct RenderArguments {
   Transfer transfer = Transfer::linear;
   SceneOptions reading;
   std::uint64_t max_memory = 0;
-  Progress progress = Progress::shown;
+  Diagnostics diagnostics;
 };
 
 /// Seconds since it was made.
@@ -88,17 +87,23 @@ RenderOptions options_from(const RenderArguments& arguments) {
 }
 
 /// Nothing where none is wanted.
-std::unique_ptr<ProgressLine> progress_line(Progress progress, const std::string& what) {
-  return progress == Progress::quiet ? nullptr : std::make_unique<ProgressLine>(what);
+std::unique_ptr<ProgressLine> progress_line(const Diagnostics& diagnostics, const std::string& what) {
+  return diagnostics.verbosity == Verbosity::quiet ? nullptr : std::make_unique<ProgressLine>(what);
 }
 
 Scene scene_of(const RenderArguments& arguments) {
-  const auto line = progress_line(arguments.progress, "reading " + arguments.scene);
-  return read_scene(arguments.scene, arguments.reading);
+  NoteList notes;
+  auto line = progress_line(arguments.diagnostics, "reading " + arguments.scene);
+  SceneOptions reading = arguments.reading;
+  reading.notes = &notes;
+  Scene scene = read_scene(arguments.scene, reading);
+  line.reset(); // before anything is printed
+  print_file_notes(notes, arguments.diagnostics);
+  return scene;
 }
 
 Frame rendered(const Scene& scene, const RenderArguments& arguments) {
-  const auto line = progress_line(arguments.progress, "rendering");
+  const auto line = progress_line(arguments.diagnostics, "rendering");
   RenderOptions options = options_from(arguments);
   if (line) options.progress = [&line](double share) { line->show(share); };
   return render(scene, options);
@@ -106,7 +111,7 @@ Frame rendered(const Scene& scene, const RenderArguments& arguments) {
 
 /// Writes what was asked for and gives the paths.
 std::vector<std::string> write_images(const Frame& frame, const RenderArguments& arguments) {
-  const auto line = progress_line(arguments.progress, "writing " + arguments.output);
+  const auto line = progress_line(arguments.diagnostics, "writing " + arguments.output);
   std::vector<std::string> paths = {arguments.output};
   arguments.reading.memory.need(frame.levels.values.size(), arguments.output); // PNG is made in memory
   if (frame.radiance.empty()) write_png(arguments.output, frame.levels);
@@ -203,8 +208,8 @@ void add_render(CLI::App& program, Action& chosen) {
       ->type_name("FILE");
   command.add_flag_callback(
       "--srgb", [&a] { a.transfer = Transfer::srgb; }, "apply the sRGB curve (.png only)");
-  command.add_flag_callback(
-      "-q,--quiet", [&a] { a.progress = Progress::quiet; }, "no progress line");
+  add_strict_option(command, a.diagnostics);
+  add_quiet_option(command, a.diagnostics);
 
   command.final_callback([&chosen, arguments] {
     if (arguments->output.empty()) arguments->output = stem(arguments->scene) + ".png";

@@ -1,6 +1,7 @@
 #pragma once
 // The scene file: docs/scene-format.md.
 
+#include "io/notes.h"
 #include "raster/memory_budget.h"
 #include "raster/scene.h"
 
@@ -15,7 +16,8 @@ enum class Outside { refused, allowed };
 struct SceneOptions {
   Outside outside = Outside::refused;
   MemoryBudget memory = {};
-  std::string mesh_cache; // a folder of large meshes that were read before (io/mesh_cache.h); none if empty
+  NoteList* notes = nullptr; // where remarks on the files that are read go; nowhere if null
+  std::string mesh_cache;    // a folder of large meshes that were read before (io/mesh_cache.h); none if empty
 };
 
 /// Reads a scene with every file that it names: meshes, textures, measured tables. A file named twice is loaded once.
