@@ -68,12 +68,12 @@ GlDrawing::GlDrawing(const GlApi& gl, const Scene& scene, const GlOptions& optio
   gl.BufferData(GL_UNIFORM_BUFFER, sizeof block, &block, GL_STATIC_DRAW);
   gl.BindBufferBase(GL_UNIFORM_BUFFER, matrices_binding, matrices);
 
-  const Double4x4 clip = flipped_clip_from_world(scene.camera, aspect);
+  const Double4x4 clip = clip_from_world(scene.camera, aspect);
   for (std::size_t i = 0; i < scene.objects.size(); ++i) items_.push_back(item(scene, i, options, clip));
 
   gl.Enable(GL_DEPTH_TEST);
   gl.DepthFunc(GL_LESS);
-  gl.FrontFace(GL_CW); // y is turned over, and with it what runs counter-clockwise
+  gl.FrontFace(GL_CCW);
   gl.CullFace(GL_BACK);
 }
 
