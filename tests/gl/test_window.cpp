@@ -7,6 +7,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace refraster;
@@ -156,6 +157,35 @@ TEST_CASE("the cross product of a position's derivatives is the normal of a face
           }
         CHECK(seen > 100);
       }
+}
+
+TEST_CASE("a position that is rebuilt from gl_FragCoord and the matrices is the one that was interpolated") {
+  const std::string vertex = text_of(std::string(REFRASTER_SOURCE_DIR) + "/scenes/lecture/shader/vertex.glsl");
+  const std::string fragment =
+      "#version 330 core\n"
+      "layout (std140) uniform Matrices { mat4 view; mat4 projection; };\n"
+      "in VS_OUT { vec3 FragPos; vec3 Normal; vec2 TexCoord; } fs_in;\n"
+      "out vec4 FragColor;\n"
+      "void main() {\n"
+      "    vec3 ndc = 2.0 * gl_FragCoord.xyz / vec3(48.0, 47.0, 1.0) - 1.0;\n"
+      "    vec4 rebuilt = inverse(projection * view) * vec4(ndc, 1.0);\n"
+      "    FragColor = vec4(distance(rebuilt.xyz / rebuilt.w, fs_in.FragPos), 1.0, 0.0, 1.0);\n"
+      "}\n";
+  Object cube;
+  cube.mesh = std::make_shared<const Mesh>(cube_mesh());
+  cube.position = {0.3, -0.8, -4};
+  cube.rotate_degrees = {30, 40, 0};
+  cube.material.model = Phong{};
+  for (const GlRenderer renderer : software_renderers) {
+    const GlFrame frame = drawn_with(of(cube), vertex, fragment, {48, 47}, renderer);
+    double farthest = 0;
+    for (std::size_t i = 0; i < frame.radiance.values.size(); i += 3)
+      farthest = std::max(farthest, static_cast<double>(frame.radiance.values[i]));
+    CHECK(*std::max_element(frame.radiance.values.begin(), frame.radiance.values.end()) >= 1); // the cube is seen
+    // A distance w up to 6 changes by w^2 / near = 144 for a change of 1 in depth, which is good to 2^-20; a pixel is a
+    // tenth wide, and one in a row on the wrong side of the middle would be some off.
+    CHECK(farthest < 1e-3);
+  }
 }
 
 TEST_CASE("a face is front where it runs counter-clockwise in the image, and only back faces are culled") {
