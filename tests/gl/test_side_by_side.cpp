@@ -122,7 +122,7 @@ TEST_CASE("a ground seen edge on through llvmpipe without its shortcuts has leve
   ground.material.texture_filter = TextureFilter::trilinear;
   for (const auto& [width, height] : {std::pair(32, 32), std::pair(32, 33), std::pair(33, 35)}) {
     const SideBySide found = side_by_side(scene, width, height, profile("llvmpipe-precise"));
-    CAPTURE(height);
+    CAPTURE(found.height);
     CHECK(found.coverage_pixels == 0);
     CHECK(found.over_bound == 0);
   }
