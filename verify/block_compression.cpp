@@ -50,6 +50,12 @@ Block coefficients(const StoredImage& image, int left, int top) {
   return rows_transformed(rows_transformed(block));
 }
 
+/// How many coefficients are not zero, but for the first: that is the mean.
+double not_zero(const Block& block, double zero) {
+  return static_cast<double>(
+      std::count_if(block.begin() + 1, block.end(), [&](double value) { return std::abs(value) >= zero; }));
+}
+
 bool differ(const StoredImage& a, const StoredImage& b, int left, int top) {
   for (int y = top; y < top + side; ++y)
     for (int x = left; x < left + side; ++x)
@@ -59,42 +65,44 @@ bool differ(const StoredImage& a, const StoredImage& b, int left, int top) {
 
 } // namespace
 
-BlockZeros block_zeros(const StoredImage& a, const StoredImage& b) {
+BlockSpectrum block_spectrum(const StoredImage& a, const StoredImage& b) {
   constexpr std::array<std::array<int, 2>, 4> grids = {{{0, 0}, {4, 0}, {0, 4}, {4, 4}}};
   constexpr std::uint64_t most_blocks = (1 << 20) / (side * side);
   const double zero = zero_below(a.image.channels);
   const int columns = (a.image.width - side / 2) / side, rows = (a.image.height - side / 2) / side;
-  BlockZeros found;
+  BlockSpectrum found;
   if (columns <= 0 || rows <= 0) return found;
   const std::uint64_t all = static_cast<std::uint64_t>(columns) * static_cast<std::uint64_t>(rows);
   const std::uint64_t stride = (all / most_blocks + 1) | 1; // odd, so as not to see the same columns of all rows
-  std::array<double, grids.size()> gain{};
+  std::array<double, grids.size()> in_a{}, in_b{};          // coefficients that are not zero
   for (std::uint64_t i = 0; i < all; i += stride) {
     const int left = static_cast<int>(i % static_cast<std::uint64_t>(columns)) * side;
     const int top = static_cast<int>(i / static_cast<std::uint64_t>(columns)) * side;
     if (!differ(a, b, left, top)) continue;
-    ++found.blocks;
+    std::array<std::array<double, 2>, grids.size()> of_block{}; // of a, of b
     for (std::size_t grid = 0; grid < grids.size(); ++grid) {
-      const Block of_a = coefficients(a, left + grids[grid][0], top + grids[grid][1]);
-      const Block of_b = coefficients(b, left + grids[grid][0], top + grids[grid][1]);
-      for (std::size_t k = 1; k < of_a.size(); ++k) // the first is the mean
-        gain[grid] += (std::abs(of_b[k]) < zero) - (std::abs(of_a[k]) < zero);
+      const int x = left + grids[grid][0], y = top + grids[grid][1];
+      of_block[grid] = {not_zero(coefficients(a, x, y), zero), not_zero(coefficients(b, x, y), zero)};
     }
+    if (of_block[0][1] == 0) continue; // a square of one colour may be drawn so
+    ++found.blocks;
+    for (std::size_t grid = 0; grid < grids.size(); ++grid)
+      in_a[grid] += of_block[grid][0], in_b[grid] += of_block[grid][1];
   }
-  if (found.blocks == 0) return found;
-  for (double& g : gain) g /= static_cast<double>(found.blocks) * (side * side - 1);
-  found.on_grid = gain[0];
-  found.beside = *std::max_element(gain.begin() + 1, gain.end());
+  // One is added, so that few coefficients tell little, and none nothing.
+  const auto share = [&](std::size_t grid) { return (in_b[grid] + 1) / (in_a[grid] + 1); };
+  found.on_grid = share(0);
+  found.beside = std::min({share(1), share(2), share(3)});
   return found;
 }
 
 Compressed find_block_compression(const StoredImage& a, const StoredImage& b) {
-  // Fewer blocks may look like anything. A coefficient is zero by chance in some hundredths, on all grids alike.
+  // Fewer blocks may look like anything.
   constexpr std::uint64_t least_blocks = 16;
-  constexpr double least_excess = 0.1;
+  constexpr double most_on_grid = 0.8;
   const auto follows = [&](const StoredImage& from, const StoredImage& to) {
-    const BlockZeros zeros = block_zeros(from, to);
-    return zeros.blocks >= least_blocks && zeros.on_grid > 0 && zeros.on_grid - zeros.beside >= least_excess;
+    const BlockSpectrum spectrum = block_spectrum(from, to);
+    return spectrum.blocks >= least_blocks && spectrum.on_grid < 1 && spectrum.on_grid < most_on_grid * spectrum.beside;
   };
   if (follows(a, b)) return Compressed::b;
   if (follows(b, a)) return Compressed::a;
