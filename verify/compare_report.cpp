@@ -31,16 +31,13 @@ std::string number(double x, int digits = 6) {
           std::to_chars(text.data(), text.data() + text.size(), x, std::chars_format::general, digits).ptr};
 }
 
-/// Nine digits tell any two floats apart; levels are integers.
-std::string value_text(double value) {
-  return number(value, 9);
-}
-
-std::string values_text(const std::vector<double>& values) {
+/// Nine digits tell any two floats apart. Levels are integers, or follow from values of single precision, whose
+/// rounding seven digits do not show.
+std::string values_text(const std::vector<double>& values, CompareUnit unit) {
   std::string text;
   for (const double value : values) {
     if (!text.empty()) text += ' ';
-    text += value_text(value);
+    text += number(value, unit == CompareUnit::levels ? 7 : 9);
   }
   return text;
 }
@@ -115,12 +112,12 @@ std::string verdict(const ComparisonReport& report) {
   return "differ";
 }
 
-std::string worst_table(const std::vector<PixelDifference>& worst) {
+std::string worst_table(const std::vector<PixelDifference>& worst, CompareUnit unit) {
   std::vector<std::string> places, as, bs;
   for (const PixelDifference& pixel : worst) {
     places.push_back(format("(%d, %d)", pixel.x, pixel.y));
-    as.push_back(values_text(pixel.a));
-    bs.push_back(values_text(pixel.b));
+    as.push_back(values_text(pixel.a, unit));
+    bs.push_back(values_text(pixel.b, unit));
   }
   const auto width = [](const std::vector<std::string>& column, std::size_t least) {
     for (const std::string& cell : column) least = std::max(least, cell.size());
@@ -199,7 +196,7 @@ std::string comparison_text(const ComparisonReport& report) {
   for (const double mean : found.mean) means += format("%s%+.3g", means.empty() ? "" : "  ", mean);
   text += line("mean of b - a", means);
   if (report.mean_flip) text += line("flip", format("%.6f", *report.mean_flip));
-  if (!found.worst.empty()) text += worst_table(found.worst);
+  if (!found.worst.empty()) text += worst_table(found.worst, found.unit);
   if (found.cluster_count > 0) text += clusters_table(found);
   return text;
 }
