@@ -22,7 +22,7 @@ struct Judgement {
 
   bool convinces() const {
     return pixels > 0 && over <= pixels / one_unexplained_in && over_before > 0 && over_before >= 10 * over &&
-           10 * over_before >= over_anywhere && varied > 0 && varied >= 10 * over && by_value >= by_saturation;
+           10 * over_before >= over_anywhere && varied > 0 && varied >= 10 * over && 10 * by_value >= by_saturation;
   }
   double rms() const { return values > 0 ? std::sqrt(squares / static_cast<double>(values)) : 0; }
   bool better_than(const Judgement& other) const {

@@ -217,7 +217,13 @@ TEST_CASE("a value that was cut off may have been any beyond it, but does not ma
   const auto result = find_transformation({bright, 1, StoredPrecision::floats(0x1p-24)},
                                           {cut, 1, StoredPrecision::integers(255)}, {}, 0);
   CHECK(text_of(result).starts_with("b is a scaled by 0.5 (-1 stops): then equal within"));
-  CHECK(text_of(found(picture, mapped(picture, [](double v) { return v * 200; }))) == "none"); // nearly all is white
+  // Of a ramp, an eighth is left below white when it is 8 times as light, and less than a tenth when it is 25 times.
+  Picture ramp(256, 20, 1);
+  for (int y = 0; y < 20; ++y)
+    for (int x = 0; x < 256; ++x) *ramp.at(x, y) = static_cast<float>(x);
+  CHECK(text_of(found(ramp, mapped(ramp, [](double v) { return v * 8; }))) ==
+        "b is a scaled by 8 (+3 stops): then equal");
+  CHECK(text_of(found(ramp, mapped(ramp, [](double v) { return v * 25; }))) == "none");
 }
 
 TEST_CASE("NaN and infinities are equal to nothing that is undone") {
@@ -247,6 +253,27 @@ TEST_CASE(
   Picture other = dot; // the same pixels in another colour
   for (float& value : other.values) value = value == 200 ? 50 : value == 90 ? 255 : 0;
   CHECK(text_of(found(dot, other)) == "none");
+}
+
+TEST_CASE("a picture that equals its mirror image, but for some pixels, is not mirrored") {
+  Picture even(100, 100, 3);
+  for (int y = 0; y < 100; ++y)
+    for (int x = 0; x < 100; ++x)
+      for (int c = 0; c < 3; ++c)
+        even.at(x, y)[c] = static_cast<float>(std::min(x, 99 - x) * 3 + std::min(y, 99 - y) * 2 + 5 * c);
+  CHECK(text_of(found(even, with_wrong_pixels(even, 5))) == "none");
+}
+
+TEST_CASE("what lies at the border and is missing in one image is not taken for shifted out of it") {
+  Picture stripes(120, 60, 3);
+  for (int y = 0; y < 60; ++y)
+    for (int x = 0; x < 120; ++x)
+      for (int c = 0; c < 3; ++c) stripes.at(x, y)[c] = static_cast<float>(x % 8 * 20 + y % 4 * 9 + c);
+  Picture with_block = stripes;
+  for (int y = 20; y < 40; ++y)
+    for (int x = 0; x < 8; ++x) with_block.at(x, y)[1] = 250;
+  CHECK(text_of(found(stripes, with_block)) == "none");
+  CHECK(text_of(found(with_block, stripes)) == "none");
 }
 
 TEST_CASE("the scale is that of most values, whatever the others are") {
