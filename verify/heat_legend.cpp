@@ -72,8 +72,10 @@ double ramp_position(double difference, double ramp_end, CompareUnit unit) {
 
 std::vector<double> legend_ticks(double ramp_end, CompareUnit unit) {
   const auto place = [&](double value) { return ramp_position(value, ramp_end, unit) * (ramp_width - 1); };
-  // A label begins at its tick; a point is left between two.
-  const auto label_width = [](double value) { return letter_width * static_cast<int>(short_number(value).size()) + 1; };
+  // A label begins at its tick; a letter's width is left between two.
+  const auto label_width = [](double value) {
+    return letter_width * (static_cast<int>(short_number(value).size()) + 1);
+  };
   std::vector<double> ticks = {ramp_end};
   // Below a tenth of a level, or of the end where that is less, there is no room.
   const double least = std::min(full_range(unit) / 255, ramp_end) / 10;
