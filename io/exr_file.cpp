@@ -104,7 +104,10 @@ ImageFile read_exr(const std::string& path, std::string_view bytes, const ImageR
     result.full_scale = 1;
     result.names_channels = true;
     const Imf::ChannelList& list = file.header().channels();
-    for (auto it = list.begin(); it != list.end(); ++it) result.channels.push_back(it.name());
+    for (auto it = list.begin(); it != list.end(); ++it) {
+      result.channels.push_back(it.name());
+      if (it.channel().type == Imf::HALF) result.unit_roundoff = 0x1p-11;
+    }
     // The file has them in alphabetic order: A B G R. The colour comes first here, as R G B A.
     std::size_t front = 0;
     for (const char* const name : {"R", "G", "B", "A"})

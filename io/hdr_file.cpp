@@ -1,11 +1,13 @@
 #include "io/atomic_file.h"
 #include "io/image_formats.h"
+#include "io/number_text.h"
 #include "io/text.h"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 // Radiance RGBE: three mantissas of 8 bits and the exponent of the largest, e: value = mantissa 2^(e - 136). Read and
 // written here and not by stb. stb_image 2.27 reads a file that is cut within a coded row for ever, and puts rows that
@@ -35,6 +37,13 @@ Rgbe encode(const float* rgb) {
   return pixel;
 }
 
+/// Six digits, for a message.
+std::string factor_text(double factor) {
+  std::array<char, 32> text;
+  return {text.data(),
+          std::to_chars(text.data(), text.data() + text.size(), factor, std::chars_format::general, 6).ptr};
+}
+
 /// Runs of up to 127 equal bytes, of two bytes each, in four planes: 16 pixels a byte are more than a row can have.
 constexpr std::uint64_t pixels_per_byte = 16;
 /// Rows of these widths may be coded.
@@ -44,6 +53,9 @@ class HdrReader {
 public:
   HdrReader(const std::string& path, std::string_view bytes, const ImageRequest& request)
       : path_(path), bytes_(bytes), request_(request) {}
+
+  /// What was multiplied into the stored values, and is divided out: for ImageFile::notes.
+  NoteList notes;
 
   Image<float> read() {
     header();
@@ -57,7 +69,7 @@ public:
       else plain(row);
       for (const Rgbe& pixel : row) {
         const float unit = pixel[3] ? std::ldexp(1.0f, pixel[3] - 136) : 0;
-        for (std::size_t c = 0; c < 3; ++c) *at++ = static_cast<float>(pixel[c]) * unit;
+        for (std::size_t c = 0; c < 3; ++c) *at++ = original(static_cast<float>(pixel[c]) * unit, multiplier_[c]);
       }
     }
     return image;
@@ -85,16 +97,60 @@ private:
     return line;
   }
 
-  /// Variables and comments, a line each, up to an empty one. Exposure and primaries change nothing here: values are
-  /// those that are stored.
+  /// Variables and comments, a line each, up to an empty one. Primaries change nothing here: values are those of the
+  /// file's red, green and blue. EXPOSURE and COLORCORR are multipliers that were applied to all pixels, each line on
+  /// top of those before (Ward, "Radiance File Formats": the original radiance is the stored value divided by the
+  /// product of all).
   void header() {
     bool is_rgbe = false;
-    for (std::string_view line = take_line(); !line.empty(); line = take_line())
+    int number = 0, first_multiplier = 0;
+    std::uint64_t multipliers = 0;
+    for (std::string_view line = take_line(); ++number, !line.empty(); line = take_line()) {
       if (line.starts_with("FORMAT=")) {
         is_rgbe = line == "FORMAT=32-bit_rle_rgbe";
         if (!is_rgbe) fail(in_quotes(line), "FORMAT=32-bit_rle_rgbe");
       }
+      const bool exposure = line.starts_with("EXPOSURE="), correction = line.starts_with("COLORCORR=");
+      if (!exposure && !correction) continue;
+      multiply(line, number, exposure ? 1 : 3);
+      if (multipliers++ == 0) first_multiplier = number;
+    }
     if (!is_rgbe) fail("no format", "FORMAT=32-bit_rle_rgbe");
+    if (multiplier_ == std::array<double, 3>{1, 1, 1}) return;
+    const bool one = multiplier_[0] == multiplier_[1] && multiplier_[1] == multiplier_[2];
+    std::string factors = factor_text(multiplier_[0]);
+    if (!one) factors += ", " + factor_text(multiplier_[1]) + ", " + factor_text(multiplier_[2]) + " (R, G, B)";
+    notes.add({path_, first_multiplier, counted(multipliers, "line") + " of EXPOSURE or COLORCORR",
+               "values are divided by " + factors});
+  }
+
+  /// One number for all channels, or one for each of them, with blanks around.
+  void multiply(std::string_view line, int number, std::size_t count) {
+    std::string_view text = line.substr(line.find('=') + 1);
+    std::array<double, 3> factors{1, 1, 1};
+    std::size_t words = 0;
+    bool good = true;
+    while (true) {
+      text.remove_prefix(std::min(text.find_first_not_of(" \t\r"), text.size()));
+      if (text.empty()) break;
+      const std::string_view word = text.substr(0, text.find_first_of(" \t\r"));
+      text.remove_prefix(word.size());
+      if (words == count) good = false;
+      else good &= read_number(word, factors[words++]) == NumberText::good;
+    }
+    good &= words == count;
+    for (std::size_t c = 0; c < 3; ++c) {
+      multiplier_[c] *= factors[count == 1 ? 0 : c];
+      // A product beyond these ends leaves nothing of any value.
+      good &= multiplier_[c] >= std::numeric_limits<double>::min() && std::isfinite(multiplier_[c]);
+    }
+    if (!good)
+      throw InputError(InputFault{path_, number, 0, "", in_quotes(line),
+                                  count == 1 ? "EXPOSURE= and a number > 0" : "COLORCORR= and three numbers > 0"});
+  }
+
+  static float original(float stored, double multiplier) {
+    return static_cast<float>(static_cast<double>(stored) / multiplier);
   }
 
   /// Rows from the top, pixels from the left: the only order of the eight that is in use.
@@ -143,6 +199,7 @@ private:
   const ImageRequest& request_;
   std::size_t at_ = 0;
   std::string place_;
+  std::array<double, 3> multiplier_{1, 1, 1};
 };
 
 } // namespace
@@ -151,7 +208,10 @@ ImageFile read_hdr(const std::string& path, std::string_view bytes, const ImageR
   ImageFile result;
   result.bits = 32;
   result.full_scale = 1;
-  result.values = HdrReader(path, bytes, request).read();
+  HdrReader reader(path, bytes, request);
+  result.values = reader.read();
+  result.notes = std::move(reader.notes);
+  result.unit_roundoff = 0x1p-8; // half a step of a mantissa that is at least 128
   result.channels = default_channels(3);
   return result;
 }

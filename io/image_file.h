@@ -1,6 +1,7 @@
 #pragma once
 // Image files.
 
+#include "io/notes.h"
 #include "raster/image.h"
 #include "raster/memory_budget.h"
 #include "shading/texture.h"
@@ -18,6 +19,9 @@ struct ImageFile {
   double full_scale = 255;           // the value that means 1: 255, 65535, or 1 for float
   std::vector<std::string> channels; // names, as R G B A, or Y for one channel
   bool names_channels = false;       // whether the file says them (EXR), or they follow from their number
+  double unit_roundoff = 0x1p-24;    // of float values, relative to the largest of their pixel: half numbers 2^-11,
+                                     // .hdr 2^-8; 8 and 16 bits have half a step instead
+  NoteList notes;                    // what was read otherwise than it is stored
 };
 
 /// Reads `.png .jpg .tga .bmp` (8 or 16 bits), `.hdr .pfm .exr` (float). What it is, is seen from its content.

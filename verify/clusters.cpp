@@ -6,10 +6,16 @@
 namespace refraster {
 
 std::vector<Cluster> clusters_over(const Image<double>& differences, double limit) {
+  Image<std::uint8_t> over(differences.width, differences.height, 1);
+  for (std::size_t i = 0; i < over.values.size(); ++i) over.values[i] = differences.values[i] > limit;
+  return clusters_of(over, differences);
+}
+
+std::vector<Cluster> clusters_of(const Image<std::uint8_t>& marked, const Image<double>& differences) {
   const int width = differences.width, height = differences.height;
   Image<std::uint8_t> seen(width, height, 1);
-  const auto take = [&](int x, int y) { // whether it is over, and not yet in a cluster
-    if (x < 0 || y < 0 || x >= width || y >= height || *seen.at(x, y) || !(*differences.at(x, y) > limit)) return false;
+  const auto take = [&](int x, int y) { // whether it is marked, and not yet in a cluster
+    if (x < 0 || y < 0 || x >= width || y >= height || *seen.at(x, y) || !*marked.at(x, y)) return false;
     *seen.at(x, y) = 1;
     return true;
   };

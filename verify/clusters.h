@@ -16,8 +16,11 @@ struct Cluster {
   int worst_x = 0, worst_y = 0; // where that is: the first one, row by row
 };
 
-/// All clusters of pixels whose difference is above the limit; infinity is above any. The one with most pixels comes
-/// first, then row by row. `differences` has 1 channel.
+/// All clusters of the pixels that are marked (not 0). The one with most pixels comes first, then row by row. Both
+/// images have 1 channel and the same size.
+std::vector<Cluster> clusters_of(const Image<std::uint8_t>& marked, const Image<double>& differences);
+
+/// Those of pixels whose difference is above the limit; infinity is above any.
 std::vector<Cluster> clusters_over(const Image<double>& differences, double limit);
 
 } // namespace refraster

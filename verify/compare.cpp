@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 namespace refraster {
 namespace {
@@ -15,22 +16,36 @@ bool same_bits(float a, float b) {
   return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
 }
 
-/// The pixels seen so far that differ most, in order. A newcomer goes behind those it equals, so that ties stay in the
-/// order of the image.
-class Worst {
-public:
-  void see(int x, int y, double difference, const float* a, const float* b, int channels) {
-    if (kept_.size() == worst_pixels_kept && !(difference > kept_.back().difference)) return;
-    const auto place = std::upper_bound(kept_.begin(), kept_.end(), difference,
-                                        [](double d, const PixelDifference& p) { return d > p.difference; });
-    kept_.insert(place, {x, y, difference, {a, a + channels}, {b, b + channels}});
-    if (kept_.size() > worst_pixels_kept) kept_.pop_back();
-  }
-  std::vector<PixelDifference> take() { return std::move(kept_); }
+std::vector<double> values_of(const float* pixel, int channels, const PixelScale& scale) {
+  std::vector<double> values;
+  for (int c = 0; c < channels; ++c) values.push_back(scale.in_unit(static_cast<double>(pixel[c])));
+  return values;
+}
 
-private:
-  std::vector<PixelDifference> kept_;
-};
+/// The worst pixel of each of these clusters; of equals the first in the image comes first.
+std::vector<PixelDifference> worst_of(std::vector<Cluster> clusters, const Image<float>& a, const Image<float>& b,
+                                      const PixelScale& scale) {
+  std::sort(clusters.begin(), clusters.end(), [](const Cluster& p, const Cluster& q) {
+    return std::tuple(-p.largest, p.worst_y, p.worst_x) < std::tuple(-q.largest, q.worst_y, q.worst_x);
+  });
+  clusters.resize(std::min(clusters.size(), worst_pixels_kept));
+  std::vector<PixelDifference> worst;
+  for (const Cluster& c : clusters)
+    worst.push_back({c.worst_x, c.worst_y, c.largest, values_of(a.at(c.worst_x, c.worst_y), a.channels, scale),
+                     values_of(b.at(c.worst_x, c.worst_y), b.channels, scale)});
+  return worst;
+}
+
+/// How far the rounding of two values to single precision may have moved their difference, in the unit. Beyond 1 it
+/// grows no more: a limit that is small beside large values means what it says.
+double storage_rounding(const float* a, const float* b, int channels, const PixelScale& scale) {
+  if (scale.full_scale != 1) return 0; // integers are exact
+  double largest = 0;
+  for (int c = 0; c < channels; ++c)
+    largest = std::max(largest, std::min(std::abs(static_cast<double>(a[c])), 1.0) +
+                                    std::min(std::abs(static_cast<double>(b[c])), 1.0));
+  return scale.in_unit(0x1p-24 * largest);
+}
 
 /// Sums over all values seen so far.
 struct Sums {
@@ -66,27 +81,35 @@ double value_difference(float a, float b) {
   return std::isfinite(difference) ? difference : none;
 }
 
-Image<double> pixel_differences(const Image<float>& a, const Image<float>& b) {
+CompareLimits converted(const CompareLimits& limits, CompareUnit from, CompareUnit to) {
+  CompareLimits result = limits;
+  for (std::optional<double>* const limit : {&result.max_abs, &result.max_rms})
+    if (*limit) *limit = **limit * full_range(to) / full_range(from);
+  return result;
+}
+
+Image<double> pixel_differences(const Image<float>& a, const Image<float>& b, const PixelScale& scale) {
   Image<double> differences(a.width, a.height, 1);
   for (int y = 0; y < a.height; ++y)
     for (int x = 0; x < a.width; ++x)
       for (int c = 0; c < a.channels; ++c)
-        *differences.at(x, y) = std::max(*differences.at(x, y), value_difference(a.at(x, y)[c], b.at(x, y)[c]));
+        *differences.at(x, y) =
+            std::max(*differences.at(x, y), scale.in_unit(value_difference(a.at(x, y)[c], b.at(x, y)[c])));
   return differences;
 }
 
-Comparison compare(const Image<float>& a, const Image<float>& b, CompareUnit unit, const CompareLimits& limits) {
+Comparison compare(const Image<float>& a, const Image<float>& b, const PixelScale& scale, const CompareLimits& limits) {
   assert(a.width == b.width && a.height == b.height && a.channels == b.channels);
   Comparison found;
-  found.unit = unit;
+  found.unit = scale.unit;
   found.width = a.width;
   found.height = a.height;
   found.channels = a.channels;
   const auto channels = static_cast<std::size_t>(a.channels);
   const double limit = limits.max_abs.value_or(0);
-  const Image<double> differences = pixel_differences(a, b);
+  const Image<double> differences = pixel_differences(a, b, scale);
+  Image<std::uint8_t> over(a.width, a.height, 1);
   Sums sums(a.channels);
-  Worst worst;
 
   for (int y = 0; y < a.height; ++y) {
     for (int x = 0; x < a.width; ++x) {
@@ -97,7 +120,7 @@ Comparison compare(const Image<float>& a, const Image<float>& b, CompareUnit uni
         nan_a |= std::isnan(pixel_a[c]);
         nan_b |= std::isnan(pixel_b[c]);
         equal &= same_bits(pixel_a[c], pixel_b[c]);
-        const double difference = value_difference(pixel_a[c], pixel_b[c]);
+        const double difference = scale.in_unit(value_difference(pixel_a[c], pixel_b[c]));
         if (difference == none) continue;
         sums.add(c, pixel_b[c] < pixel_a[c] ? -difference : difference);
         found.max = std::max(found.max, difference);
@@ -108,19 +131,20 @@ Comparison compare(const Image<float>& a, const Image<float>& b, CompareUnit uni
       found.incomparable_pixels += largest == none;
       found.equal_pixels += equal;
       found.zero_sign_pixels += !equal && largest == 0;
-      found.pixels_over += largest > limit;
-      if (largest > 0) worst.see(x, y, largest, pixel_a, pixel_b, a.channels);
+      const double rounding = limit > 0 ? storage_rounding(pixel_a, pixel_b, a.channels, scale) : 0;
+      *over.at(x, y) = largest > limit + rounding;
+      found.pixels_over += *over.at(x, y);
     }
   }
 
   if (sums.values > 0) found.rms = std::sqrt(sums.squares / static_cast<double>(sums.values));
-  found.psnr_db = found.rms > 0 ? 20 * std::log10(full_range(unit) / found.rms) : none;
+  found.psnr_db = found.rms > 0 ? 20 * std::log10(full_range(scale.unit) / found.rms) : none;
   for (std::size_t c = 0; c < channels; ++c) {
     const auto values = static_cast<double>(std::max<std::uint64_t>(sums.values_by_channel[c], 1));
     found.mean.push_back(sums.signed_by_channel[c] / values);
   }
-  found.worst = worst.take();
-  found.clusters = clusters_over(differences, limit);
+  found.clusters = clusters_of(over, differences);
+  found.worst = worst_of(found.clusters.empty() ? clusters_over(differences, 0) : found.clusters, a, b, scale);
   found.cluster_count = found.clusters.size();
   found.clusters.resize(std::min(found.clusters.size(), clusters_kept));
   found.same = within(found, limits);

@@ -31,16 +31,13 @@ std::string number(double x, int digits = 6) {
           std::to_chars(text.data(), text.data() + text.size(), x, std::chars_format::general, digits).ptr};
 }
 
-/// Nine digits tell any two floats apart; levels are integers.
-std::string value_text(double value) {
-  return number(value, 9);
-}
-
-std::string values_text(const std::vector<double>& values) {
+/// Nine digits tell any two floats apart. Levels are integers, or follow from values of single precision, whose
+/// rounding seven digits do not show.
+std::string values_text(const std::vector<double>& values, CompareUnit unit) {
   std::string text;
   for (const double value : values) {
     if (!text.empty()) text += ' ';
-    text += value_text(value);
+    text += number(value, unit == CompareUnit::levels ? 7 : 9);
   }
   return text;
 }
@@ -52,31 +49,75 @@ std::string count_text(std::uint64_t count, std::uint64_t whole) {
   return format("%-10llu %s %%", static_cast<unsigned long long>(count), number(percent).c_str());
 }
 
-std::string limits_text(const CompareLimits& limits) {
+/// "1 level", "0.5 levels", "0.004" of values, which have no name.
+std::string with_unit(double x, CompareUnit unit) {
+  return number(x) + (unit == CompareUnit::values ? "" : x == 1 ? " level" : " levels");
+}
+
+std::string limits_text(const CompareLimits& limits, CompareUnit unit) {
   std::string text;
   const auto add = [&](const char* name, const std::string& value) {
     text += (text.empty() ? "" : ", ") + std::string(name) + " " + value;
   };
-  if (limits.max_abs) add("max-abs", number(*limits.max_abs));
-  if (limits.max_rms) add("max-rms", number(*limits.max_rms));
+  if (limits.max_abs) add("max-abs", with_unit(*limits.max_abs, unit));
+  if (limits.max_rms) add("max-rms", with_unit(*limits.max_rms, unit));
   if (limits.max_count) add("max-count", std::to_string(*limits.max_count));
   return text;
+}
+
+/// What kind of difference it is, where that is known.
+std::string cause_text(const ComparisonReport& report) {
+  const Comparison& found = report.found;
+  std::string text;
+  if (report.transformation) {
+    const FoundTransformation& t = *report.transformation;
+    const double in_unit = full_range(found.unit) / 255;
+    const std::string max = std::isfinite(t.max) ? number(t.max * in_unit) : "none";
+    text = line("cause", transformation_text(t, found.unit));
+    text += line("", "then max " + max + ", rms " + number(t.rms * in_unit) + ", " +
+                         format("%llu of %llu pixels equal within the limit and rounding",
+                                static_cast<unsigned long long>(t.within), static_cast<unsigned long long>(t.pixels)));
+  }
+  if (report.compressed != Compressed::none)
+    text += line("cause", std::string("differences follow 8 x 8 blocks: ") +
+                              (report.compressed == Compressed::a ? "a" : "b") +
+                              " was compressed with loss, as JPEG does it");
+  return text;
+}
+
+void write_transformation(JsonWriter& json, const ComparisonReport& report) {
+  json.key("transformation");
+  if (!report.transformation) return json.null();
+  const FoundTransformation& t = *report.transformation;
+  const double in_unit = full_range(report.found.unit) / 255;
+  json.begin_object();
+  json.member("name", known(t.which).name);
+  json.member("text", transformation_text(t, report.found.unit));
+  json.member("factor", t.factor);
+  json.key("shift");
+  json.value(std::vector<int>{t.x, t.y});
+  json.member("pixels", t.pixels);
+  json.member("within", t.within);
+  json.member("equal_within", t.equal_within * in_unit);
+  json.member("max", t.max * in_unit);
+  json.member("rms", t.rms * in_unit);
+  json.end_object();
 }
 
 std::string verdict(const ComparisonReport& report) {
   const Comparison& found = report.found;
   if (found.equal_pixels == found.pixels()) return "equal";
-  if (found.same) return "equal within " + limits_text(report.limits);
-  if (report.limits.any()) return "differ by more than " + limits_text(report.limits);
+  if (found.same) return "equal within " + limits_text(report.limits, found.unit);
+  if (report.limits.any()) return "differ by more than " + limits_text(report.limits, found.unit);
   return "differ";
 }
 
-std::string worst_table(const std::vector<PixelDifference>& worst) {
+std::string worst_table(const std::vector<PixelDifference>& worst, CompareUnit unit) {
   std::vector<std::string> places, as, bs;
   for (const PixelDifference& pixel : worst) {
     places.push_back(format("(%d, %d)", pixel.x, pixel.y));
-    as.push_back(values_text(pixel.a));
-    bs.push_back(values_text(pixel.b));
+    as.push_back(values_text(pixel.a, unit));
+    bs.push_back(values_text(pixel.b, unit));
   }
   const auto width = [](const std::vector<std::string>& column, std::size_t least) {
     for (const std::string& cell : column) least = std::max(least, cell.size());
@@ -132,12 +173,12 @@ void write_optional(JsonWriter& json, std::string_view name, const auto& value) 
 
 std::string comparison_text(const ComparisonReport& report) {
   const Comparison& found = report.found;
-  std::string text = verdict(report) + "\n";
+  std::string text = verdict(report) + "\n" + cause_text(report);
   text += line("a", report.file_a);
   text += line("b", report.file_b);
   text += line("size",
                format("%d x %d, %d channel%s, compared in %s", found.width, found.height, found.channels,
-                      found.channels == 1 ? "" : "s", found.unit == CompareUnit::levels ? "levels of 255" : "values"));
+                      found.channels == 1 ? "" : "s", found.unit == CompareUnit::levels ? "levels (1/255)" : "values"));
   if (found.incomparable_pixels > 0) {
     text += line("NaN, infinite", count_text(found.incomparable_pixels, found.pixels()));
     text += line("  NaN in a, b", format("%llu, %llu", static_cast<unsigned long long>(found.nan_pixels_a),
@@ -155,7 +196,7 @@ std::string comparison_text(const ComparisonReport& report) {
   for (const double mean : found.mean) means += format("%s%+.3g", means.empty() ? "" : "  ", mean);
   text += line("mean of b - a", means);
   if (report.mean_flip) text += line("flip", format("%.6f", *report.mean_flip));
-  if (!found.worst.empty()) text += worst_table(found.worst);
+  if (!found.worst.empty()) text += worst_table(found.worst, found.unit);
   if (found.cluster_count > 0) text += clusters_table(found);
   return text;
 }
@@ -204,6 +245,14 @@ std::string comparison_json(const ComparisonReport& report) {
   }
   json.end_array();
   write_clusters(json, found);
+  write_transformation(json, report);
+  json.key("compressed");
+  if (report.compressed == Compressed::none) json.null();
+  else json.value(report.compressed == Compressed::a ? "a" : "b");
+  json.key("notes");
+  json.begin_array();
+  for (const Note& note : report.notes.notes()) json.value(note.text());
+  json.end_array();
   json.end_object();
   return json.text();
 }

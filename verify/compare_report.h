@@ -1,7 +1,10 @@
 #pragma once
 // What compare() found, for people and for programs.
 
+#include "io/notes.h"
+#include "verify/block_compression.h"
 #include "verify/compare.h"
+#include "verify/transformations.h"
 
 #include <string>
 
@@ -10,9 +13,12 @@ namespace refraster {
 /// A comparison and what it was of.
 struct ComparisonReport {
   std::string file_a, file_b;
-  CompareLimits limits;
+  CompareLimits limits; // in found.unit
   Comparison found;
-  std::optional<double> mean_flip = {}; // verify/flip.h, where it was asked for
+  std::optional<double> mean_flip = {};                   // verify/flip.h, where it was asked for
+  std::optional<FoundTransformation> transformation = {}; // where the images differ
+  Compressed compressed = Compressed::none;               // where they differ, and no transformation says why
+  NoteList notes = {};                                    // of the files
 };
 
 /// A few aligned lines; the first one is the verdict. Numbers are rounded for reading.

@@ -27,18 +27,29 @@ Rgb8 heat_colour(double t) {
   return colour;
 }
 
-Image<std::uint8_t> heat_image(const Image<float>& a, const Image<float>& b, const Comparison& found) {
-  const double level = full_range(found.unit) / 255;
-  const double whole = std::log1p(found.max / level);
-  const Image<double> differences = pixel_differences(a, b);
+double heat_ramp_end(const Comparison& found, std::optional<double> asked) {
+  if (asked) return *asked;
+  if (found.max == 0) return 0;
+  const int decade = static_cast<int>(std::floor(std::log10(found.max)));
+  for (int exponent = decade;; ++exponent)
+    for (const double digit : {1.0, 2.0, 5.0}) {
+      const double round = digit * std::pow(10.0, exponent);
+      if (round >= found.max) return round;
+    }
+}
+
+Image<std::uint8_t> heat_image(const Image<float>& a, const Image<float>& b, const PixelScale& scale, double ramp_end) {
+  const double level = full_range(scale.unit) / 255;
+  const double whole = std::log1p(ramp_end / level);
+  const Image<double> differences = pixel_differences(a, b, scale);
   Image<std::uint8_t> image(a.width, a.height, 3);
   for (int y = 0; y < a.height; ++y) {
     for (int x = 0; x < a.width; ++x) {
       const double largest = *differences.at(x, y);
       if (largest == 0) continue;
-      const bool comparable = largest <= found.max;
-      const Rgb8 colour =
-          comparable ? heat_colour(std::max(std::log1p(largest / level) / whole, smallest_share)) : incomparable_colour;
+      const Rgb8 colour = std::isfinite(largest)
+                              ? heat_colour(std::max(std::log1p(largest / level) / whole, smallest_share))
+                              : incomparable_colour;
       std::copy(colour.begin(), colour.end(), image.at(x, y));
     }
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace refraster {
 namespace {
@@ -13,6 +14,7 @@ namespace {
 constexpr Rgb8 ground = {0x30, 0x30, 0x30}, ink = {0xff, 0xff, 0xff};
 // Points, each of scale x scale pixels.
 constexpr int margin = 4, bar_height = 8, strip_height = 28;
+constexpr int letter_width = 4; // a glyph, and a point beside it
 constexpr int ramp_width = 200, least_width = ramp_width + 130;
 constexpr int pixels_for_a_scale = 640; // so that a large image has letters to match
 
@@ -46,7 +48,7 @@ public:
         for (int row = 0; row < 5; ++row)
           for (int column = 0; column < 3; ++column)
             if (glyph->rows >> (14 - 3 * row - column) & 1) fill(x + column, y + row, 1, 1, ink);
-      x += 4;
+      x += letter_width;
     }
     return x;
   }
@@ -63,12 +65,32 @@ std::string short_number(double x) {
 
 } // namespace
 
-double difference_at(double t, const Comparison& found) {
-  const double level = full_range(found.unit) / 255;
-  return level * std::expm1(t * std::log1p(found.max / level));
+double ramp_position(double difference, double ramp_end, CompareUnit unit) {
+  const double level = full_range(unit) / 255;
+  return std::log1p(difference / level) / std::log1p(ramp_end / level);
 }
 
-Image<std::uint8_t> with_legend(const Image<std::uint8_t>& heat, const Comparison& found) {
+std::vector<double> legend_ticks(double ramp_end, CompareUnit unit) {
+  const auto place = [&](double value) { return ramp_position(value, ramp_end, unit) * (ramp_width - 1); };
+  // A label begins at its tick; a letter's width is left between two.
+  const auto label_width = [](double value) {
+    return letter_width * (static_cast<int>(short_number(value).size()) + 1);
+  };
+  std::vector<double> ticks = {ramp_end};
+  // Below a tenth of a level, or of the end where that is less, there is no room.
+  const double least = std::min(full_range(unit) / 255, ramp_end) / 10;
+  for (int exponent = static_cast<int>(std::floor(std::log10(ramp_end))); std::pow(10.0, exponent) >= least; --exponent)
+    for (const double digit : {5.0, 2.0, 1.0}) {
+      const double value = digit * std::pow(10.0, exponent);
+      const bool fits = place(value) + label_width(value) <= place(ticks.back()) && place(value) >= label_width(0);
+      if (value < ramp_end && fits) ticks.push_back(value);
+    }
+  ticks.push_back(0);
+  std::reverse(ticks.begin(), ticks.end());
+  return ticks;
+}
+
+Image<std::uint8_t> with_legend(const Image<std::uint8_t>& heat, const Comparison& found, double ramp_end) {
   const int scale = std::max(heat.width / pixels_for_a_scale, 1);
   Image<std::uint8_t> image(std::max(heat.width, least_width), heat.height + scale * strip_height, 3);
   Strip whole(image, 0, 1);
@@ -81,14 +103,16 @@ Image<std::uint8_t> with_legend(const Image<std::uint8_t>& heat, const Compariso
   int x = margin;
   strip.fill(x, margin, 16, bar_height, {0, 0, 0});
   x = std::max(x + 16, strip.write(x, label_y, "equal")) + 8;
-  if (found.max > 0) {
+  if (ramp_end > 0) {
     for (int i = 0; i < ramp_width; ++i) strip.fill(x + i, margin, 1, bar_height, heat_colour((i + 0.5) / ramp_width));
     int label_end = x;
-    for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+    for (const double value : legend_ticks(ramp_end, found.unit)) {
+      const double t = ramp_position(value, ramp_end, found.unit);
       const int tick = x + static_cast<int>(std::lround(t * (ramp_width - 1)));
       strip.fill(tick, margin + bar_height, 1, 2, ink);
-      label_end = strip.write(tick, label_y, short_number(difference_at(t, found)));
+      label_end = strip.write(tick, label_y, short_number(value));
     }
+    if (found.max > ramp_end) label_end = strip.write(label_end, label_y, "+");
     strip.write(label_end + 2, label_y, unit_name(found.unit));
     x += ramp_width + 64;
   }

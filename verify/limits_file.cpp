@@ -7,26 +7,36 @@
 
 namespace refraster {
 
-CompareLimits read_limits(const std::string& path) {
+CompareLimits read_limits(const std::string& path, CompareUnit unit) {
   const JsonDocument document(path, read_file(path, "a JSON file of limits", JsonDocument::max_bytes));
   const JsonNode& root = document[0];
   if (root.kind != JsonKind::object)
     throw InputError(
-        document.fault_at(root.begin, "", document.describe(root), "an object with max_abs, max_rms, max_count"));
+        document.fault_at(root.begin, "", document.describe(root), "an object with max_abs, max_rms, max_count, unit"));
   CompareLimits limits;
+  std::optional<CompareUnit> unit_of_file;
   std::vector<InputFault> faults;
   for (JsonIndex i = root.first_child; i != 0; i = document[i].next) {
     const JsonNode& member = document[i];
     const std::string place = std::string("/").append(member.key);
-    const bool is_count = member.key == "max_count";
-    if (!is_count && member.key != "max_abs" && member.key != "max_rms") {
-      faults.push_back(document.fault_at(member.key_begin, place, "an unknown key", "max_abs, max_rms or max_count"));
+    const bool is_count = member.key == "max_count", is_unit = member.key == "unit";
+    if (!is_count && !is_unit && member.key != "max_abs" && member.key != "max_rms") {
+      faults.push_back(
+          document.fault_at(member.key_begin, place, "an unknown key", "max_abs, max_rms, max_count or unit"));
       continue;
     }
-    const bool again = is_count ? limits.max_count.has_value()
-                                : (member.key == "max_abs" ? limits.max_abs : limits.max_rms).has_value();
+    const bool again = is_unit    ? unit_of_file.has_value()
+                       : is_count ? limits.max_count.has_value()
+                                  : (member.key == "max_abs" ? limits.max_abs : limits.max_rms).has_value();
     if (again) {
       faults.push_back(document.fault_at(member.key_begin, place, "the key a second time", "each key once"));
+      continue;
+    }
+    if (is_unit) {
+      for (const CompareUnit known : {CompareUnit::levels, CompareUnit::values})
+        if (member.kind == JsonKind::string && member.string == unit_name(known)) unit_of_file = known;
+      if (!unit_of_file)
+        faults.push_back(document.fault_at(member.begin, place, document.describe(member), "\"levels\" or \"values\""));
       continue;
     }
     // Above 2^53 a double is no count any more, and no image has as many pixels.
@@ -41,7 +51,7 @@ CompareLimits read_limits(const std::string& path) {
     else (member.key == "max_abs" ? limits.max_abs : limits.max_rms) = member.number;
   }
   if (!faults.empty()) throw InputError(std::move(faults));
-  return limits;
+  return converted(limits, unit_of_file.value_or(CompareUnit::levels), unit);
 }
 
 } // namespace refraster

@@ -78,6 +78,7 @@ void add_scenes(Seeds& seeds) {
   add("mirrored", R"("scale": "1 1 1")", R"("scale": "-1e20 0 1")");
   add("escapes", R"("rotate_x": 0)", "\"name\": \"\\u00e4\\ud83d\\ude00\\n\\\\\\\"/\xc3\xa4\", /* */ \"rotate_x\": 0");
   seeds.add("limits", "all", R"({"max_abs": 0.5, "max_rms": 1e-3, "max_count": 12})");
+  seeds.add("limits", "unit", R"({"unit": "values", "max_abs": 0.5})");
   seeds.add("limits", "unknown", "// a comment\n{\"max_abs\": -1, \"max\": [[]], \"max_count\": 1.5,}");
 }
 

@@ -71,6 +71,18 @@ void add_hdr(List& list) {
       "found \"+Y 1 +X 1\", expected -Y height +X width");
   add(list, "an HDR in XYZ", "i.hdr", "#?RGBE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\n\x80\x80\x80\x80",
       "found \"FORMAT=32-bit_rle_xyze\", expected FORMAT=32-bit_rle_rgbe");
+  const auto add_line = [&](const std::string& name, const std::string& line, const std::string& expected) {
+    const std::string bytes =
+        "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n" + line + "\n\n-Y 1 +X 1\n\x80\x80\x80\x80";
+    list.push_back(
+        {name, Reader::image, "i.hdr", {{"i.hdr", bytes}}, "i.hdr:3: found \"" + line + "\", expected " + expected});
+  };
+  for (const char* const wrong : {"0", "-1", "nan", "inf", "1e999", "one", "", "1 2", "1.2.3", "1e-320"})
+    add_line("an HDR with the exposure \"" + std::string(wrong) + "\"", "EXPOSURE=" + std::string(wrong),
+             "EXPOSURE= and a number > 0");
+  for (const char* const wrong : {"1", "1 1", "1 1 1 1", "1 0 1", "1 1 x"})
+    add_line("an HDR with the colour correction \"" + std::string(wrong) + "\"", "COLORCORR=" + std::string(wrong),
+             "COLORCORR= and three numbers > 0");
   add(list, "an HDR larger than its file", "i.hdr", "#?RGBE\nFORMAT=32-bit_rle_rgbe\n\n-Y 60000 +X 4000\n",
       "found 4000 x 60000 pixels, expected as many as a file of 48 bytes can hold");
 }
@@ -83,8 +95,7 @@ void add_exr(List& list) {
       exr_bytes(2, 0, {row}, 0, "type\0string\0\x0c\0\0\0deepscanline"s),
       "type: found \"deepscanline\", expected scanlineimage or tiledimage");
   add(list, "an OpenEXR file with channels that are not the image's", "i.exr",
-      exr_bytes(2, 0, {row}, 0, "more\0chlist\0\x01\0\0\0\0"s),
-      "more: found a second list of channels, expected one");
+      exr_bytes(2, 0, {row}, 0, "more\0chlist\0\x01\0\0\0\0"s), "more: found a second list of channels, expected one");
   add(list, "an OpenEXR file with a row that is too short", "i.exr", exr_bytes(2, 0, {row, "x"}),
       "chunk 1: found 1 bytes of pixels, expected 8");
   add(list, "an OpenEXR file with a row that unpacks to too little", "i.exr", exr_bytes(2, 1, {packed, "\x06x"s}),

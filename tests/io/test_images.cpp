@@ -209,7 +209,7 @@ TEST_CASE("HDR rows may be coded or not, in one file, and lie where they belong"
   for (int x = 0; x < 10; ++x) plain += x < 5 ? "\x80\x40\x20\x81" : "\x80\x40\x20\x82";
   const ImageFile image = read_image(
       file_with(folder, "i.hdr",
-                "#?RADIANCE\n# a comment\nFORMAT=32-bit_rle_rgbe\nEXPOSURE=2\n\n-Y 3 +X 10\n" + coded + plain + coded));
+                "#?RADIANCE\n# a comment\nFORMAT=32-bit_rle_rgbe\nGAMMA=1\n\n-Y 3 +X 10\n" + coded + plain + coded));
   REQUIRE(image.values.width == 10);
   REQUIRE(image.values.height == 3);
   for (int y = 0; y < 3; ++y)
@@ -218,6 +218,28 @@ TEST_CASE("HDR rows may be coded or not, in one file, and lie where they belong"
       const float* const pixel = image.values.at(x, y);
       CHECK(std::vector<float>(pixel, pixel + 3) == std::vector<float>{unit, unit / 2, unit / 4});
     }
+}
+
+TEST_CASE("HDR values are divided by all exposures and colour corrections of the header, and a note names the factor") {
+  const TemporaryFolder folder;
+  const auto read = [&](const std::string& lines) {
+    // (1, 0.5, 0.25)
+    return read_image(
+        file_with(folder, "i.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n" + lines + "\n-Y 1 +X 1\n\x80\x40\x20\x81"));
+  };
+  const auto text_of_note = [](const ImageFile& image) {
+    return image.notes.empty() ? std::string() : image.notes.notes()[0].text();
+  };
+  const ImageFile plain = read("");
+  CHECK(plain.values.values == std::vector<float>{1, 0.5f, 0.25f});
+  CHECK(plain.notes.empty());
+  const ImageFile cumulative = read("EXPOSURE=2\nVIEW= -vta\nEXPOSURE= 4.0 \n"); // 8 in all
+  CHECK(cumulative.values.values == std::vector<float>{0.125f, 0.0625f, 0.03125f});
+  CHECK(text_of_note(cumulative).ends_with("i.hdr:3: found 2 lines of EXPOSURE or COLORCORR, values are divided by 8"));
+  const ImageFile both = read("COLORCORR= 1 0.5 2\nEXPOSURE=2\n"); // 2, 1, 4
+  CHECK(both.values.values == std::vector<float>{0.5f, 0.5f, 0.0625f});
+  CHECK(text_of_note(both).ends_with("values are divided by 2, 1, 4 (R, G, B)"));
+  CHECK(read("EXPOSURE=2\nEXPOSURE=0.5\n").notes.empty()); // nothing is changed
 }
 
 TEST_CASE("a BMP may have its top row first, and few colours") {

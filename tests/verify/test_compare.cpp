@@ -47,33 +47,81 @@ TEST_CASE("levels: every number of a comparison, worked out by hand") {
   CHECK_FALSE(found.same);
 }
 
-TEST_CASE("the worst pixels come first, with all values of both images") {
-  const Comparison found = compare(a, b, CompareUnit::levels, {});
-  REQUIRE(found.worst.size() == 2);
+TEST_CASE("the worst pixel of a cluster comes with all values of both images") {
+  const Comparison found = compare(a, b, CompareUnit::levels, {}); // its two pixels touch at a corner
+  REQUIRE(found.worst.size() == 1);
   CHECK(found.worst[0].x == 0);
   CHECK(found.worst[0].y == 1);
   CHECK(found.worst[0].difference == 4);
   CHECK(found.worst[0].a == std::vector<double>{40, 50, 60});
   CHECK(found.worst[0].b == std::vector<double>{40, 46, 60});
-  CHECK(found.worst[1].x == 1);
-  CHECK(found.worst[1].y == 0);
-  CHECK(found.worst[1].difference == 3);
 }
 
-TEST_CASE("ten worst pixels are kept, and equals stay in the order of the image") {
-  std::vector<float> zero(30, 0.0F), far(30, 0.0F);
-  for (std::size_t i = 0; i < 30; ++i) far[i] = i % 3 == 0 ? 2.0F : 1.0F; // ten twos among twenty ones
+TEST_CASE("of each cluster the worst pixel is listed, ten at most, and equals stay in the order of the image") {
+  std::vector<float> zero(60, 0.0F), far(60, 0.0F);
+  for (std::size_t i = 0; i < 60; ++i)
+    if (i % 3 > 0) far[i] = i % 6 == 1 ? 2.0F : 1.0F; // twenty clusters of two, ten with a two in them
   Comparison found = compare(row(zero), row(far), CompareUnit::values, {});
+  REQUIRE(found.cluster_count == 20);
   REQUIRE(found.worst.size() == 10);
   for (std::size_t i = 0; i < 10; ++i) {
     CHECK(found.worst[i].difference == 2);
-    CHECK(found.worst[i].x == static_cast<int>(3 * i));
+    CHECK(found.worst[i].x == static_cast<int>(6 * i + 1));
   }
-  far[29] = 3;
+  far[59] = 3;
   found = compare(row(zero), row(far), CompareUnit::values, {});
   REQUIRE(found.worst.size() == 10);
-  CHECK(found.worst[0].x == 29);
-  CHECK(found.worst[9].x == 24); // the last two has gone
+  CHECK(found.worst[0].x == 59);
+  CHECK(found.worst[9].x == 49); // the last two has gone
+}
+
+TEST_CASE("where all is within the limit, the worst pixels are of the clusters that differ at all") {
+  const Comparison found = compare(row({0, 0, 0, 0}), row({1, 2, 0, 1}), CompareUnit::values, {.max_abs = 2});
+  CHECK(found.same);
+  CHECK(found.cluster_count == 0);
+  REQUIRE(found.worst.size() == 2);
+  CHECK(found.worst[0].x == 1);
+  CHECK(found.worst[1].x == 3);
+}
+
+TEST_CASE("a limit of levels means the same for the same picture of 8 bits, of 16 bits and of floats") {
+  std::vector<float> a8, b8, a16, b16, a_values, b_values;
+  for (int level = 0; level <= 253; ++level) {
+    a8.push_back(static_cast<float>(level)), b8.push_back(static_cast<float>(level + 2));
+    a16.push_back(a8.back() * 257), b16.push_back(b8.back() * 257);
+    a_values.push_back(a8.back() / 255), b_values.push_back(b8.back() / 255);
+  }
+  const auto check = [](const std::vector<float>& left, const std::vector<float>& right, double full_scale) {
+    const PixelScale scale(full_scale, CompareUnit::levels);
+    const Comparison within = compare(row(left), row(right), scale, {.max_abs = 2});
+    CHECK(within.unit == CompareUnit::levels);
+    CHECK(within.same);
+    CHECK(within.max == doctest::Approx(2).epsilon(1e-5));
+    CHECK(within.mean[0] == doctest::Approx(2).epsilon(1e-5));
+    CHECK(compare(row(left), row(right), scale, {.max_abs = 1.999}).pixels_over == left.size());
+    CHECK(compare(row(left), row(right), scale, {.max_abs = 1}).pixels_over == left.size());
+    CHECK(within.psnr_db == doctest::Approx(20 * std::log10(255 / 2.0)).epsilon(1e-5));
+  };
+  check(a8, b8, 255);
+  check(a16, b16, 65535);
+  check(a_values, b_values, 1);
+}
+
+TEST_CASE("an image of 16 bits and its negative are not within 2 levels, and in values they differ by one") {
+  const PixelScale levels(65535, CompareUnit::levels), values(65535, CompareUnit::values);
+  CHECK_FALSE(compare(row({0, 65535}), row({65535, 0}), levels, {.max_abs = 2}).same);
+  CHECK(compare(row({0, 65535}), row({65535, 0}), levels, {}).max == 255);
+  CHECK(compare(row({0, 65535}), row({65535, 0}), values, {}).max == 1);
+  CHECK(compare(row({0, 257}), row({257, 257}), levels, {}).worst[0].b == std::vector<double>{1});
+}
+
+TEST_CASE("limits of one unit in the other") {
+  const CompareLimits limits =
+      converted({.max_abs = 0.5, .max_rms = 2, .max_count = 3}, CompareUnit::values, CompareUnit::levels);
+  CHECK(limits.max_abs == 127.5);
+  CHECK(limits.max_rms == 510);
+  CHECK(limits.max_count == 3);
+  CHECK(converted(limits, CompareUnit::levels, CompareUnit::values).max_abs == 0.5);
 }
 
 TEST_CASE("an image equals itself, with infinite PSNR") {
@@ -126,12 +174,12 @@ TEST_CASE("an infinity equals the same infinity only") {
 }
 
 TEST_CASE("pixels without a difference are the worst, and do not touch the sums") {
-  const Comparison found = compare(row({1, not_a_number, 3}), row({2, 0, 3}), CompareUnit::values, {});
+  const Comparison found = compare(row({1, 3, not_a_number}), row({2, 3, 0}), CompareUnit::values, {});
   CHECK(found.max == 1);
   CHECK(found.rms == std::sqrt(0.5));
   CHECK(found.mean == std::vector<double>{0.5});
   REQUIRE(found.worst.size() == 2);
-  CHECK(found.worst[0].x == 1);
+  CHECK(found.worst[0].x == 2);
   CHECK(std::isinf(found.worst[0].difference));
   CHECK(found.pixels_over == 2);
 }
@@ -156,8 +204,8 @@ TEST_CASE("the text begins with the verdict and shows the worst pixel") {
     return comparison_text({"a.png", "b.png", limits, compare(a, b, CompareUnit::levels, limits)});
   };
   CHECK(text({}).starts_with("differ\n"));
-  CHECK(text({.max_abs = 4}).starts_with("equal within max-abs 4\n"));
-  CHECK(text({.max_abs = 2}).starts_with("differ by more than max-abs 2\n"));
+  CHECK(text({.max_abs = 4}).starts_with("equal within max-abs 4 levels\n"));
+  CHECK(text({.max_abs = 2}).starts_with("differ by more than max-abs 2 levels\n"));
   CHECK(comparison_text({"a.png", "a.png", {}, compare(a, a, CompareUnit::levels, {})}).starts_with("equal\n"));
   CHECK(text({}).find("(0, 1)  40 50 60  40 46 60  4\n") != std::string::npos);
 }

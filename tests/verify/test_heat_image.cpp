@@ -24,6 +24,11 @@ Image<float> row(std::vector<float> values) {
   return image;
 }
 
+Image<std::uint8_t> heat_of(const Image<float>& a, const Image<float>& b, CompareUnit unit,
+                            std::optional<double> ramp_end = {}) {
+  return heat_image(a, b, unit, heat_ramp_end(compare(a, b, unit, {}), ramp_end));
+}
+
 } // namespace
 
 TEST_CASE("a larger difference is never a darker colour") {
@@ -39,7 +44,7 @@ TEST_CASE("a larger difference is never a darker colour") {
 
 TEST_CASE("equal is black, the largest difference is the end of the ramp, the smallest is seen") {
   const auto a = row({0, 0, 0}), b = row({0, 1e-12F, 1});
-  const Image<std::uint8_t> heat = heat_image(a, b, compare(a, b, CompareUnit::values, {}));
+  const Image<std::uint8_t> heat = heat_of(a, b, CompareUnit::values);
   CHECK(pixel(heat, 0) == Rgb8{0, 0, 0});
   CHECK(lightness(pixel(heat, 1)) > 10);
   CHECK(pixel(heat, 2) == heat_colour(1));
@@ -47,10 +52,36 @@ TEST_CASE("equal is black, the largest difference is the end of the ramp, the sm
 
 TEST_CASE("NaN has a colour of its own") {
   const auto a = row({std::numeric_limits<float>::quiet_NaN(), 0}), b = row({0, 0});
-  CHECK(pixel(heat_image(a, b, compare(a, b, CompareUnit::values, {})), 0) == incomparable_colour);
+  CHECK(pixel(heat_of(a, b, CompareUnit::values), 0) == incomparable_colour);
 }
 
 TEST_CASE("the ramp is logarithmic: with seven levels at its end, one level is at a third") {
   const auto a = row({0, 0}), b = row({1, 7});
-  CHECK(pixel(heat_image(a, b, compare(a, b, CompareUnit::levels, {})), 0) == heat_colour(1.0 / 3)); // log 2 / log 8
+  CHECK(pixel(heat_of(a, b, CompareUnit::levels, 7), 0) == heat_colour(1.0 / 3)); // log 2 / log 8
+}
+
+TEST_CASE("the ramp ends at a round number that is not below the largest difference, or where it is asked to") {
+  const auto end = [](double max) {
+    Comparison found;
+    found.max = max;
+    return heat_ramp_end(found);
+  };
+  for (const auto& [max, round] : {std::pair(0.0, 0.0), std::pair(1.0, 1.0), std::pair(1.01, 2.0), std::pair(3.0, 5.0),
+                                   std::pair(5.0, 5.0), std::pair(74.0, 100.0), std::pair(255.0, 500.0),
+                                   std::pair(0.0003, 0.0005), std::pair(1e30, 1e30), std::pair(1e-12, 1e-12)})
+    CHECK(end(max) == doctest::Approx(round).epsilon(1e-12));
+  for (double max = 1e-9; max < 1e9; max *= 1.37) {
+    CHECK(end(max) >= max);
+    CHECK(end(max) < 2.5 * max * (1 + 1e-12)); // 2 is the next after 1, 5 after 2
+  }
+}
+
+TEST_CASE(
+    "two heat images with one end have the same colours for the same differences, and what is beyond has its colour") {
+  const auto zero = row({0, 0, 0});
+  const auto small = heat_of(zero, row({3, 1, 0}), CompareUnit::levels, 10);
+  const auto large = heat_of(zero, row({3, 10, 200}), CompareUnit::levels, 10);
+  CHECK(pixel(small, 0) == pixel(large, 0));
+  CHECK(pixel(large, 1) == heat_colour(1));
+  CHECK(pixel(large, 2) == heat_colour(1));
 }

@@ -27,6 +27,23 @@ TEST_CASE("limits come from a file, each of them optional") {
   CHECK_FALSE(limits_in("{}").any());
 }
 
+TEST_CASE("limits of a file are in levels or in the unit that it names, and given in the one that is asked for") {
+  const test::TemporaryFolder folder;
+  const auto read = [&](const std::string& text, CompareUnit unit) {
+    std::ofstream(folder / "limits.json") << text;
+    return read_limits(folder / "limits.json", unit);
+  };
+  const std::string plain = R"({"max_abs": 51, "max_rms": 25.5})", levels = R"({"max_abs": 51, "unit": "levels"})",
+                    values = R"({"unit": "values", "max_abs": 0.2, "max_count": 4})";
+  CHECK(read(plain, CompareUnit::levels).max_abs == 51);
+  CHECK(read(plain, CompareUnit::values).max_abs == 0.2);
+  CHECK(read(plain, CompareUnit::values).max_rms == 0.1);
+  CHECK(read(levels, CompareUnit::levels).max_abs == 51);
+  CHECK(read(values, CompareUnit::values).max_abs == 0.2);
+  CHECK(read(values, CompareUnit::levels).max_abs == 51);
+  CHECK(read(values, CompareUnit::levels).max_count == 4);
+}
+
 TEST_CASE("every wrong limit of a file is told by its place") {
   try {
     limits_in("{\n\"max_abs\": -1,\n\"max_rms\": \"1\",\n\"max_count\": 1.5,\n\"max\": 3}");
@@ -42,6 +59,8 @@ TEST_CASE("every wrong limit of a file is told by its place") {
     CHECK(error.faults()[3].found == "an unknown key");
   }
   CHECK_THROWS_AS(limits_in("[]"), InputError);
+  for (const char* const unit : {"\"level\"", "\"Values\"", "1", "null", "\"levels\", \"unit\": \"levels\""})
+    CHECK_THROWS_AS(limits_in("{\"unit\": " + std::string(unit) + "}"), InputError);
   for (const char* const key : {"max_abs", "max_rms", "max_count"}) {
     const std::string member = std::string("\"") + key + "\": ";
     CHECK_THROWS_AS(limits_in("{" + member + "0, " + member + "1}"), InputError);
