@@ -2,7 +2,9 @@
 
 #include "app/arguments.h"
 #include "app/bench/built_in.h"
+#include "app/bench/doubts.h"
 #include "app/bench/page/page.h"
+#include "app/bench/report_csv.h"
 #include "app/bench/report_json.h"
 #include "app/bench/report_text.h"
 #include "app/bench/rung_errors.h"
@@ -14,9 +16,11 @@
 #include "app/output.h"
 #include "app/progress_line.h"
 #include "io/scene_file.h"
+#include "raster/explain_dark.h"
 #include "verify/gl/render_gl.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <iterator>
@@ -67,7 +71,7 @@ struct BenchArguments {
   std::vector<Size> sizes = {Size{}};
   int samples = 1, frames = 9;
   double seconds = 3;
-  std::string gl = "llvmpipe", json, html;
+  std::string gl = "llvmpipe", json, html, csv;
   bool gl_named = false; // by the user, who then does not want to do without
   Marginals marginals = Marginals::measured;
   Errors errors = Errors::measured;
@@ -135,6 +139,11 @@ public:
     if (interrupted()) return;
     if (a_.errors == Errors::measured)
       result.errors = rung_errors(task, static_cast<int>(run_.machine.usable_cpus.size()));
+    if (result.counts.shaded == 0) {
+      RenderOptions options;
+      options.width = size.width, options.height = size.height;
+      run_.notes.push_back(name + ": " + explain_no_surface(scene, options) + "; nothing is known of a shaded pixel");
+    }
     run_.scenes.push_back(std::move(result));
   }
 
@@ -147,8 +156,9 @@ public:
     const PinnedTeams teams;
     for (const LayerOrder order : {LayerOrder::back_to_front, LayerOrder::front_to_back}) {
       if (order != LayerOrder::back_to_front && request.growth != Growth::overdraw) continue;
-      ProgressLine line("measuring how cost grows with " + std::string(name_of(request.growth)));
-      rounds_.progress = [&line](double share) { line.show(share); };
+      const auto line =
+          progress_line(a_.diagnostics, "measuring how cost grows with " + std::string(name_of(request.growth)));
+      show_progress(line.get());
       task.order = order;
       for (ScalingCurve& curve : measure_scaling(task, rounds_, teams)) run_.scaling.push_back(std::move(curve));
     }
@@ -157,13 +167,14 @@ public:
   Run finished() {
     run_.ended = utc_now();
     run_.load_at_end = load_average();
+    for (std::string& note : doubts(run_)) run_.notes.push_back(std::move(note));
     return std::move(run_);
   }
 
 private:
   SceneResult timed(SceneTask& task) {
-    ProgressLine line("measuring " + task.name);
-    rounds_.progress = [&line](double share) { line.show(share); };
+    const auto line = progress_line(a_.diagnostics, "measuring " + task.name);
+    show_progress(line.get());
     const PinnedTeams teams;
     try {
       return bench_scene(task, rounds_, teams);
@@ -176,11 +187,21 @@ private:
     return bench_scene(task, rounds_, teams);
   }
 
+  /// On a line, if there is one.
+  void show_progress(ProgressLine* line) {
+    rounds_.progress = {};
+    if (line) rounds_.progress = [line](double share) { line->show(share); };
+  }
+
   const BenchArguments& a_;
   std::optional<GlRenderer> opengl_;
   Rounds rounds_;
   Run run_;
 };
+
+std::string csv_path(const BenchArguments& a, std::string_view name) {
+  return (std::filesystem::path(a.csv) / name).string();
+}
 
 enum class Remarks { printed, withheld };
 
@@ -195,8 +216,13 @@ Scene scene_of(const std::string& path, const BenchArguments& a, Remarks remarks
 }
 
 ExitCode run(const BenchArguments& a) {
-  check_different({a.json, a.html}, a.scenes);
-  for (const std::string& path : {a.json, a.html})
+  std::vector<std::string> outputs = {a.json, a.html};
+  if (!a.csv.empty()) {
+    prepare_folder(a.csv);
+    for (const std::string_view name : csv_file_names) outputs.push_back(csv_path(a, name));
+  }
+  check_different(outputs, a.scenes);
+  for (const std::string& path : outputs)
     if (!path.empty()) check_writable(path);
   prepare_cache(a.reading.mesh_cache);
   // What is wrong with any of them is told before the first is measured.
@@ -218,9 +244,12 @@ ExitCode run(const BenchArguments& a) {
     return ExitCode::no_opengl;
   }
   if (interrupted()) return ExitCode::interrupted;
-  const Run found = bench.finished();
+  Run found = bench.finished();
   if (!a.json.empty()) write_text(a.json, run_json(found));
   if (!a.html.empty()) write_text(a.html, run_html(found));
+  if (!a.csv.empty())
+    for (const CsvTable& table : csv_tables(found)) write_text(csv_path(a, table.file_name), table.text);
+  if (a.diagnostics.verbosity == Verbosity::quiet) found.notes.clear(); // files keep theirs
   if (a.json != standard_output && a.html != standard_output) std::cout << run_text(found);
   return ExitCode::ok;
 }
@@ -274,6 +303,8 @@ void add_bench(CLI::App& program, Action& chosen) {
   command.add_option("--json", a.json, "write the report as JSON; - is standard output")->type_name("FILE");
   command.add_option("--html", a.html, "write the report as one HTML page with pictures; - is standard output")
       ->type_name("FILE");
+  command.add_option("--csv", a.csv, "folder to write a .csv file for each table to; made if need be")
+      ->type_name("DIR");
   command.add_flag_callback(
       "--no-marginal", [&a] { a.marginals = Marginals::left_out; },
       "only the scene as it is: no further light, texture, samples");

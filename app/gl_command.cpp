@@ -8,6 +8,7 @@
 #include "app/progress_line.h"
 #include "io/image_file.h"
 #include "io/scene_file.h"
+#include "raster/explain_dark.h"
 #include "verify/gl/gl_report.h"
 #include "verify/gl/render_gl.h"
 
@@ -56,6 +57,15 @@ void write_outputs(const GlArguments& a, const GlOptions& options, const GlFrame
   if (!a.json.empty()) write_text(a.json, gl_report_json(a.scene, options, frame));
 }
 
+/// Why OpenGL's image shows nothing, where that has a reason in the scene; empty if it shows something.
+std::string why_dark(const Scene& scene, const GlOptions& options, const GlFrame& frame) {
+  if (frame.levels.empty() && frame.radiance.empty()) return {};
+  RenderOptions view;
+  view.width = options.width, view.height = options.height;
+  view.want_levels = !frame.levels.empty();
+  return explain_dark_image(scene, view, {frame.levels, frame.radiance}, std::nullopt);
+}
+
 ExitCode run(const GlArguments& a) {
   const std::vector<std::string> outputs = {a.output, a.radiance, a.depth, a.json};
   check_different(outputs, {a.scene});
@@ -70,16 +80,18 @@ ExitCode run(const GlArguments& a) {
   options.want_depth = !a.depth.empty();
 
   GlFrame frame;
+  std::string note;
   try {
     NoteList notes;
     SceneOptions reading = a.reading;
     reading.notes = &notes;
-    auto line = std::make_unique<ProgressLine>("reading " + a.scene);
+    auto line = progress_line(a.diagnostics, "reading " + a.scene);
     const Scene scene = read_scene(a.scene, reading);
     line.reset(); // before anything is printed
     print_file_notes(notes, a.diagnostics);
-    line = std::make_unique<ProgressLine>("drawing " + a.scene);
+    line = progress_line(a.diagnostics, "drawing " + a.scene);
     frame = render_gl(scene, options);
+    note = why_dark(scene, options, frame);
   } catch (const NoOpenGl& error) {
     std::cerr << "refraster: " << error.what() << "\n";
     return ExitCode::no_opengl;
@@ -88,6 +100,7 @@ ExitCode run(const GlArguments& a) {
     for (const std::string& line : frame.shaders) std::cerr << line << "\n";
     for (const std::string& line : frame.warnings) std::cerr << "warning: " << line << "\n";
   }
+  if (!note.empty()) print_note(note, a.diagnostics);
   write_outputs(a, options, frame);
   if (a.json == standard_output) return ExitCode::ok; // which then holds the report and nothing else
   for (const std::string& path : {a.output, a.radiance, a.depth})

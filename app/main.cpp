@@ -46,7 +46,9 @@ ExitCode run_and_tell(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const InputError& error) {
-    return failed(ExitCode::bad_input, error.what());
+    const ExitCode code = failed(ExitCode::bad_input, error.what());
+    std::fputs(error.advice().c_str(), stderr);
+    return code;
   } catch (const OutputError& error) {
     return failed(ExitCode::cannot_write, error.what());
   } catch (const OutOfMemory& error) {

@@ -57,6 +57,12 @@ void prepare_cache(const std::string& folder) {
   check_cache_folder(folder);
 }
 
+void prepare_folder(const std::string& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!fs::is_directory(folder)) throw OutputError(folder, "it is no folder, and none can be made there");
+}
+
 void write_text(const std::string& path, const std::string& text) {
   if (path == standard_output) std::cout << text;
   else write_file(path, text);

@@ -25,6 +25,9 @@ void check_different(const std::vector<std::string>& outputs, const std::vector<
 /// it.
 void prepare_cache(const std::string& folder);
 
+/// Makes a folder, and those it lies in, if it is not there. Throws OutputError if it cannot be made.
+void prepare_folder(const std::string& folder);
+
 /// Writes a text file as a whole or not at all; or to standard output. Throws OutputError.
 void write_text(const std::string& path, const std::string& text);
 

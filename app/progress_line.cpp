@@ -43,4 +43,8 @@ void ProgressLine::print_until(const std::stop_token& end) const {
   std::fputs(erase_line, stderr);
 }
 
+std::unique_ptr<ProgressLine> progress_line(const Diagnostics& diagnostics, const std::string& what) {
+  return diagnostics.verbosity == Verbosity::quiet ? nullptr : std::make_unique<ProgressLine>(what);
+}
+
 } // namespace refraster

@@ -1,7 +1,10 @@
 #pragma once
 // How far something long is.
 
+#include "app/diagnostics.h"
+
 #include <atomic>
+#include <memory>
 #include <string>
 #include <thread>
 
@@ -27,5 +30,8 @@ private:
   std::atomic<double> share_{-1}; // nobody has said
   std::jthread printer_;          // none off a terminal
 };
+
+/// A line for what is not to be quiet; else nothing.
+std::unique_ptr<ProgressLine> progress_line(const Diagnostics& diagnostics, const std::string& what);
 
 } // namespace refraster

@@ -11,6 +11,7 @@
 #include "io/input_error.h"
 #include "io/report.h"
 #include "io/scene_file.h"
+#include "raster/explain_dark.h"
 #include "raster/render.h"
 
 #include <algorithm>
@@ -86,12 +87,8 @@ RenderOptions options_from(const RenderArguments& arguments) {
   return options;
 }
 
-/// Nothing where none is wanted.
-std::unique_ptr<ProgressLine> progress_line(const Diagnostics& diagnostics, const std::string& what) {
-  return diagnostics.verbosity == Verbosity::quiet ? nullptr : std::make_unique<ProgressLine>(what);
-}
-
-Scene scene_of(const RenderArguments& arguments) {
+/// The scene; the notes on its files are printed, and put into `said`.
+Scene scene_of(const RenderArguments& arguments, std::vector<std::string>& said) {
   NoteList notes;
   auto line = progress_line(arguments.diagnostics, "reading " + arguments.scene);
   SceneOptions reading = arguments.reading;
@@ -99,7 +96,17 @@ Scene scene_of(const RenderArguments& arguments) {
   Scene scene = read_scene(arguments.scene, reading);
   line.reset(); // before anything is printed
   print_file_notes(notes, arguments.diagnostics);
+  for (const Note& note : notes.notes()) said.push_back(note.text());
   return scene;
+}
+
+/// A note on an image that shows nothing, printed and put into `said`.
+void explain(const Scene& scene, const Frame& frame, const RenderArguments& arguments, std::vector<std::string>& said) {
+  const std::string note =
+      explain_dark_image(scene, options_from(arguments), {frame.levels, frame.radiance}, frame.counts.shaded);
+  if (note.empty()) return;
+  print_note(note, arguments.diagnostics);
+  said.push_back(note);
 }
 
 Frame rendered(const Scene& scene, const RenderArguments& arguments) {
@@ -142,7 +149,8 @@ ExitCode run(const RenderArguments& arguments) {
   prepare_cache(arguments.reading.mesh_cache);
 
   const Stopwatch reading;
-  const Scene scene = scene_of(arguments);
+  std::vector<std::string> notes;
+  const Scene scene = scene_of(arguments, notes);
   const double read_seconds = reading.seconds();
   check_triangle_numbers(scene, arguments);
   if (interrupted()) return ExitCode::interrupted;
@@ -152,6 +160,8 @@ ExitCode run(const RenderArguments& arguments) {
 
   const Stopwatch writing;
   const std::vector<std::string> paths = write_images(frame, arguments);
+  const double write_seconds = writing.seconds();
+  explain(scene, frame, arguments, notes);
   if (!arguments.report.empty()) {
     write_text(arguments.report, report_json({.scene = arguments.scene,
                                               .outputs = paths,
@@ -163,9 +173,10 @@ ExitCode run(const RenderArguments& arguments) {
                                               .tile_size = arguments.tile_size,
                                               .threads = frame.threads,
                                               .read_seconds = read_seconds,
-                                              .write_seconds = writing.seconds(),
+                                              .write_seconds = write_seconds,
                                               .seconds = frame.seconds,
-                                              .counts = frame.counts}));
+                                              .counts = frame.counts,
+                                              .notes = notes}));
   }
   if (arguments.report == standard_output) return ExitCode::ok; // which then holds the report and nothing else
   for (const std::string& path : paths) std::cout << path << "\n";

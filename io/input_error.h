@@ -25,9 +25,13 @@ class InputError : public std::runtime_error {
 public:
   explicit InputError(std::vector<InputFault> list);
   explicit InputError(InputFault fault) : InputError(std::vector<InputFault>{std::move(fault)}) {}
+  InputError(InputFault fault, std::string advice) : InputError(std::move(fault)) { advice_ = std::move(advice); }
   const std::vector<InputFault>& faults() const { return faults_; }
+  /// What to do about it: lines to print below what(), each with its line end. Mostly empty.
+  const std::string& advice() const { return advice_; }
 
 private:
+  std::string advice_;
   std::vector<InputFault> faults_;
 };
 

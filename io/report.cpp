@@ -120,6 +120,7 @@ std::string report_json(const RunReport& report) {
   write_seconds(json, report);
   json.key("counts");
   write_counts(json, report.counts);
+  json.member("notes", report.notes);
   json.end_object();
   return json.text();
 }

@@ -32,6 +32,7 @@ struct RunReport {
   double read_seconds = 0, write_seconds = 0; // of the scene and its files; of the images
   StageSeconds seconds;
   FrameCounts counts;
+  std::vector<std::string> notes; // on its files, and on an image that shows nothing
 };
 
 /// The report as JSON, members always in the same order. docs/reports.md describes them.

@@ -4,6 +4,7 @@
 #include "io/input_file.h"
 #include "io/merl_file.h"
 #include "io/mesh_cache.h"
+#include "io/not_a_scene.h"
 #include "io/obj_file.h"
 #include "io/scene_reader.h"
 #include "io/shape_mesh.h"
@@ -51,6 +52,7 @@ public:
     if (result.name.empty())
       result.name = text.shape ? std::string(std::visit([](auto& s) { return s.name; }, *text.shape))
                                : fs::path(text.obj_file.given).stem().string();
+    note_what_is_not_read(text);
     if (Merl* const merl = std::get_if<Merl>(&result.material.model)) {
       merl->table = load(tables_, text.brdf_file, "a MERL table", [&](const std::string& path) {
         options_.memory.need(std::min(file_size_bytes(path), merl_file_bytes), path);
@@ -120,6 +122,20 @@ private:
                               "a path within it, or --allow-outside");
   }
 
+  /// A material may name a file that its own fragment function has no use for: then its picture may surprise.
+  void note_what_is_not_read(const ObjectText& text) const {
+    if (!options_.notes) return;
+    const Model& model = text.object.material.model;
+    const bool measured = std::holds_alternative<Merl>(model);
+    const PathText& path = measured ? text.texture_file : text.brdf_file;
+    if (path.given.empty()) return;
+    const std::string key = measured ? "texture_file_path" : "brdf_file_path";
+    const std::string name(std::visit([](const auto& function) { return function.name; }, model));
+    options_.notes->add(
+        {document_.file(), document_.fault_at(path.offset, "", "", "").line, key + ' ' + in_quotes(path.given),
+         "not read: the fragment function " + name + (measured ? " shows no texture" : " uses no measured table")});
+  }
+
   std::string path_of(const PathText& text) const {
     return text.given.empty() ? std::string() : (folder_ / text.given).string();
   }
@@ -148,6 +164,7 @@ private:
 } // namespace
 
 Scene read_scene(const std::string& path, const SceneOptions& options) {
+  if (auto error = not_a_scene(path)) throw std::move(*error);
   options.memory.need(2 * std::min<std::uint64_t>(file_size_bytes(path), JsonDocument::max_bytes), path);
   const JsonDocument document(path, read_file(path, "a scene file", JsonDocument::max_bytes));
   FaultList faults;
@@ -156,6 +173,8 @@ Scene read_scene(const std::string& path, const SceneOptions& options) {
   if (document[0].kind != JsonKind::object)
     throw InputError(
         document.fault_at(document[0].begin, "", document.describe(document[0]), "an object with the key scene"));
+  for (JsonIndex i = document[0].first_child; i; i = document[i].next)
+    if (document[i].key == "asset" && document[i].kind == JsonKind::object) throw gltf_is_no_scene(path);
   SceneReader root(document, 0, "", faults);
   root.object("scene", required, "", [&](auto& keys) { scene_keys(scene, objects, keys); });
   root.finish();

@@ -22,14 +22,34 @@ void text_or_null(JsonWriter& json, std::string_view name, const std::string& te
   else json.value(text);
 }
 
-void write_spread(JsonWriter& json, const Spread& spread) {
-  json.begin_object();
+void write_numbers(JsonWriter& json, const Spread& spread) {
   json.member("min", spread.min);
   json.member("lower", spread.lower);
   json.member("median", spread.median);
   json.member("upper", spread.upper);
   json.member("max", spread.max);
+}
+
+void write_spread(JsonWriter& json, const Spread& spread) {
+  json.begin_object();
+  write_numbers(json, spread);
   json.end_object();
+}
+
+/// A spread of differences: whether they are larger than their spread, and if not, what they are below.
+void write_difference(JsonWriter& json, const Spread& difference) {
+  json.begin_object();
+  write_numbers(json, difference);
+  json.member("resolved", is_resolved(difference));
+  json.key("below");
+  if (is_resolved(difference)) json.null();
+  else json.value(cost_bound(difference));
+  json.end_object();
+}
+
+void difference_member(JsonWriter& json, std::string_view name, const Spread& difference) {
+  json.key(name);
+  write_difference(json, difference);
 }
 
 void spread_member(JsonWriter& json, std::string_view name, const Spread& spread) {
@@ -37,8 +57,8 @@ void spread_member(JsonWriter& json, std::string_view name, const Spread& spread
   write_spread(json, spread);
 }
 
-void optional_spread(JsonWriter& json, std::string_view name, const std::optional<Spread>& spread) {
-  optional_member(json, name, spread, [&](const Spread& s) { write_spread(json, s); });
+void optional_difference(JsonWriter& json, std::string_view name, const std::optional<Spread>& difference) {
+  optional_member(json, name, difference, [&](const Spread& d) { write_difference(json, d); });
 }
 
 void write_program(JsonWriter& json) {
@@ -115,7 +135,7 @@ void write_functions(JsonWriter& json, const std::vector<FunctionCost>& function
     json.begin_object();
     json.member("name", name_of(cost.function));
     json.member("fragments", cost.fragments);
-    spread_member(json, "ns_per_fragment_and_light", cost.ns);
+    difference_member(json, "ns_per_fragment_and_light", cost.ns);
     json.end_object();
   }
   json.end_array();
@@ -124,12 +144,12 @@ void write_functions(JsonWriter& json, const std::vector<FunctionCost>& function
 void write_marginal(JsonWriter& json, const std::optional<Marginal>& marginal) {
   optional_member(json, "marginal_cpu_ns_per_pixel", marginal, [&](const Marginal& m) {
     json.begin_object();
-    spread_member(json, "light", m.light);
-    optional_spread(json, "texture", m.texture);
+    difference_member(json, "light", m.light);
+    optional_difference(json, "texture", m.texture);
     json.key("texture_was");
     if (m.texture) json.value(m.texture_change == TextureChange::removed ? "removed" : "added");
     else json.null();
-    optional_spread(json, "double_samples", m.double_samples);
+    optional_difference(json, "double_samples", m.double_samples);
     json.end_object();
   });
 }
@@ -209,6 +229,7 @@ void write_result(JsonWriter& json, const Run& run, const SceneResult& scene, co
   json.member("reference_cycles", ns * run.machine.time_stamp_ghz);
   json.end_object();
   write_split(json, rung.split_ns);
+  difference_member(json, "split_fragment_functions", rung.lighting_ns);
   write_functions(json, rung.functions);
   write_marginal(json, rung.marginal);
   write_error(json, scene, rung.rung);

@@ -49,8 +49,7 @@ std::string split(const SceneResult& scene) {
   for (const RungResult& rung : scene.rungs) {
     std::vector<std::string> row = {rung.rung, std::to_string(rung.threads)};
     for (const auto& [name, part] : split_parts) {
-      const double ns = rung.split_ns.*part; // of no pixel it is no number
-      row.push_back(std::isfinite(ns) ? format("%.2f", ns) : none);
+      row.push_back(part_text(rung, part));
     }
     table.add(row);
   }
@@ -60,7 +59,8 @@ std::string split(const SceneResult& scene) {
 std::string costs(const SceneResult& scene) {
   TextTable table({"what adds how much", "ns of CPU", "lower quartile", "upper quartile"});
   const auto row = [&](const std::string& rung, const std::string& what, const Spread& ns) {
-    table.add({rung + ": " + what, three_digits(ns.median), three_digits(ns.lower), three_digits(ns.upper)});
+    const CostText cost = cost_text(ns);
+    table.add({rung + ": " + what, cost.median, cost.lower, cost.upper});
   };
   for (const RungResult& rung : scene.rungs) {
     for (const FunctionCost& cost : rung.functions)
@@ -144,6 +144,21 @@ std::string scaling(const ScalingCurve& curve) {
 }
 
 } // namespace
+
+CostText cost_text(const Spread& difference) {
+  if (!std::isfinite(difference.median)) return {none, none, none};
+  if (!is_resolved(difference)) return {"< " + three_digits(cost_bound(difference)), none, none};
+  const bool saves = difference.median < 0;
+  const Spread cost = saves ? -difference : difference;
+  return {(saves ? "saves " : "") + three_digits(cost.median), three_digits(cost.lower), three_digits(cost.upper)};
+}
+
+std::string part_text(const RungResult& rung, double Split::*part) {
+  const double ns = rung.split_ns.*part;
+  if (!std::isfinite(ns)) return none; // of no pixel it is no number
+  if (part == &Split::lighting && !(is_resolved(rung.lighting_ns) && ns > 0)) return cost_text(rung.lighting_ns).median;
+  return format("%.2f", ns);
+}
 
 std::string three_digits(double x) {
   if (!std::isfinite(x)) return none;

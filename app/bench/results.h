@@ -79,6 +79,7 @@ struct RungResult {
   int threads = 1;
   Spread frame_ms, cpu_ms;
   Split split_ns;                      // a shaded pixel
+  Spread lighting_ns;                  // the differences, round by round, whose mean split_ns.lighting is
   std::vector<FunctionCost> functions; // with the first number of threads only, as is `marginal`
   std::optional<Marginal> marginal;
   std::optional<Spread> opengl_ratio; // OpenGL's wall time over ours, round by round

@@ -115,6 +115,12 @@ Split split_ms(const Frames& lit, const Frames& unlit) {
   return split;
 }
 
+/// What the tiles' wall time has of shading, in ms.
+double wall_shading_ms(const FrameTimes& times) {
+  const double sum = times.tiles.sum();
+  return sum > 0 ? 1e3 * times.stages.tiles * times.tiles.shading / sum : 0;
+}
+
 /// The numbers of the frames that one rung's figures come from.
 struct RungFrames {
   struct Ways {
@@ -256,6 +262,8 @@ SceneResult bench_scene(const SceneTask& task, const Rounds& rounds, const Pinne
       rung.cpu_ms = spread(contenders.of(lit), &FrameTimes::cpu_ms);
       rung.split_ns = split_ms(contenders.of(lit), contenders.of(unlit));
       for (const auto& [name, part] : split_parts) rung.split_ns.*part *= 1e6 / result.shaded();
+      rung.lighting_ns =
+          paired_difference(contenders.of(lit), contenders.of(unlit), wall_shading_ms) * (1e6 / result.shaded());
       if (way > 0 || !frames.light) continue;
       rung.marginal = marginal_of(frames, contenders, task, result.shaded());
       rung.functions = function_costs(frames, contenders, result.lights);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <numeric>
 
 namespace refraster::bench {
@@ -22,6 +24,25 @@ Spread spread_of(std::vector<double> values) {
 Spread operator*(const Spread& spread, double factor) {
   return {spread.min * factor, spread.lower * factor, spread.median * factor, spread.upper * factor,
           spread.max * factor};
+}
+
+Spread operator-(const Spread& spread) {
+  return {-spread.max, -spread.upper, -spread.median, -spread.lower, -spread.min};
+}
+
+bool is_resolved(const Spread& difference) {
+  return difference.max > difference.min && std::abs(difference.median) > quartile_distance(difference);
+}
+
+double cost_bound(const Spread& difference) {
+  return std::max({difference.upper, quartile_distance(difference), std::abs(difference.median)});
+}
+
+double median_error(const Spread& spread, std::size_t rounds) {
+  if (rounds < 3) return std::numeric_limits<double>::quiet_NaN();
+  constexpr double quartiles_of_normal = 1.3489795; // 2 Phi^-1(3/4)
+  const double sigma = quartile_distance(spread) / quartiles_of_normal;
+  return std::sqrt(std::numbers::pi / 2 / static_cast<double>(rounds)) * sigma / spread.median;
 }
 
 std::vector<std::size_t> middle_half(std::span<const double> values) {

@@ -121,6 +121,8 @@ TEST_CASE("a scene that shows nothing is measured too") {
   CHECK(fault(json) == "");
   CHECK(json["results"][0]["pixels"]["shaded"].GetInt() == 0);
   CHECK(json["results"][0]["per_shaded_pixel"]["wall_ns"].IsNull());
+  CHECK(holds(json["notes"][0].GetString(),
+              "empty.json: the image shows background only: the scene has no objects; nothing is known of a shaded"));
   CHECK(folder.bench({"empty.json", "--html", "empty.html"}).exit_code == 0);
 }
 
@@ -150,7 +152,11 @@ TEST_CASE("without --json a table is written; the page needs nothing from elsewh
   for (const char* const words :
        {"ball.json: 80 x 45", "frame ms", "cycles/px", "interpolate", "one more light", "against 60 digits"})
     CHECK_MESSAGE(holds(run.out, words), words << "\n" << run.out);
-  const std::string page = text_of(folder / "page.html");
+  std::string page = text_of(folder / "page.html");
+  const std::string name_space = "xmlns=\"http://www.w3.org/2000/svg\""; // a name, from where nothing is fetched
+  CHECK(holds(page, name_space));
+  for (std::size_t at = page.find(name_space); at != std::string::npos; at = page.find(name_space))
+    page.erase(at, name_space.size());
   CHECK(page.starts_with("<!doctype html>"));
   CHECK(page.ends_with("</html>\n"));
   for (const char* const words :
@@ -176,8 +182,39 @@ TEST_CASE("more threads than CPUs are measured, and noted") {
   const Finished run = folder.bench({"ball.json", "--threads", "64", "--no-marginal", "--no-error", "--json", "-"});
   REQUIRE_MESSAGE(run.exit_code == 0, run.err);
   const Json json = parsed(run.out);
-  REQUIRE(json["notes"].Size() == 1);
+  REQUIRE(json["notes"].Size() >= 1); // there may be more, on the load of the machine
   CHECK(holds(json["notes"][0].GetString(), "64 threads share"));
+}
+
+TEST_CASE("with --csv a folder is made that holds a file for each table, and what is in it else stays") {
+  const BallFolder folder;
+  std::filesystem::create_directories(folder / "figures/here");
+  save_text(folder / "figures/here/mine.txt", "mine");
+  for (const char* const where : {"figures/here", "made/too"}) {
+    const Finished run = folder.bench({"ball.json", "--rungs", "float", "--threads", "1", "--csv", where});
+    REQUIRE_MESSAGE(run.exit_code == 0, run.err);
+    for (const char* const name : {"frames", "split", "costs", "errors", "scaling", "machine"})
+      CHECK(text_of(folder / (std::string(where) + "/" + name + ".csv")).size() > 20);
+    CHECK(text_of(folder / (std::string(where) + "/frames.csv")).find("\nball.json,80,45,1,2,536,") !=
+          std::string::npos);
+  }
+  CHECK(text_of(folder / "figures/here/mine.txt") == "mine");
+  CHECK(folder.bench({"ball.json", "--csv", "ball.json"}).exit_code == 4);
+  CHECK(folder.bench({"ball.json", "--csv", "made", "--json", "made/frames.csv"}).exit_code == 2);
+}
+
+TEST_CASE("-q leaves notes out of the table, and out of nothing else") {
+  const BallFolder folder;
+  const Words many = {"ball.json", "--threads", "64",     "--no-marginal", "--no-error",
+                      "--rungs",   "float",     "--json", "a.json"};
+  CHECK(holds(folder.bench(many).out, "note: 64 threads share"));
+  Words quiet = many;
+  quiet.emplace_back("-q");
+  const Finished run = folder.bench(quiet);
+  CHECK_MESSAGE(!holds(run.out, "note"), run.out);
+  CHECK(holds(run.out, "ball.json: 80 x 45"));
+  CHECK(run.err.empty());
+  CHECK(holds(text_of(folder / "a.json"), "64 threads share"));
 }
 
 TEST_CASE("bad scenes and outputs are told as everywhere") {

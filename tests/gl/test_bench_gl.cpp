@@ -44,7 +44,7 @@ TEST_CASE("bench draws with OpenGL too, for each number of threads, and tells th
     CHECK(count(run.out, "\"renderer\": \"" + std::string(renderer)) == 2);
     CHECK(count(run.out, "\"opengl_ratio\": {") == count(run.out, "\"rung\": "));
     CHECK(count(run.out, "\"of_cpu_medians\"") >= 2);
-    CHECK(holds(run.out, "\"notes\": []"));
+    CHECK(!holds(run.out, "without OpenGL beside")); // there may be notes on the load of the machine
   }
 }
 

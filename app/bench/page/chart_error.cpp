@@ -40,7 +40,7 @@ std::vector<Place> places(const Run& run) {
 std::string error_chart(const Run& run) {
   const std::vector<Place> all = places(run);
   if (all.empty()) return {};
-  constexpr double width = 860, height = 430, left = 74, right = 20, top = 14, bottom = 374;
+  constexpr double width = 860, height = 450, left = 74, right = 20, top = 34, bottom = 394;
   double least_ns = all[0].ns, most_ns = all[0].ns, least = all[0].error, most = all[0].error;
   for (const Place& p : all) {
     least_ns = std::min(least_ns, p.ns), most_ns = std::max(most_ns, p.ns);
@@ -49,6 +49,7 @@ std::string error_chart(const Run& run) {
   const Scale x = Scale::around(Scale::Kind::logarithmic, least_ns / 1.1, most_ns * 1.1, left, width - right);
   const Scale y = Scale::around(Scale::Kind::logarithmic, least / 2, most * 2, bottom, top);
   Svg svg(width, height, "Mean relative error against nanoseconds a shaded pixel");
+  svg.legend(left, 14, rung_legend(run));
   svg.x_axis(x, top, bottom, "ns a shaded pixel, wall time");
   svg.y_axis(y, left, width - right, "mean relative error");
   for (std::size_t s = 0; s < run.scenes.size(); ++s) {

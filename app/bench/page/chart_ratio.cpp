@@ -27,10 +27,11 @@ std::string ratio_chart(const Run& run) {
     }
   if (rows.empty()) return {};
 
-  constexpr double width = 860, left = 250, right = 30, line = 26, top = 6;
+  constexpr double width = 860, left = 250, right = 30, line = 26, top = 28;
   const double bottom = top + static_cast<double>(rows.size()) * line, height = bottom + 44;
   const Scale x = Scale::around(Scale::Kind::logarithmic, least, most, left, width - right);
   Svg svg(width, height, "How many times as long OpenGL takes");
+  svg.legend(left, 12, rung_legend(run));
   svg.x_axis(x, top, bottom, "time of OpenGL over time of refraster; to the right of 1 refraster is faster");
   svg.line(x(1), top, x(1), bottom, "one");
   double y = top + line / 2;

@@ -8,7 +8,7 @@
 namespace refraster::bench {
 namespace {
 
-constexpr double width = 424, height = 300, left = 66, right = 14, top = 12, bottom = 250;
+constexpr double width = 424, height = 318, left = 66, right = 14, top = 30, bottom = 268;
 
 struct Values {
   std::string classes;
@@ -24,8 +24,8 @@ enum class Reference { none, linear };
 
 /// Curves with dots. A reference goes through the last point of the first curve: what cost would be, had it grown
 /// linearly up to there.
-std::string plot(const std::vector<Values>& curves, const std::string& x_name, const std::string& y_name,
-                 Scale::Kind x_kind, Scale::Kind y_kind, Reference reference) {
+std::string plot(const Run& run, const std::vector<Values>& curves, const std::string& x_name,
+                 const std::string& y_name, Scale::Kind x_kind, Scale::Kind y_kind, Reference reference) {
   if (curves.empty() || curves.front().n.empty()) return {};
   double x_least = curves[0].n[0], x_most = x_least, y_least = curves[0].value[0], y_most = y_least;
   for (const Values& curve : curves) {
@@ -36,6 +36,7 @@ std::string plot(const std::vector<Values>& curves, const std::string& x_name, c
   const Scale x = Scale::around(x_kind, x_least, x_most, left, width - right);
   const Scale y = Scale::around(y_kind, y_least, y_most, bottom, top);
   Svg svg(width, height, y_name + " over " + x_name);
+  svg.legend(left, 12, rung_legend(run));
   svg.x_axis(x, top, bottom, x_name);
   svg.y_axis(y, left, width - right, y_name);
   if (reference == Reference::linear) {
@@ -76,9 +77,9 @@ std::string growth_chart(const Run& run, std::span<const ScalingCurve* const> cu
     }
   }
   if (threads)
-    return plot(all, "threads", "times as fast as one thread", Scale::Kind::whole, Scale::Kind::linear,
+    return plot(run, all, "threads", "times as fast as one thread", Scale::Kind::whole, Scale::Kind::linear,
                 Reference::none);
-  return plot(all, axis_name(*curves.front()), "ms a frame", Scale::Kind::logarithmic, Scale::Kind::logarithmic,
+  return plot(run, all, axis_name(*curves.front()), "ms a frame", Scale::Kind::logarithmic, Scale::Kind::logarithmic,
               Reference::linear);
 }
 
@@ -98,7 +99,7 @@ std::string memory_chart(const Run& run, std::span<const ScalingCurve* const> cu
   }
   const bool steep = all.empty() || all.front().value.back() > 5 * all.front().value.front();
   const bool threads = curves.front()->growth == Growth::threads;
-  return plot(all, axis_name(*curves.front()), "peak memory, MB",
+  return plot(run, all, axis_name(*curves.front()), "peak memory, MB",
               threads ? Scale::Kind::whole : Scale::Kind::logarithmic,
               steep ? Scale::Kind::logarithmic : Scale::Kind::linear, Reference::none);
 }

@@ -21,6 +21,12 @@ std::size_t place_of(const std::vector<std::string>& rungs, const std::string& r
   return static_cast<std::size_t>(std::find(rungs.begin(), rungs.end(), rung) - rungs.begin());
 }
 
+std::vector<LegendEntry> rung_legend(const Run& run) {
+  std::vector<LegendEntry> legend;
+  for (const std::string& rung : rungs_of(run)) legend.push_back({rung_class(legend.size()), rung});
+  return legend;
+}
+
 std::string short_name(const SceneResult& scene) {
   const std::size_t folder = scene.scene.rfind('/');
   const std::string name = folder == std::string::npos ? scene.scene : scene.scene.substr(folder + 1);

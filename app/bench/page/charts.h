@@ -3,6 +3,8 @@
 
 #include "app/bench/results.h"
 
+#include "app/bench/page/svg.h"
+
 #include <span>
 #include <string>
 #include <vector>
@@ -12,6 +14,9 @@ namespace refraster::bench {
 /// The rungs of a run in the order in which they first appear: their place is their colour.
 std::vector<std::string> rungs_of(const Run& run);
 std::size_t place_of(const std::vector<std::string>& rungs, const std::string& rung);
+
+/// The rungs of a run and their colours.
+std::vector<LegendEntry> rung_legend(const Run& run);
 
 /// A scene's path without folders and ending.
 std::string short_name(const SceneResult& scene);

@@ -4,7 +4,6 @@
 #include "app/bench/page/charts.h"
 #include "app/bench/page/markup.h"
 #include "app/bench/page/style.h"
-#include "app/bench/page/svg.h"
 #include "app/bench/page/tables.h"
 #include "io/report.h"
 
@@ -18,14 +17,6 @@ std::string section(const std::string& title, const std::string& about, const st
   return "<h2>" + title + "</h2>\n<p>" + about + "</p>\n" + content;
 }
 
-std::string rung_legend(const Run& run) {
-  const std::vector<std::string> rungs = rungs_of(run);
-  std::string legend = "<div class=\"legend dots\">";
-  for (std::size_t i = 0; i < rungs.size(); ++i)
-    legend += "<span class=\"" + rung_class(i) + "\">" + escaped(rungs[i]) + "</span>";
-  return legend + "</div>\n";
-}
-
 /// "1 sphere, 2 torus": which number in a picture is which scene.
 std::string scene_numbers(const Run& run) {
   if (run.scenes.size() < 2) return {};
@@ -37,8 +28,7 @@ std::string scene_numbers(const Run& run) {
 
 std::string errors_section(const Run& run) {
   const std::string chart = error_chart(run);
-  const std::string picture =
-      chart.empty() ? "" : rung_legend(run) + "<div class=\"wide\">" + chart + "</div>\n" + scene_numbers(run);
+  const std::string picture = chart.empty() ? "" : "<div class=\"wide\">" + chart + "</div>\n" + scene_numbers(run);
   return section("What accuracy costs",
                  "Each point is a rung on a scene: farther down is more exact, farther to the left is faster. Error is "
                  "the mean over some hundred pixels of |value − exact| / |exact|, the exact value worked out in 60 "
@@ -47,15 +37,7 @@ std::string errors_section(const Run& run) {
 }
 
 std::string splits_section(const Run& run) {
-  std::string content = "<div class=\"legend\">";
-  int number = 0;
-  for (const auto& [name, part] : split_parts) {
-    std::string words = name;
-    for (char& c : words)
-      if (c == '_') c = ' ';
-    content += "<span class=\"part" + std::to_string(number++) + "\">" + words + "</span>";
-  }
-  content += "</div>\n";
+  std::string content;
   for (const SceneResult& scene : run.scenes) {
     if (scene.counts.shaded == 0) continue; // no pixel that its time could go to
     content += "<h3>" + escaped(label(run, scene)) + "</h3>\n<div class=\"wide\">" + split_chart(scene) + "</div>\n";
@@ -78,7 +60,7 @@ std::string opengl_section(const Run& run) {
                  "The same scene, size and number of threads, frames in turn. Dots are medians over the rounds, bars "
                  "hold half of them. Drawn by " +
                      escaped(drivers) + ".",
-                 rung_legend(run) + "<div class=\"wide\">" + chart + "</div>\n");
+                 "<div class=\"wide\">" + chart + "</div>\n");
 }
 
 /// Both pictures of one growth, and what they say.
@@ -102,7 +84,7 @@ std::string scaling_section(const Run& run) {
                  "The slope is that of "
                  "the upper half of the points, in logarithms; at most 1 means that twice as much costs at most twice "
                  "the time.",
-                 content.empty() ? "" : rung_legend(run) + content);
+                 content);
 }
 
 std::string headline(const Run& run) {
@@ -127,10 +109,12 @@ std::string run_html(const Run& run) {
                   "Cycles are reference cycles, of the time stamp counter.",
                   frames_table(run));
   page += errors_section(run) + splits_section(run);
-  page += section("What one more thing costs",
-                  "In ns of CPU time, from frames of the scene with and without it, drawn in turn: the median and the "
-                  "quartiles of the rounds.",
-                  costs_table(run));
+  page +=
+      section("What one more thing costs",
+              "In ns of CPU time, from frames of the scene with and without it, drawn in turn: the median and the "
+              "quartiles of the rounds. What is smaller than its spread, the distance of the quartiles, is shown as "
+              "a bound: < 1.2.",
+              costs_table(run));
   page += opengl_section(run) + scaling_section(run);
   page += section("Machine and method", "docs/bench.md says more.", facts_table(run));
   return page + "</main>\n</body>\n</html>\n";

@@ -1,5 +1,5 @@
 #pragma once
-// How the page looks.
+// How the page looks; its charts: chart_style.h.
 
 namespace refraster::bench {
 
@@ -21,23 +21,6 @@ th, td { padding: 3px 12px 3px 0; text-align: right; white-space: nowrap; }
 th { color: var(--soft); font-weight: 600; border-bottom: 1px solid var(--rule); vertical-align: bottom; }
 th.left, td.left { text-align: left; } tr.first td { border-top: 1px solid var(--rule); } .facts td { white-space: normal; }
 .facts td:first-child { color: var(--soft); white-space: nowrap; vertical-align: top; }
-.legend { display: flex; flex-wrap: wrap; gap: 4px 16px; font-size: 13px; color: var(--soft); margin: 6px 0; }
-.legend span::before { content: ""; display: inline-block; width: 11px; height: 11px; margin-right: 6px; border-radius: 2px;
-  background: var(--mark); vertical-align: -1px; }
-.legend.dots span::before { border-radius: 50%; }
-svg text { font: 12px system-ui, sans-serif; fill: var(--soft); } svg text.name { fill: var(--ink); }
-svg text.strong { fill: var(--ink); font-weight: 600; } svg text.small { font-size: 11px; fill: var(--ink); }
-.grid { stroke: var(--grid); } .one { stroke: var(--soft); stroke-width: 1.5; }
-.joined { fill: none; stroke: var(--soft); stroke-width: 1; stroke-dasharray: 3 4; opacity: .6; }
-.reference { stroke: var(--soft); stroke-dasharray: 6 5; opacity: .7; }
-circle { fill: var(--colour); stroke: var(--paper); stroke-width: 1; }
-.curve { fill: none; stroke: var(--colour); stroke-width: 2; } .dashed.curve { stroke-dasharray: 6 4; }
-.range { stroke: var(--colour); stroke-width: 4; opacity: .35; }
-.rung0 { --colour: var(--rung0); --mark: var(--rung0); } .rung1 { --colour: var(--rung1); --mark: var(--rung1); }
-.rung2 { --colour: var(--rung2); --mark: var(--rung2); } .rung3 { --colour: var(--rung3); --mark: var(--rung3); }
-.part0 { fill: #94a7ba; --mark: #94a7ba; } .part1 { fill: #64809c; --mark: #64809c; } .part2 { fill: #3f9c93; --mark: #3f9c93; }
-.part3 { fill: #9cb76b; --mark: #9cb76b; } .part4 { fill: #e5b54b; --mark: #e5b54b; } .part5 { fill: #d9683c; --mark: #d9683c; }
-.part6 { fill: #a670a5; --mark: #a670a5; } .part7 { fill: #a9adb1; --mark: #a9adb1; }
 )";
 
 } // namespace refraster::bench

@@ -1,6 +1,7 @@
 #include "app/bench/page/svg.h"
 
 #include "app/bench/format.h"
+#include "app/bench/page/chart_style.h"
 #include "app/bench/page/markup.h"
 
 namespace refraster::bench {
@@ -18,9 +19,12 @@ std::string closed(const char* element, const std::string& tooltip) {
 } // namespace
 
 Svg::Svg(double width, double height, const std::string& title) {
-  svg_ = format("<svg viewBox=\"0 0 %g %g\" width=\"%g\" height=\"%g\" role=\"img\" aria-label=\"", width, height,
-                width, height) +
-         escaped(title) + "\">\n";
+  svg_ =
+      format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %g %g\" width=\"%g\" height=\"%g\" role=\"img\" "
+             "aria-label=\"",
+             width, height, width, height) +
+      escaped(title) + "\">\n<style>" + chart_style + "</style>\n";
+  rectangle(0, 0, width, height, "paper");
 }
 
 void Svg::line(double x1, double y1, double x2, double y2, std::string_view classes) {
@@ -49,6 +53,16 @@ void Svg::text(double x, double y, Anchor anchor, const std::string& words, std:
   const char* const names[] = {"start", "middle", "end"};
   svg_ += format("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\"", x, y, names[static_cast<int>(anchor)]) +
           classes_attribute(classes) + ">" + escaped(words) + "</text>\n";
+}
+
+void Svg::legend(double x, double y, std::span<const LegendEntry> entries) {
+  constexpr double mark = 11, gap = 6, between = 16;
+  constexpr double character = 6.6; // pixels, a mean of sans serif at 12 pixels
+  for (const LegendEntry& entry : entries) {
+    rectangle(x, y - mark / 2, mark, mark, "mark " + entry.classes);
+    text(x + mark + gap, y + 4, Anchor::start, entry.words);
+    x += mark + gap + character * static_cast<double>(entry.words.size()) + between;
+  }
 }
 
 void Svg::upward_text(double x, double y, const std::string& words) {

@@ -1,6 +1,6 @@
 #pragma once
-// A picture in a page, in the page's own colours: everything is drawn by classes of style.h, so that it can be read on
-// light and on dark paper.
+// A picture: in a page it takes the page's colours, on light and on dark paper; saved as a file it stands alone, with
+// its own style, on light paper. Everything is drawn by classes of chart_style.h.
 
 #include "app/bench/page/scale.h"
 
@@ -11,6 +11,11 @@
 namespace refraster::bench {
 
 enum class Anchor { start, middle, end };
+
+/// What a colour stands for, in a legend.
+struct LegendEntry {
+  std::string classes, words;
+};
 
 class Svg {
 public:
@@ -24,6 +29,8 @@ public:
   /// Through points x[i], y[i].
   void curve(std::span<const double> x, std::span<const double> y, std::string_view classes);
   void text(double x, double y, Anchor anchor, const std::string& words, std::string_view classes = {});
+  /// A row of coloured marks and what they stand for, from x to the right; y is the middle of the row.
+  void legend(double x, double y, std::span<const LegendEntry> entries);
   /// Upwards, for the name of a vertical axis.
   void upward_text(double x, double y, const std::string& words);
 

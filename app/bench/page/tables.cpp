@@ -96,8 +96,9 @@ std::string costs_table(const Run& run) {
     auto group = HtmlTable::Group::first;
     for (const RungResult& rung : scene.rungs) {
       const auto row = [&](const std::string& what, const Spread& ns, const char* of) {
-        table.add({group == HtmlTable::Group::first ? label(run, scene) : "", rung.rung, what, of,
-                   three_digits(ns.median), three_digits(ns.lower), three_digits(ns.upper)},
+        const CostText cost = cost_text(ns);
+        table.add({group == HtmlTable::Group::first ? label(run, scene) : "", rung.rung, what, of, cost.median,
+                   cost.lower, cost.upper},
                   group);
         group = HtmlTable::Group::same;
       };
