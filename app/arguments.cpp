@@ -75,8 +75,12 @@ std::vector<std::string> rung_names() {
   return listed_names(static_cast<const Rungs*>(nullptr));
 }
 
+std::vector<std::string> lane_rung_names() {
+  return listed_names(static_cast<const LaneRungs*>(nullptr));
+}
+
 std::optional<std::vector<std::string>> rungs_from(std::string_view text) {
-  const std::vector<std::string> known = rung_names();
+  const std::vector<std::string> known = lane_rung_names();
   std::vector<std::string> rungs;
   for (const std::string_view name : split(text, ',')) {
     if (std::find(known.begin(), known.end(), name) == known.end()) return std::nullopt;

@@ -37,7 +37,10 @@ std::optional<std::vector<Aov>> aovs_from(std::string_view text);
 /// The names of all rungs.
 std::vector<std::string> rung_names();
 
-/// "double,float": some of these names, each once.
+/// The names of those that are measured for their speed: all but `exact`.
+std::vector<std::string> lane_rung_names();
+
+/// "double,float": some of the latter, each once.
 std::optional<std::vector<std::string>> rungs_from(std::string_view text);
 
 /// Throws CLI::ValidationError for more than limit::frame_samples.

@@ -256,7 +256,7 @@ ExitCode run(const BenchArguments& a) {
 
 /// Without an option: all rungs; one thread, and as many as there are CPUs.
 void fill_defaults(BenchArguments& a) {
-  if (a.rungs.empty()) a.rungs = rung_names();
+  if (a.rungs.empty()) a.rungs = lane_rung_names();
   if (!a.threads.empty()) return;
   a.threads = {1};
   if (const auto usable = static_cast<int>(usable_cpus().size()); usable > 1) a.threads.push_back(usable);
@@ -276,7 +276,7 @@ void add_bench(CLI::App& program, Action& chosen) {
                     "pixels of the image, or several sizes")
       ->default_str("1280x720");
   std::string listed;
-  for (const std::string& name : rung_names()) listed += (listed.empty() ? "" : ",") + name;
+  for (const std::string& name : lane_rung_names()) listed += (listed.empty() ? "" : ",") + name;
   add_parsed_option(command, "--rungs", a.rungs, rungs_from, "NAME,…", "some of " + listed + ", each once",
                     "precisions, divided by commas")
       ->default_str(listed);

@@ -10,12 +10,17 @@
 
 namespace refraster {
 
-/// What a number type has to say about itself. Specialised beside each number type:
-///   Real   the floating-point type of one lane: its precision, and the precision of tables read for it
-///   TableReal   only where measured tables are stored in another type than Real: see TableRealOf
-///   Mask   what a comparison gives
-///   Index  integers made from numbers, for table look-ups; 32 bits a lane
-///   lanes  how many independent numbers one T holds
+/// What a number type has to say about itself. Specialised beside each number type; docs/number.md has an example.
+///   Real       the floating-point type in which parameters and tables enter a formula; of lanes, that of one lane
+///   TableReal  only where measured tables are stored in another type than Real: see TableRealOf
+///   Mask       what a comparison gives
+///   Index      integers made from numbers, for reading grids; 32 bits a lane
+///   lanes      how many independent numbers one T holds
+///   has_lanes  T is a register of lanes: a formula may treat all of them at once where they agree
+///   decides    a comparison says yes or no, lane by lane, so that a formula may choose between two ways to a result by
+///              any(mask). A bounds number, whose answer may be "perhaps", does not: it takes select
+///   is_ieee    each lane is an IEEE 754 number, with its format, its range and its bits
+///   largest    magnitudes above this overflow, as a double; DBL_MAX where there is no such limit within double
 template <class T>
 struct NumberTraits;
 
@@ -44,8 +49,8 @@ struct TableReal<T> {
 template <class T>
 using TableRealOf = typename scalar_detail::TableReal<T>::type;
 
-/// A grid cell: the greatest integer not above x, and how far x is into the cell, in [0, 1): the largest number below 1
-/// where that difference rounds to 1.
+/// The greatest integer not above x, and how far x is beyond it, in [0, 1): the largest number below 1 where that
+/// difference rounds to 1. Of a place in a grid: the cell, and the place in it.
 template <class T>
 struct Cell {
   IndexOf<T> index;
@@ -64,7 +69,15 @@ struct NumberTraits<F> {
   using Mask = bool;
   using Index = std::int32_t;
   static constexpr int lanes = 1;
+  static constexpr bool has_lanes = false, decides = true, is_ieee = true;
+  static constexpr double largest = std::numeric_limits<F>::max();
 };
+
+/// The largest finite number of T.
+template <class T>
+T largest_number() {
+  return T(static_cast<RealOf<T>>(NumberTraits<T>::largest));
+}
 
 template <std::floating_point F>
 constexpr F select(bool m, F x, F y) {
@@ -130,12 +143,12 @@ constexpr F exact_reciprocal(F s) {
   return std::bit_cast<F>(one_squared - std::bit_cast<B>(s));
 }
 
-/// Table coordinates beyond this many cells are clamped to it, so that the index fits 32 bits; NaN counts as the lower
+/// Coordinates beyond this many cells are clamped to it, so that the index fits 32 bits; NaN counts as the lower
 /// end.
 inline constexpr double cell_limit = 1 << 30;
 
 template <std::floating_point F>
-Cell<F> cell(F x) {
+Cell<F> floor_and_fraction(F x) {
   const F limit = static_cast<F>(cell_limit);
   const F inside = minimum(maximum(x, -limit), limit);
   // Truncate, then step down where that went up: lanes can do that too. For -0 compilers disagree whether the way over
@@ -143,6 +156,11 @@ Cell<F> cell(F x) {
   const F truncated = static_cast<F>(static_cast<std::int32_t>(inside));
   const F below = truncated > inside ? truncated - 1 : truncated;
   return {static_cast<std::int32_t>(below), minimum(maximum(inside - below, F(0)), almost_one<F>)};
+}
+
+template <std::floating_point F>
+constexpr F fraction(F x) {
+  return floor_and_fraction(x).fraction;
 }
 
 constexpr std::int32_t clamp_index(std::int32_t i, std::int32_t lo, std::int32_t hi) {

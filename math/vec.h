@@ -62,24 +62,29 @@ T reciprocal_binade(const Vec3<T>& a) {
   return reciprocal_binade(maximum(magnitude(a.x), maximum(magnitude(a.y), magnitude(a.z))));
 }
 
-/// |a|, without overflow or underflow on the way.
+/// |a|, without overflow or underflow on the way. A bounds number brings its own, which knows that |a| grows with each
+/// component.
 template <class T>
 T length(const Vec3<T>& a) {
-  const auto scaled = [&] {
-    const T scale = reciprocal_binade(a);
-    return root(squared_length(a * scale)) * exact_reciprocal(scale);
-  };
-  if constexpr (NumberTraits<T>::lanes > 1) { // a bounds type could not ask
-    const T squared = squared_length(a);
-    const MaskOf<T> ordinary = square_in_range(squared);
-    if constexpr (is_quick<T>) {
-      const T quick = squared * reciprocal_root(squared);
-      return any(!ordinary) ? select(ordinary, quick, scaled()) : quick;
+  if constexpr (!NumberTraits<T>::is_ieee) { // neither overflows nor underflows
+    return root(squared_length(a));
+  } else {
+    const auto scaled = [&] {
+      const T scale = reciprocal_binade(a);
+      return root(squared_length(a * scale)) * exact_reciprocal(scale);
+    };
+    if constexpr (NumberTraits<T>::has_lanes) {
+      const T squared = squared_length(a);
+      const MaskOf<T> ordinary = square_in_range(squared);
+      if constexpr (is_quick<T>) {
+        const T quick = squared * reciprocal_root(squared);
+        return any(!ordinary) ? select(ordinary, quick, scaled()) : quick;
+      }
+      if (!any(!ordinary)) [[likely]]
+        return root(squared);
     }
-    if (!any(!ordinary)) [[likely]]
-      return root(squared);
+    return scaled();
   }
-  return scaled();
 }
 
 /// Whether squares can be added up as they are. Where they can, scaling by a power of two first would change no bit of
@@ -90,37 +95,40 @@ MaskOf<T> square_in_range(const T& squared_length) {
   return (squared_length >= T(1 / far)) & (squared_length <= T(far));
 }
 
-/// a / |a| for every finite a but 0, which gives 0: also for components of 1e30 or 1e-30 in float.
+/// a / |a|, likewise, for every finite a but 0, which gives 0: also for components of 1e30 or 1e-30 in float.
 template <class T>
 Vec3<T> normalize(const Vec3<T>& a) {
-  const auto through_scaled = [&] {
-    const Vec3<T> scaled = a * reciprocal_binade(a);
-    const T squared = squared_length(scaled); // in [1, 12), or 0
-    return scaled * select(squared > T(0), T(1) / root(squared), T(0));
-  };
-  // What lies beside it in a register must not matter: an estimate has other bits, and a component that is subnormal
-  // would lose its last ones twice where it is scaled first.
-  if constexpr (NumberTraits<T>::lanes > 1) {
+  if constexpr (!NumberTraits<T>::is_ieee) {
     const T squared = squared_length(a);
-    const MaskOf<T> ordinary = square_in_range(squared);
-    const auto plain = [&]() -> Vec3<T> {
-      if constexpr (is_quick<T>) return a * reciprocal_root(squared);
-      else return a * (T(1) / root(squared));
-    };
-    if (!any(!ordinary)) [[likely]]
-      return plain();
-    return select<T>(ordinary, plain(), through_scaled());
-  } else if constexpr (std::is_floating_point_v<T>) { // a bounds type could not ask
-    const T squared = squared_length(a);
-    return square_in_range(squared) ? a * (T(1) / root(squared)) : through_scaled();
+    const MaskOf<T> defined = squared > T(0);
+    return a * select(defined, T(1) / root(select(defined, squared, T(1))), T(0));
   } else {
-    return through_scaled();
+    const auto through_scaled = [&] {
+      const Vec3<T> scaled = a * reciprocal_binade(a);
+      const T squared = squared_length(scaled); // in [1, 12), or 0
+      return scaled * select(squared > T(0), T(1) / root(squared), T(0));
+    };
+    // What lies beside it in a register must not matter: an estimate has other bits, and a component that is subnormal
+    // would lose its last ones twice where it is scaled first.
+    const T squared = squared_length(a);
+    if constexpr (NumberTraits<T>::has_lanes) {
+      const MaskOf<T> ordinary = square_in_range(squared);
+      const auto plain = [&]() -> Vec3<T> {
+        if constexpr (is_quick<T>) return a * reciprocal_root(squared);
+        else return a * (T(1) / root(squared));
+      };
+      if (!any(!ordinary)) [[likely]]
+        return plain();
+      return select<T>(ordinary, plain(), through_scaled());
+    } else {
+      return square_in_range(squared) ? a * (T(1) / root(squared)) : through_scaled();
+    }
   }
 }
 
-template <class Real>
+template <class T>
 Double3 within_range(const Double3& a) {
-  return {within_range<Real>(a.x), within_range<Real>(a.y), within_range<Real>(a.z)};
+  return {within_range<T>(a.x), within_range<T>(a.y), within_range<T>(a.z)};
 }
 
 /// From a to b, and exactly a for a = b.

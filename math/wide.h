@@ -117,6 +117,8 @@ struct NumberTraits<Wide<F, N, A>> {
   using Mask = WideMask<F, N>;
   using Index = WideIndex<N>;
   static constexpr int lanes = N;
+  static constexpr bool has_lanes = true, decides = true, is_ieee = true;
+  static constexpr double largest = std::numeric_limits<F>::max();
 };
 
 struct Half; // math/half.h
@@ -127,6 +129,8 @@ struct NumberTraits<Wide<float, N, Arithmetic::quick>> {
   using Mask = WideMask<float, N>;
   using Index = WideIndex<N>;
   static constexpr int lanes = N;
+  static constexpr bool has_lanes = true, decides = true, is_ieee = true;
+  static constexpr double largest = std::numeric_limits<float>::max();
 };
 
 template <class F, int N, Arithmetic A>
@@ -218,9 +222,9 @@ Wide<F, N, A> reciprocal_binade(Wide<F, N, A> x) {
   return from_bits<F, N, A>((2 * bias << fraction_bits<F>)-bits_of(inside));
 }
 
-/// |x| <= 2^30 rounded toward minus infinity; cell() keeps to that range.
+/// |x| <= 2^30 rounded toward minus infinity; the argument is kept within that range.
 template <class F, int N, Arithmetic A>
-Cell<Wide<F, N, A>> cell(Wide<F, N, A> x) {
+Cell<Wide<F, N, A>> floor_and_fraction(Wide<F, N, A> x) {
   using T = Wide<F, N, A>;
   const T limit(cell_limit);
   const T inside = minimum(maximum(x, -limit), limit);
@@ -230,6 +234,11 @@ Cell<Wide<F, N, A>> cell(Wide<F, N, A> x) {
   const T below = select(truncated > inside, truncated - T(1), truncated);
   const T fraction = minimum(maximum(inside - below, T(F(0))), T(almost_one<F>)); // see the scalar
   return {{__builtin_convertvector(below.v, VectorOf<std::int32_t, N>)}, fraction};
+}
+
+template <class F, int N, Arithmetic A>
+Wide<F, N, A> fraction(Wide<F, N, A> x) {
+  return floor_and_fraction(x).fraction;
 }
 
 template <int N>

@@ -1,5 +1,6 @@
 #pragma once
-// Perspective-correct interpolation of a packet of fragments. Here the rung begins.
+// Perspective-correct interpolation. Here the rung begins. The formulas are written over where their data come from: a
+// packet of fragments in lanes (PacketData), or a sample in any Number (raster/sample_data.h).
 
 #include "math/rows.h"
 #include "raster/fragments.h"
@@ -35,6 +36,7 @@ struct Parts {
 template <class T, Triangles triangles>
 class PacketData {
 public:
+  using Number = T;
   static constexpr int lanes = NumberTraits<T>::lanes;
   using Real = RealOf<T>;
   using Row = std::array<T, 4>;
@@ -72,6 +74,19 @@ public:
   }
 
   const Packet<T>& packet() const { return packet_; }
+
+  /// The triangles' own normals, of any length; 0 where a triangle has none.
+  Vec3<T> own_normals(const Scene& scene, const Geometry& geometry) const {
+    Vec3<T> own;
+    for (int lane = 0; lane < lanes; ++lane) {
+      const Double3 n = face_normal(scene, geometry, packet_.triangle(lane).number);
+      const Double3 scaled = n * reciprocal_binade(n);
+      own.x.set(lane, static_cast<Real>(scaled.x));
+      own.y.set(lane, static_cast<Real>(scaled.y));
+      own.z.set(lane, static_cast<Real>(scaled.z));
+    }
+    return own;
+  }
 
 private:
   const Packet<T>& packet_;
@@ -197,14 +212,16 @@ struct PacketBarycentrics {
 };
 
 template <Derivatives derivatives, class T, Triangles triangles>
-PacketBarycentrics<T> barycentrics(const PacketData<T, triangles>& data) {
-  const auto values = [&]() -> LineValues<T> {
-    if (data.packet().lines == LineKind::wrapped) [[likely]]
-      return line_values<derivatives>(data);
-    if (triangles == Triangles::one) return uncommon_line_values<derivatives>(data.packet());
-    return mixed_line_values(data.packet());
-  };
-  const LineValues<T> lines = values();
+LineValues<T> edge_values(const PacketData<T, triangles>& data) {
+  if (data.packet().lines == LineKind::wrapped) [[likely]]
+    return line_values<derivatives>(data);
+  if (triangles == Triangles::one) return uncommon_line_values<derivatives>(data.packet());
+  return mixed_line_values(data.packet());
+}
+
+template <Derivatives derivatives, class Data, class T = typename Data::Number>
+PacketBarycentrics<T> barycentrics(const Data& data) {
+  const LineValues<T> lines = edge_values<derivatives>(data);
   const std::array<T, 3> weight{data.row(0)[3], data.row(1)[3], data.row(2)[3]};
   const auto weighted = [&](const std::array<T, 3>& of, std::size_t k) { return of[k] * weight[k]; };
   PacketBarycentrics<T> result;
@@ -231,8 +248,8 @@ T changed(const std::array<T, 4>& row, const Barycentric<T>& by) {
 }
 
 /// Component c of an attribute.
-template <class T, Triangles triangles>
-T interpolated(const PacketData<T, triangles>& data, Attribute attribute, int c, const Barycentric<T>& at) {
+template <class Data, class T = typename Data::Number>
+T interpolated(const Data& data, Attribute attribute, int c, const Barycentric<T>& at) {
   const std::array<T, 4> row = data.row(static_cast<int>(attribute) + c);
   if constexpr (is_quick<T>) return multiply_add(at.b1, row[1], multiply_add(at.b2, row[2], row[0]));
   else return row[0] + changed(row, at);
@@ -240,14 +257,14 @@ T interpolated(const PacketData<T, triangles>& data, Attribute attribute, int c,
 
 /// Texture coordinate c; in the triangle kept within the range of its corners': where an edge has the coordinate 0,
 /// rounding would else show the last texel beside the first. NaN stays NaN.
-template <class T, Triangles triangles>
-T interpolated_uv(const PacketData<T, triangles>& data, int c, const PacketBarycentrics<T>& at) {
+template <class Data, class T = typename Data::Number>
+T interpolated_uv(const Data& data, int c, const PacketBarycentrics<T>& at) {
   const T uv = interpolated(data, Attribute::uv, c, at.at);
   return select(at.inside, minimum(data.row(most_uv_row + c)[3], maximum(data.row(least_uv_row + c)[3], uv)), uv);
 }
 
-template <class T, Triangles triangles>
-Vec3<T> interpolated3(const PacketData<T, triangles>& data, Attribute attribute, const Barycentric<T>& at) {
+template <class Data, class T = typename Data::Number>
+Vec3<T> interpolated3(const Data& data, Attribute attribute, const Barycentric<T>& at) {
   return {interpolated(data, attribute, 0, at), interpolated(data, attribute, 1, at),
           interpolated(data, attribute, 2, at)};
 }

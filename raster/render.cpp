@@ -47,7 +47,8 @@ struct TileWorker {
   FrameCounts counts;
   TileSeconds seconds;
 
-  TileWorker(int tile_size, std::string_view rung) : visibility(tile_size), shader(make_tile_shader(rung)) {}
+  TileWorker(int tile_size, std::unique_ptr<TileShader> its_shader)
+      : visibility(tile_size), shader(std::move(its_shader)) {}
 };
 
 // The last stage: visibility, then shading, tile by tile. Tiles write disjoint pixels, and counts are sums of integers,
@@ -131,19 +132,60 @@ void reshape_images(const RenderOptions& options, const Crop& region, Frame& fra
   }
 }
 
+// All stages, in memory that may be that of another frame.
+void render_frame(const Scene& scene, const RenderOptions& options, Geometry& geometry, Bins& bins,
+                  const std::function<std::span<TileWorker>(int threads)>& workers_for, Frame& frame) {
+  assert(options.width >= 1 && options.width <= max_image_side && options.height >= 1 &&
+         options.height <= max_image_side);
+  assert(options.tile_size >= 8 && options.tile_size <= 128);
+  assert(is_sample_count(options.samples) && options.crop.size() <= 1);
+  const auto start = Clock::now();
+  const Crop region = rendered_region(options);
+  assert(region.x >= 0 && region.y >= 0 && region.width >= 1 && region.height >= 1 &&
+         region.x + region.width <= options.width && region.y + region.height <= options.height);
+  need_more(options.memory, image_bytes(options, region), bytes_of(frame), "the image");
+  reshape_images(options, region, frame);
+  frame.threads = options.threads > 0 ? options.threads : omp_get_num_procs();
+  frame.counts = {}, frame.seconds = {}, frame.tile_seconds = {};
+  frame.counts.pixels = static_cast<std::uint64_t>(region.width) * static_cast<std::uint64_t>(region.height);
+
+  const std::span<const SamplePlace> samples = sample_pattern(options.samples);
+  const TileGrid grid{region.x, region.y, region.width, region.height, options.tile_size};
+
+  const auto transform_start = Clock::now();
+  need_more(options.memory, vertex_bytes * vertices_of(scene), vertex_bytes * geometry.window.size(), "the vertices");
+  transform(scene, options.width, options.height, frame.threads, geometry);
+  frame.seconds.transform = seconds_since(transform_start);
+
+  const auto bin_start = Clock::now();
+  bin_triangles(scene, geometry, grid, options.width, options.height, samples, frame.threads, bins, frame.counts);
+  frame.seconds.bin = seconds_since(bin_start);
+
+  const auto tiles_start = Clock::now();
+  shade_tiles({scene, geometry, bins, options, region}, grid, samples, workers_for(frame.threads), frame);
+  frame.seconds.tiles = seconds_since(tiles_start);
+  frame.seconds.total = seconds_since(start);
+  frame.cancelled = cancelled(options);
+}
+
 } // namespace
+
+Crop rendered_region(const RenderOptions& options) {
+  return options.crop.empty() ? Crop{0, 0, options.width, options.height} : options.crop.front();
+}
 
 std::unique_ptr<TileShader> make_tile_shader(std::string_view rung) {
   if (rung == DoubleRung::name) return make_double_shader();
   if (rung == FloatRung::name) return make_float_shader();
   if (rung == FastRung::name) return make_fast_shader();
+  if (rung == ExactRung::name) return make_exact_shader();
   return nullptr;
 }
 
 int rung_lanes(std::string_view rung) {
   int lanes = 0;
   const auto look_at = [&]<class R>(R) {
-    if (R::name == rung) lanes = NumberTraits<typename R::Number>::lanes;
+    if (R::name == rung) lanes = R::lanes;
   };
   std::apply([&](auto... each) { (look_at(each), ...); }, Rungs{});
   return lanes;
@@ -161,7 +203,7 @@ struct Renderer::Memory {
     if (tile_size != options.tile_size || rung != options.rung) workers.clear();
     tile_size = options.tile_size, rung = options.rung;
     const auto count = static_cast<std::size_t>(threads);
-    while (workers.size() < count) workers.emplace_back(tile_size, rung);
+    while (workers.size() < count) workers.emplace_back(tile_size, make_tile_shader(rung));
     for (TileWorker& worker : workers) worker.counts = {}, worker.seconds = {};
     return {workers.data(), count};
   }
@@ -173,40 +215,20 @@ Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 void Renderer::render(const Scene& scene, const RenderOptions& options, Frame& frame) {
-  assert(options.width >= 1 && options.width <= max_image_side && options.height >= 1 &&
-         options.height <= max_image_side);
-  assert(options.tile_size >= 8 && options.tile_size <= 128);
-  assert(is_sample_count(options.samples) && options.crop.size() <= 1);
-  const auto start = Clock::now();
-  const Crop region = options.crop.empty() ? Crop{0, 0, options.width, options.height} : options.crop.front();
-  assert(region.x >= 0 && region.y >= 0 && region.width >= 1 && region.height >= 1 &&
-         region.x + region.width <= options.width && region.y + region.height <= options.height);
-  need_more(options.memory, image_bytes(options, region), bytes_of(frame), "the image");
-  reshape_images(options, region, frame);
-  frame.threads = options.threads > 0 ? options.threads : omp_get_num_procs();
-  frame.counts = {}, frame.seconds = {}, frame.tile_seconds = {};
-  frame.counts.pixels = static_cast<std::uint64_t>(region.width) * static_cast<std::uint64_t>(region.height);
+  render_frame(
+      scene, options, memory_->geometry, memory_->bins,
+      [&](int threads) { return memory_->workers_for(options, threads); }, frame);
+}
 
-  const std::span<const SamplePlace> samples = sample_pattern(options.samples);
-  const TileGrid grid{region.x, region.y, region.width, region.height, options.tile_size};
-  Geometry& geometry = memory_->geometry;
-  Bins& bins = memory_->bins;
-
-  const auto transform_start = Clock::now();
-  need_more(options.memory, vertex_bytes * vertices_of(scene), vertex_bytes * geometry.window.size(), "the vertices");
-  transform(scene, options.width, options.height, frame.threads, geometry);
-  frame.seconds.transform = seconds_since(transform_start);
-
-  const auto bin_start = Clock::now();
-  bin_triangles(scene, geometry, grid, options.width, options.height, samples, frame.threads, bins, frame.counts);
-  frame.seconds.bin = seconds_since(bin_start);
-
-  const auto tiles_start = Clock::now();
-  shade_tiles({scene, geometry, bins, options, region}, grid, samples, memory_->workers_for(options, frame.threads),
-              frame);
-  frame.seconds.tiles = seconds_since(tiles_start);
-  frame.seconds.total = seconds_since(start);
-  frame.cancelled = cancelled(options);
+void render_with(const Scene& scene, const RenderOptions& options, const MakeShader& make_shader, Frame& frame) {
+  Geometry geometry;
+  Bins bins;
+  std::vector<TileWorker> workers;
+  const auto workers_for = [&](int threads) {
+    for (int i = 0; i < threads; ++i) workers.emplace_back(options.tile_size, make_shader());
+    return std::span(workers);
+  };
+  render_frame(scene, options, geometry, bins, workers_for, frame);
 }
 
 Frame render(const Scene& scene, const RenderOptions& options) {

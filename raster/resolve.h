@@ -13,7 +13,7 @@
 
 namespace refraster {
 
-/// The colours of a tile's fragments: a plane for each channel, in the order of fragment numbers.
+/// The colours of a tile's fragments, in the order of fragment numbers: of lanes, a plane for each channel.
 template <class T>
 class FragmentColours {
 public:
@@ -42,10 +42,37 @@ private:
   std::array<std::vector<Real>, 3> channel_;
 };
 
+/// Of a number without lanes, one after the other.
+template <class T>
+  requires(!NumberTraits<T>::has_lanes)
+class FragmentColours<T> {
+public:
+  using Real = T; // of a channel
+  static constexpr std::uint32_t lanes = 1;
+
+  void resize(std::uint32_t fragments) { rgb_.resize(fragments); }
+  void store(std::uint32_t first, const Rgb<T>& rgb) { rgb_[first] = rgb; }
+  Rgb<T> operator[](std::uint32_t i) const { return rgb_[i]; }
+  void set(std::uint32_t i, const Rgb<T>& rgb) { rgb_[i] = rgb; }
+
+private:
+  std::vector<Rgb<T>> rgb_;
+};
+
 /// The sRGB transfer curve, IEC 61966-2-1, of x in [0, 1].
 template <class T>
 T srgb_encoded(const T& x) {
   return select(x <= as<T>(0.0031308), as<T>(12.92) * x, as<T>(1.055) * power(x, 1 / 2.4) - as<T>(0.055));
+}
+
+/// 255 times x clamped to [0, 1], rounded to the nearest integer, half to even. For a number without lanes that a
+/// double can be made of.
+template <class T>
+std::uint8_t level_of(const T& x, Transfer transfer) {
+  const T in_range = minimum(positive(x), T(1));
+  const Cell<T> at = floor_and_fraction((transfer == Transfer::srgb ? srgb_encoded(in_range) : in_range) * T(255));
+  const bool up = at.fraction > T(0.5) || (!(at.fraction < T(0.5)) && at.index % 2 != 0);
+  return static_cast<std::uint8_t>(at.index + (up ? 1 : 0));
 }
 
 /// 255 times x clamped to [0, 1], rounded to the nearest integer, half to even; 0 for NaN. Each lane of the result
@@ -71,16 +98,26 @@ public:
       average(context, runs, colours);
       write(context, tile, pixel_runs_, pixels_, frame, counts);
     }
+    resolved_runs_ = context.options.samples == 1 ? runs : std::span<const FragmentRun>(pixel_runs_);
+    resolved_ = context.options.samples == 1 ? &colours : &pixels_;
+  }
+
+  /// take(x, y, colour) for each pixel of the tile just resolved that shows a surface; x, y of the full image.
+  template <class Take>
+  void for_each_pixel(const Crop& tile, const Take& take) const {
+    for (const FragmentRun& run : resolved_runs_)
+      for (std::uint32_t i = 0; i < run.length; ++i)
+        take(tile.x + run.x + static_cast<int>(i), tile.y + run.y, (*resolved_)[run.first_fragment + i]);
   }
 
 private:
-  using Real = RealOf<T>;
+  using Real = typename FragmentColours<T>::Real;
   static constexpr int lanes = NumberTraits<T>::lanes;
 
   /// A background beyond the largest number of the rung is that number, as any other colour is.
   static Rgb<Real> finite_background(const FrameContext& context) {
     const Rgb<Real> rgb = as<Real>(context.scene.background);
-    constexpr Real largest = std::numeric_limits<Real>::max();
+    const Real largest = largest_number<Real>();
     return {minimum(rgb.x, largest), minimum(rgb.y, largest), minimum(rgb.z, largest)};
   }
 
@@ -90,7 +127,9 @@ private:
   void average(const FrameContext& context, std::span<const FragmentRun> runs, const FragmentColours<T>& colours) {
     const Rgb<Real> background = finite_background(context);
     const int samples = context.options.samples;
-    const auto share = [samples](int count) { return static_cast<Real>(count) / static_cast<Real>(samples); };
+    const auto share = [samples](int count) {
+      return Real(static_cast<RealOf<Real>>(count)) / Real(static_cast<RealOf<Real>>(samples));
+    };
     pixel_runs_.clear();
     pixels_.resize(static_cast<std::uint32_t>(runs.size()));
     for (std::size_t i = 0; i < runs.size();) {
@@ -114,21 +153,29 @@ private:
     std::uint32_t pixels = 0;
     for (const FragmentRun& run : runs) pixels += run.length;
     counts.shaded += pixels;
+    if constexpr (NumberTraits<T>::decides) write_images(context, tile, runs, colours, pixels, frame);
+  }
+
+  void write_images(const FrameContext& context, const Crop& tile, std::span<const FragmentRun> runs,
+                    const FragmentColours<T>& colours, std::uint32_t pixels, Frame& frame) {
     const int left = tile.x - context.region.x, top = tile.y - context.region.y;
     if (!frame.radiance.empty()) write_radiance(context, tile, runs, colours, left, top, frame.radiance);
     if (!frame.radiance_double.empty()) write_radiance(context, tile, runs, colours, left, top, frame.radiance_double);
     if (!frame.levels.empty()) write_levels(context, tile, runs, colours, pixels, left, top, frame.levels);
   }
 
+  static Real within(const Real& x, const Real& largest) { return minimum(maximum(x, -largest), largest); }
+
   template <class Value>
   static void write_radiance(const FrameContext& context, const Crop& tile, std::span<const FragmentRun> runs,
                              const FragmentColours<T>& colours, int left, int top, Image<Value>& image) {
     const Rgb<Real> background = as<Real>(context.scene.background);
     const auto put = [](Value* at, const Rgb<Real>& rgb) {
-      using Narrow = std::conditional_t<sizeof(Value) < sizeof(Real), Value, Real>;
-      constexpr Real largest =
-          static_cast<Real>(std::numeric_limits<Narrow>::max()); // a finite double may lie beyond a float's
-      for (int c = 0; c < 3; ++c) at[c] = static_cast<Value>(minimum(maximum(rgb[c], -largest), largest));
+      for (int c = 0; c < 3; ++c) {
+        // A finite double may lie beyond a float's.
+        constexpr double most = std::min(NumberTraits<Value>::largest, NumberTraits<Real>::largest);
+        at[c] = static_cast<Value>(static_cast<RealOf<Real>>(within(rgb[c], Real(static_cast<RealOf<Real>>(most)))));
+      }
     };
     for (int y = 0; y < tile.height; ++y)
       for (int x = 0; x < tile.width; ++x) put(image.at(left + x, top + y), background);
@@ -143,33 +190,47 @@ private:
                     const FragmentColours<T>& colours, std::uint32_t pixels, int left, int top,
                     Image<std::uint8_t>& image) {
     const Transfer transfer = context.options.transfer;
-    const auto packed = [&](const Rgb<T>& rgb) {
-      return __builtin_convertvector(level_bits(rgb.x, transfer) | level_bits(rgb.y, transfer) << 8 |
-                                         level_bits(rgb.z, transfer) << 16,
-                                     VectorOf<std::int32_t, lanes>);
-    };
-    packed_.resize(pixels + lanes);
-    for (std::uint32_t i = 0; i < pixels; i += lanes) {
-      const auto levels = packed(colours.load(i));
-      std::memcpy(&packed_[i], &levels, sizeof levels);
-    }
-    const auto width = static_cast<std::size_t>(tile.width);
-    tile_levels_.assign(width * static_cast<std::size_t>(tile.height), packed(as<T>(context.scene.background))[0]);
-    for (const FragmentRun& run : runs)
-      std::copy_n(&packed_[run.first_fragment], run.length, &tile_levels_[run.y * width + run.x]);
-    for (int y = 0; y < tile.height; ++y) {
-      const std::int32_t* const from = &tile_levels_[static_cast<std::size_t>(y) * width];
-      std::uint8_t* const to = image.at(left, top + y);
-      for (std::size_t x = 0; x < width; ++x) {
-        to[3 * x] = static_cast<std::uint8_t>(from[x]);
-        to[3 * x + 1] = static_cast<std::uint8_t>(from[x] >> 8);
-        to[3 * x + 2] = static_cast<std::uint8_t>(from[x] >> 16);
+    if constexpr (!NumberTraits<T>::has_lanes) {
+      const auto put = [&](int x, int y, const Rgb<T>& rgb) {
+        for (int c = 0; c < 3; ++c) image.at(left + x, top + y)[c] = level_of(rgb[c], transfer);
+      };
+      for (int y = 0; y < tile.height; ++y)
+        for (int x = 0; x < tile.width; ++x) put(x, y, as<T>(context.scene.background));
+      for (const FragmentRun& run : runs)
+        for (std::uint32_t i = 0; i < run.length; ++i)
+          put(run.x + static_cast<int>(i), run.y, colours[run.first_fragment + i]);
+      return;
+    } else {
+      const auto packed = [&](const Rgb<T>& rgb) {
+        return __builtin_convertvector(level_bits(rgb.x, transfer) | level_bits(rgb.y, transfer) << 8 |
+                                           level_bits(rgb.z, transfer) << 16,
+                                       VectorOf<std::int32_t, lanes>);
+      };
+      packed_.resize(pixels + lanes);
+      for (std::uint32_t i = 0; i < pixels; i += lanes) {
+        const auto levels = packed(colours.load(i));
+        std::memcpy(&packed_[i], &levels, sizeof levels);
+      }
+      const auto width = static_cast<std::size_t>(tile.width);
+      tile_levels_.assign(width * static_cast<std::size_t>(tile.height), packed(as<T>(context.scene.background))[0]);
+      for (const FragmentRun& run : runs)
+        std::copy_n(&packed_[run.first_fragment], run.length, &tile_levels_[run.y * width + run.x]);
+      for (int y = 0; y < tile.height; ++y) {
+        const std::int32_t* const from = &tile_levels_[static_cast<std::size_t>(y) * width];
+        std::uint8_t* const to = image.at(left, top + y);
+        for (std::size_t x = 0; x < width; ++x) {
+          to[3 * x] = static_cast<std::uint8_t>(from[x]);
+          to[3 * x + 1] = static_cast<std::uint8_t>(from[x] >> 8);
+          to[3 * x + 2] = static_cast<std::uint8_t>(from[x] >> 16);
+        }
       }
     }
   }
 
   std::vector<FragmentRun> pixel_runs_;
   FragmentColours<T> pixels_;
+  std::span<const FragmentRun> resolved_runs_; // of the last tile
+  const FragmentColours<T>* resolved_ = nullptr;
   std::vector<std::int32_t> packed_, tile_levels_;
 };
 

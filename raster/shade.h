@@ -5,6 +5,7 @@
 #include "raster/render.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -51,6 +52,14 @@ std::unique_ptr<TileShader> make_tile_shader(std::string_view rung);
 std::unique_ptr<TileShader> make_double_shader();
 std::unique_ptr<TileShader> make_float_shader();
 std::unique_ptr<TileShader> make_fast_shader();
+std::unique_ptr<TileShader> make_exact_shader();
+
+/// A single frame by a shader of one's own, of which `make_shader` makes one for each thread; options.rung is not read.
+using MakeShader = std::function<std::unique_ptr<TileShader>()>;
+void render_with(const Scene& scene, const RenderOptions& options, const MakeShader& make_shader, Frame& frame);
+
+/// The pixels that a frame's images hold: those of the crop, or all.
+Crop rendered_region(const RenderOptions& options);
 
 /// Writes the tile's part of an image of `aov`. Computed in double whatever the rung: of the first of each pixel's
 /// `runs`.

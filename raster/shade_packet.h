@@ -1,5 +1,5 @@
 #pragma once
-// One packet of fragments of one material: interpolate, light, sum.
+// Fragments of one material, a packet in lanes or a single one in any Number: interpolate, light, sum.
 
 #include "raster/interpolate.h"
 #include "shading/light.h"
@@ -19,33 +19,26 @@ struct PacketSurface {
 };
 
 /// The interpolated normal at unit length; where that is 0, the triangle's own; where that is 0 too, 0.
-template <class T>
-Vec3<T> shading_normal(const Scene& scene, const Geometry& geometry, const Packet<T>& packet,
-                       const Vec3<T>& interpolated, const UndefinedTally<T>& tally) {
+template <class Data, class T = typename Data::Number>
+Vec3<T> shading_normal(const Scene& scene, const Geometry& geometry, const Data& data, const Vec3<T>& interpolated,
+                       const UndefinedTally<T>& tally) {
   const auto is_zero = [](const Vec3<T>& n) {
     return maximum(magnitude(n.x), maximum(magnitude(n.y), magnitude(n.z))) <= T(0);
   };
   const MaskOf<T> zero = is_zero(interpolated);
   if (!any(zero)) return normalize(interpolated);
   tally.note(Undefined::zero_normal, zero);
-  Vec3<T> own;
-  for (int lane = 0; lane < NumberTraits<T>::lanes; ++lane) {
-    const Double3 n = face_normal(scene, geometry, packet.triangle(lane).number);
-    const Double3 scaled = n * reciprocal_binade(n);
-    own.x.set(lane, static_cast<RealOf<T>>(scaled.x));
-    own.y.set(lane, static_cast<RealOf<T>>(scaled.y));
-    own.z.set(lane, static_cast<RealOf<T>>(scaled.z));
-  }
+  const Vec3<T> own = data.own_normals(scene, geometry);
   tally.note(Undefined::no_normal, zero & is_zero(own));
   return normalize(select<T>(zero, own, interpolated));
 }
 
-template <class T, Triangles triangles>
-Rgb<T> texture_colour(const Material& material, const PacketData<T, triangles>& data, const PacketBarycentrics<T>& at,
+template <class Data, class T = typename Data::Number>
+Rgb<T> texture_colour(const Material& material, const Data& data, const PacketBarycentrics<T>& at,
                       const UndefinedTally<T>& tally) {
   const auto uv = [&](int c) { return interpolated_uv(data, c, at); };
   const Vec2<T> point(uv(0), uv(1));
-  const auto finite = [](const T& x) { return magnitude(x) <= T(std::numeric_limits<RealOf<T>>::max()); };
+  const auto finite = [](const T& x) { return magnitude(x) <= largest_number<T>(); };
   tally.note(Undefined::bad_uv, !(finite(point.x) & finite(point.y)));
   Vec2<T> right(T(0)), down(T(0));
   if (material.texture_filter == TextureFilter::trilinear) {
@@ -59,15 +52,15 @@ Rgb<T> texture_colour(const Material& material, const PacketData<T, triangles>& 
   return sample(*material.texture, material.texture_filter, point, right, down);
 }
 
-template <class T, Triangles triangles>
+template <class Data, class T = typename Data::Number>
 PacketSurface<T> packet_surface(const Scene& scene, const Geometry& geometry, const Material& material,
-                                const PacketData<T, triangles>& data, const UndefinedTally<T>& tally) {
+                                const Data& data, const UndefinedTally<T>& tally) {
   const bool derivatives = material.texture && material.texture_filter == TextureFilter::trilinear;
   const PacketBarycentrics<T> at =
       derivatives ? barycentrics<Derivatives::yes>(data) : barycentrics<Derivatives::no>(data);
   PacketSurface<T> surface;
   surface.position = interpolated3(data, Attribute::position, at.at);
-  surface.normal = shading_normal(scene, geometry, data.packet(), interpolated3(data, Attribute::normal, at.at), tally);
+  surface.normal = shading_normal(scene, geometry, data, interpolated3(data, Attribute::normal, at.at), tally);
   surface.to_eye = normalize(as<T>(scene.camera.position) - surface.position);
   tally.note(Undefined::eye_at_surface, dot(surface.to_eye, surface.to_eye) <= T(0));
   surface.texture = material.texture ? texture_colour(material, data, at, tally) : Rgb<T>(T(1));
@@ -77,7 +70,7 @@ PacketSurface<T> packet_surface(const Scene& scene, const Geometry& geometry, co
 /// x where it is finite; the largest finite number of its sign for an infinity; 0 for NaN.
 template <class T>
 T finite(const T& x, const UndefinedTally<T>& tally) {
-  const T most(std::numeric_limits<RealOf<T>>::max());
+  const T most = largest_number<T>();
   tally.note(Undefined::not_finite, !(magnitude(x) <= most));
   const T kept = minimum(maximum(x, -most), most);
   return select((x > T(0)) | (x <= T(0)), kept, T(0));
@@ -86,7 +79,7 @@ T finite(const T& x, const UndefinedTally<T>& tally) {
 template <class T>
 Rgb<T> finite(const Rgb<T>& rgb, const UndefinedTally<T>& tally) {
   const T sum = magnitude(rgb.x) + magnitude(rgb.y) + magnitude(rgb.z);
-  if (!any(!(sum <= T(std::numeric_limits<RealOf<T>>::max())))) return rgb; // nearly always
+  if (!any(!(sum <= largest_number<T>()))) return rgb; // nearly always
   return {finite(rgb.x, tally), finite(rgb.y, tally), finite(rgb.z, tally)};
 }
 
@@ -116,19 +109,17 @@ struct PacketBatch {
 /// Radiance toward the eye, into batch.sum: the ambient term, then point lights and direction lights, summed in the
 /// order of the scene.
 template <class T, class Model>
-[[gnu::flatten, gnu::noinline]] void add_light(const Scene& scene, const Model& model, PacketBatch<T>& batch,
-                                               UndefinedCounts& counts) {
-  using Real = RealOf<T>;
+void sum_light(const Scene& scene, const Model& model, PacketBatch<T>& batch, UndefinedCounts& counts) {
   Model copy = model; // nothing that is written below can be part of it
-  if constexpr (sizeof(Real) < sizeof(double))
+  if constexpr (NumberTraits<T>::largest < std::numeric_limits<double>::max())
     Model::fields(copy, [](auto&&, auto& value, auto&&...) {
-      if constexpr (requires { value = within_range<Real>(value); }) value = within_range<Real>(value);
+      if constexpr (requires { value = within_range<T>(value); }) value = within_range<T>(value);
     });
   const Model& here = copy;
   batch.for_each(counts, [&](Rgb<T>& sum, const Fragment<T>& at, const auto&) { sum = here.ambient(at); });
   const auto add = [&](const auto& lights) {
     for (const auto& light : lights) {
-      const auto prepared = within_range<Real>(prepared_light(light));
+      const auto prepared = within_range<T>(prepared_light(light));
       batch.for_each(counts,
                      [&](Rgb<T>& sum, const Fragment<T>& at, const auto&) { sum += here(at, arriving(prepared, at)); });
     }
@@ -137,6 +128,13 @@ template <class T, class Model>
   add(scene.direction_lights);
   batch.for_each(counts,
                  [](Rgb<T>& sum, const Fragment<T>&, const UndefinedTally<T>& tally) { sum = finite(sum, tally); });
+}
+
+/// The same for lanes: one piece of code, without a call.
+template <class T, class Model>
+[[gnu::flatten, gnu::noinline]] void add_light(const Scene& scene, const Model& model, PacketBatch<T>& batch,
+                                               UndefinedCounts& counts) {
+  sum_light(scene, model, batch, counts);
 }
 
 } // namespace refraster

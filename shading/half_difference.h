@@ -1,10 +1,10 @@
 #pragma once
 // From two directions to the half and difference angles of a measured BRDF.
 
+#include "math/constants.h"
 #include "math/elementary.h"
 #include "shading/fields.h"
 
-#include <numbers>
 #include <string_view>
 #include <utility>
 
@@ -103,12 +103,12 @@ Vec2<T> difference_azimuth(MerlAngles method, const Vec3<T>& n, const Vec3<T>& i
 }
 
 /// The direction of the line through 0 and (x, y), in [0, pi). The point is first turned into the upper half plane, so
-/// that (x, y) and (-x, -y) give the same bits; an angle that rounds to pi is 0.
+/// that (x, y) and (-x, -y) give the same bits; an angle that rounds to pi is 0. A bounds number has its own.
 template <Number T>
 T line_angle(const Vec2<T>& point) {
   const T upper_x = select(point.y < T(0), -point.x, select(point.y > T(0), point.x, magnitude(point.x)));
   const T angle = atan2(magnitude(point.y), upper_x);
-  return select(angle < as<T>(std::numbers::pi), angle, T(0));
+  return select(angle < constant<T>(constants::pi), angle, T(0));
 }
 
 /// The coordinates of light direction i and view direction o at a surface with normal n: unit vectors, in any order of
@@ -125,7 +125,7 @@ HalfDifference<T> half_difference(MerlAngles method, const Vec3<T>& n, const Vec
   const Vec2<T> azimuth = difference_azimuth(method, n, i, o);
   const T defined = minimum(minimum(sin_h, sin_d), maximum(magnitude(azimuth.x), magnitude(azimuth.y)));
   return {atan2(sin_h, dot(n, s)), atan2(sin_d, cos_d),
-          select(defined > T(0), line_angle(azimuth), as<T>(std::numbers::pi / 2))};
+          select(defined > T(0), line_angle(azimuth), constant<T>(constants::half_pi))};
 }
 
 } // namespace refraster

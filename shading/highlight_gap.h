@@ -23,11 +23,11 @@ Twofold<T> wide_dot(const Vec3<T>& a, const Vec3<T>& b) {
   return quick_sum(sum.hi, sum.lo + (x_y.lo + ((x.lo + y.lo) + z.lo)));
 }
 
-/// a - b, taken from gap() instead in the lanes where that shows: in a highlight sharper than that of the glossiness P =
-/// Gap::plain_glossiness, and in a sharp one only near its middle.
+/// a - b, taken from gap() instead in the lanes where that shows: in a highlight sharper than that of the glossiness P
+/// = Gap::plain_glossiness, and in a sharp one only near its middle.
 ///
-/// At a distance q = |a - b|^2 / 2 an error d of a - b moves the power by s sqrt(2 q) e^(-s q) d. At glossiness P that is
-/// sqrt(P / e) d at most, and from s q >= ln(2 s / P) on it is no more at any other: as ln(s q) <= s q - 1,
+/// At a distance q = |a - b|^2 / 2 an error d of a - b moves the power by s sqrt(2 q) e^(-s q) d. At glossiness P that
+/// is sqrt(P / e) d at most, and from s q >= ln(2 s / P) on it is no more at any other: as ln(s q) <= s q - 1,
 ///     ln(s sqrt(2 q)) - s q = (ln(2 s) + ln(s q)) / 2 - s q <= (ln(2 s) - 1 - s q) / 2 <= ln sqrt(P / e).
 /// ln x <= (x - 1) / sqrt(x) spares the logarithm. That is in units of the peak; so that the power keeps its own digits
 /// too, for as long as they count beside the diffuse part, the gap is taken to where e^-6 less of the peak is left.

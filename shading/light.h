@@ -37,21 +37,20 @@ inline DirectionToLight prepared_light(const DirectionLight& light) {
 }
 
 /// A light as the numbers of a rung can hold it.
-template <class Real>
+template <class T>
 PointLight within_range(const PointLight& light) {
-  return {within_range<Real>(light.position), within_range<Real>(light.radiance), within_range<Real>(light.constant),
-          within_range<Real>(light.linear), within_range<Real>(light.quadratic)};
+  return {within_range<T>(light.position), within_range<T>(light.radiance), within_range<T>(light.constant),
+          within_range<T>(light.linear), within_range<T>(light.quadratic)};
 }
-template <class Real>
+template <class T>
 DirectionToLight within_range(const DirectionToLight& light) {
-  return {light.direction, within_range<Real>(light.radiance)};
+  return {light.direction, within_range<T>(light.radiance)};
 }
 
 /// C = radiance times 1 / (Kc + Kl d + Kq d^2), at most the largest finite number: d may be so small that nothing is
 /// left of the divisor. With d = 0 no direction is defined and nothing arrives.
 template <class T>
 Incident<T> arriving(const PointLight& light, const Fragment<T>& at) {
-  using Limits = std::numeric_limits<RealOf<T>>;
   const Vec3<T> way = as<T>(light.position) - at.position;
   const T d = length(way);
   at.undefined(Undefined::light_at_surface, d <= T(0));
@@ -59,9 +58,9 @@ Incident<T> arriving(const PointLight& light, const Fragment<T>& at) {
   Rgb<T> radiance = as<T>(light.radiance);
   if (attenuated) {
     // By Horner's rule: where d d overflows, a coefficient of 0 must not meet infinity. Nor where d overflows.
-    const T largest(Limits::max()), far = minimum(d, largest);
+    const T largest = largest_number<T>(), far = minimum(d, largest);
     const T divisor = as<T>(light.constant) + far * (as<T>(light.linear) + far * as<T>(light.quadratic));
-    radiance *= T(1) / maximum(divisor, T(Limits::min()));
+    radiance *= T(1) / maximum(divisor, T(std::numeric_limits<RealOf<T>>::min()));
     radiance = {minimum(radiance.x, largest), minimum(radiance.y, largest), minimum(radiance.z, largest)};
   }
   return {normalize(way), select<T>(d > T(0), radiance, Rgb<T>(T(0)))};

@@ -2,7 +2,7 @@
 // Reading a MERL table between its samples.
 
 #include "math/elementary.h"
-#include "math/lookup.h"
+#include "math/read_grid.h"
 #include "shading/half_difference.h"
 #include "shading/merl_table.h"
 
@@ -40,9 +40,9 @@ struct MerlPoint {
 /// u = 90 sqrt(theta_h / (pi/2)), v = 90 theta_d / (pi/2), w = 180 phi_d / pi.
 template <Number T>
 MerlPoint<T> merl_point(const HalfDifference<T>& angles) {
-  constexpr double bins_per_radian = 180 / std::numbers::pi; // of theta_d and phi_d: a bin is one degree
-  return {T(90) * root(angles.theta_h * as<T>(2 / std::numbers::pi)), angles.theta_d * as<T>(bins_per_radian),
-          angles.phi_d * as<T>(bins_per_radian)};
+  const T bins_per_radian = constant<T>(constants::degrees_per_radian); // of theta_d and phi_d: a bin is one degree
+  return {T(90) * root(angles.theta_h * constant<T>(constants::two_over_pi)), angles.theta_d * bins_per_radian,
+          angles.phi_d * bins_per_radian};
 }
 
 /// What was read. Where no sample around the point was ever measured, f is 0.
@@ -50,7 +50,17 @@ template <class T>
 struct MerlValue {
   Rgb<T> f; // 1/sr
   MaskOf<T> unmeasured;
+
+  /// What may be either, of a bounds number.
+  friend MerlValue join(const MerlValue& a, const MerlValue& b) requires(!NumberTraits<T>::decides) {
+    return {join(a.f, b.f), join(a.unmeasured, b.unmeasured)};
+  }
 };
+
+/// The axes of the table: the border samples of theta_h and theta_d continue to infinity, phi_d goes round.
+inline constexpr std::array<GridAxis, 3> merl_axes = {{{GridAxis::Beyond::clamped, MerlTable::theta_h_bins},
+                                                       {GridAxis::Beyond::clamped, MerlTable::theta_d_bins},
+                                                       {GridAxis::Beyond::repeated, MerlTable::phi_d_bins}}};
 
 /// The `count` samples of one axis that a point lies among, and how far the point is from the first of the middle two
 /// to the second, in [0, 1).
@@ -60,10 +70,9 @@ struct Taps {
   T fraction;
 };
 
-/// x counts in samples: sample k is at x = k. The border samples continue to infinity.
+/// From the cell of the first of them. The border samples continue to infinity.
 template <int count, Number T>
-Taps<T, count> clamped_taps(const T& x, int samples) {
-  const Cell<T> at = cell(x - T(count / 2 - 1));
+Taps<T, count> clamped_taps(const Cell<T>& at, int samples) {
   Taps<T, count> taps{{}, at.fraction};
   IndexOf<T> k = at.index;
   for (IndexOf<T>& tap : taps.index) {
@@ -75,8 +84,7 @@ Taps<T, count> clamped_taps(const T& x, int samples) {
 
 /// The same on a circle.
 template <int count, Number T>
-Taps<T, count> wrapped_taps(const T& x, int samples) {
-  const Cell<T> at = cell(x - T(count / 2 - 1));
+Taps<T, count> wrapped_taps(const Cell<T>& at, int samples) {
   Taps<T, count> taps{{}, at.fraction};
   IndexOf<T> k = at.index;
   for (IndexOf<T>& tap : taps.index) {
@@ -103,16 +111,30 @@ MerlValue<T> merl_mean(const Vec4<T>& sum) {
   return {Rgb<T>(sum.x * scale, sum.y * scale, sum.z * scale), unmeasured};
 }
 
-/// Reads the samples of one table.
+/// What is interpolated: f, or g = log2(1 + f / epsilon).
+enum class MerlScale { values, logarithms };
+
+/// Reads the samples of one table. Where `scale` is logarithms and T is no IEEE number, `values` hold f, and its
+/// logarithm is taken in T: the table of logarithms is rounded.
 template <Number T, class Stored = RealOf<T>>
 struct MerlReader {
   using Index = IndexOf<T>;
+  using Cells = std::array<Cell<T>, 3>;
   const Stored* values;
+  MerlScale scale = MerlScale::values;
 
   Rgb<T> rgb(const Index& h, const Index& d, const Index& p) const {
     const RgbGrid<RealOf<T>, Stored> grid{values, MerlTable::offset(1, 0, 0), MerlTable::offset(0, 1, 0),
                                           MerlTable::offset(0, 0, 1)};
-    return lookup<T>(grid, h, d, p);
+    const Rgb<T> stored = stored_value<T>(grid, h, d, p);
+    if constexpr (NumberTraits<T>::is_ieee) return stored;
+    else {
+      if (scale == MerlScale::values) return stored;
+      const auto g = [](const T& f) { // negative where f is, which was never measured
+        return select(f < T(0), f, log2(T(1) + positive(f) / as<T>(MerlTable::log_epsilon)));
+      };
+      return {g(stored.x), g(stored.y), g(stored.z)};
+    }
   }
 
   /// Where nothing was measured, 0.
@@ -130,17 +152,23 @@ struct MerlReader {
   }
 
   MerlValue<T> nearest(const MerlPoint<T>& at) const {
-    return sample(clamp_index(cell(at.u).index, 0, MerlTable::theta_h_bins - 1),
-                  clamp_index(cell(at.v).index, 0, MerlTable::theta_d_bins - 1),
-                  clamp_index(cell(at.w).index, 0, MerlTable::phi_d_bins - 1));
+    return read_grid(std::array{at.u, at.v, at.w}, merl_axes, [&](const Cells& cell) {
+      return sample(clamp_index(cell[0].index, 0, MerlTable::theta_h_bins - 1),
+                    clamp_index(cell[1].index, 0, MerlTable::theta_d_bins - 1),
+                    wrap_index(cell[2].index, MerlTable::phi_d_bins));
+    });
   }
 
   /// `first` is the coordinate of sample 0 on each axis: 0.5 where samples are at the centres of their bins, else 0.
   MerlValue<T> trilinear(const MerlPoint<T>& at, double first) const {
-    const Cube cube{clamped_taps<2>(at.u - as<T>(first), MerlTable::theta_h_bins),
-                    clamped_taps<2>(at.v - as<T>(first), MerlTable::theta_d_bins),
-                    wrapped_taps<2>(at.w - as<T>(first), MerlTable::phi_d_bins)};
-    if constexpr (NumberTraits<T>::lanes > 1) { // a bounds type could not ask
+    const std::array<T, 3> place = {at.u - as<T>(first), at.v - as<T>(first), at.w - as<T>(first)};
+    return read_grid(place, merl_axes, [&](const Cells& cell) { return trilinear(cell); });
+  }
+
+  MerlValue<T> trilinear(const Cells& cell) const {
+    const Cube cube{clamped_taps<2>(cell[0], MerlTable::theta_h_bins),
+                    clamped_taps<2>(cell[1], MerlTable::theta_d_bins), wrapped_taps<2>(cell[2], MerlTable::phi_d_bins)};
+    if constexpr (NumberTraits<T>::has_lanes) {
       // Nearly always all was measured. The weights add up to exactly 1 then, and need not be computed.
       T least(0);
       const Rgb<T> mean = cube.mixed([&](const Index& h, const Index& d, const Index& p) {
@@ -157,9 +185,14 @@ struct MerlReader {
   /// Samples at the centres of their bins. Where one of the 64 was never measured, trilinear: the weights of a spline
   /// are partly negative, so that scaling them up to a sum of 1 could turn a bright neighbour into anything.
   MerlValue<T> tricubic(const MerlPoint<T>& at) const {
-    const auto h = clamped_taps<4>(at.u - as<T>(0.5), MerlTable::theta_h_bins);
-    const auto d = clamped_taps<4>(at.v - as<T>(0.5), MerlTable::theta_d_bins);
-    const auto p = wrapped_taps<4>(at.w - as<T>(0.5), MerlTable::phi_d_bins);
+    const std::array<T, 3> place = {at.u - as<T>(0.5) - T(1), at.v - as<T>(0.5) - T(1), at.w - as<T>(0.5) - T(1)};
+    return read_grid(place, merl_axes, [&](const Cells& cell) { return tricubic(at, cell); });
+  }
+
+  MerlValue<T> tricubic(const MerlPoint<T>& at, const Cells& cell) const {
+    const auto h = clamped_taps<4>(cell[0], MerlTable::theta_h_bins);
+    const auto d = clamped_taps<4>(cell[1], MerlTable::theta_d_bins);
+    const auto p = wrapped_taps<4>(cell[2], MerlTable::phi_d_bins);
     T measured(1);
     std::array<Vec4<T>, 4> along_h;
     for (std::size_t i = 0; i < 4; ++i) {
@@ -224,7 +257,10 @@ template <Number T, class Stored = TableRealOf<T>>
 MerlValue<T> merl_value(const MerlTable& table, MerlLookup lookup, const MerlPoint<T>& at) {
   using F = RealOf<T>;
   const auto values = [&] { return MerlReader<T, Stored>{table.values<Stored>()}; };
-  const auto logarithms = [&] { return MerlReader<T>{table.log_values<F>()}; };
+  const auto logarithms = [&] {
+    if constexpr (NumberTraits<T>::is_ieee) return MerlReader<T>{table.log_values<F>(), MerlScale::logarithms};
+    else return MerlReader<T>{table.values<F>(), MerlScale::logarithms};
+  };
   switch (lookup) {
   case MerlLookup::nearest:
     return from_units<Stored>(table, values().nearest(at));

@@ -46,8 +46,7 @@ struct PhongParameters {
   T lobe(const Fragment<T>& at, const Vec3<T>& a, const Vec3<T>& b, const Gap& gap) const {
     if (ks.x == 0 && ks.y == 0 && ks.z == 0) return T(0); // not used, so not paid for
     if (glossiness == 0) at.undefined(Undefined::zero_to_the_zero, dot(a, b) <= T(0));
-    if constexpr (SharpHighlights<T>)
-      return cosine_power(a, b, highlight_gap(a, b, glossiness, gap), glossiness);
+    if constexpr (SharpHighlights<T>) return cosine_power(a, b, highlight_gap(a, b, glossiness, gap), glossiness);
     else return cosine_power(a, b, glossiness);
   }
 

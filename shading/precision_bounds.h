@@ -17,6 +17,11 @@ struct PrecisionBound {
   double float_from_double; // largest |difference| of the two rungs' radiance, for a light of radiance 1
 };
 
+/// A pixel of a frame in `double` is off by at most so many units of 2^-53, of 1 or of the pixel if that is brighter, from
+/// the same frame in `exact`: interpolation, textures, lights and all. For scenes like those of the gallery: the bound is a
+/// quarter more than what showed there.
+inline constexpr double frame_error_units = 320;
+
 inline constexpr PrecisionBound precision_bounds[] = {
     {"phong", "ordinary", {4, 1.6}, {11, 2.4}, {13, 4.1}, {22, 6.4}, 9.5e-07},
     {"phong", "highlight", {3.9, 1.7}, {70, 15}, {9.9, 4.3}, {180, 36}, 1.2e-05},

@@ -2,8 +2,8 @@
 // Texture images and how they are sampled.
 
 #include "math/elementary.h"
-#include "math/lookup.h"
 #include "math/padded_vector.h"
+#include "math/read_grid.h"
 #include "shading/fields.h"
 
 #include <cassert>
@@ -35,6 +35,10 @@ struct TextureLevel {
   RgbGrid<F, float> texels() const {
     return {rgb.data(), 3, 3 * width, 0};
   }
+  /// It repeats along both axes.
+  std::array<GridAxis, 2> axes() const {
+    return {GridAxis{GridAxis::Beyond::repeated, width}, GridAxis{GridAxis::Beyond::repeated, height}};
+  }
 };
 
 /// Values as stored in the file: no sRGB decoding. Immutable after loading.
@@ -53,31 +57,36 @@ void build_mip_levels(Texture& texture);
 template <Number T>
 T fewer_turns(const T& u) {
   constexpr double turns = 1 << 14;
-  return select(magnitude(u) < as<T>(turns), u, as<T>(turns) * cell(u * as<T>(1 / turns)).fraction);
+  return select(magnitude(u) < as<T>(turns), u, as<T>(turns) * fraction(u * as<T>(1 / turns)));
 }
 
 /// The texel that holds the point, as stored.
 template <Number T>
 Rgb<T> sample_nearest(const TextureLevel& level, const Vec2<T>& uv) {
   const auto texels = level.texels<RealOf<T>>();
-  const IndexOf<T> x = wrap_index(cell(uv.x * as<T>(level.width)).index, level.width);
-  const IndexOf<T> y = wrap_index(cell(uv.y * as<T>(level.height)).index, level.height);
-  return lookup<T>(texels, x, y, IndexOf<T>{});
+  const std::array<T, 2> place = {uv.x * as<T>(level.width), uv.y * as<T>(level.height)};
+  return read_grid(place, level.axes(), [&](const std::array<Cell<T>, 2>& cell) {
+    return stored_value<T>(texels, wrap_index(cell[0].index, level.width), wrap_index(cell[1].index, level.height),
+                           IndexOf<T>{});
+  });
 }
 
 /// Between the four texels around the point, as stored: texel k has its centre at (k + 0.5) / n.
 template <Number T>
 Rgb<T> sample_bilinear(const TextureLevel& level, const Vec2<T>& uv) {
   const auto texels = level.texels<RealOf<T>>();
-  const Cell<T> x = cell(uv.x * as<T>(level.width) - as<T>(0.5));
-  const Cell<T> y = cell(uv.y * as<T>(level.height) - as<T>(0.5));
-  // Wrapping follows the floor, in integers: a point just left of u = 0 lies between the last texel and the first.
-  const IndexOf<T> left = wrap_index(x.index, level.width), right = wrap_index(next_index(x.index), level.width);
-  const IndexOf<T> low = wrap_index(y.index, level.height), high = wrap_index(next_index(y.index), level.height);
-  const auto row = [&](const IndexOf<T>& j) {
-    return mix(lookup<T>(texels, left, j, IndexOf<T>{}), lookup<T>(texels, right, j, IndexOf<T>{}), x.fraction);
-  };
-  return mix(row(low), row(high), y.fraction);
+  const std::array<T, 2> place = {uv.x * as<T>(level.width) - as<T>(0.5), uv.y * as<T>(level.height) - as<T>(0.5)};
+  return read_grid(place, level.axes(), [&](const std::array<Cell<T>, 2>& cell) {
+    const auto& [x, y] = cell;
+    // Wrapping follows the floor, in integers: a point just left of u = 0 lies between the last texel and the first.
+    const IndexOf<T> left = wrap_index(x.index, level.width), right = wrap_index(next_index(x.index), level.width);
+    const IndexOf<T> low = wrap_index(y.index, level.height), high = wrap_index(next_index(y.index), level.height);
+    const auto row = [&](const IndexOf<T>& j, const T& along) {
+      return mix(stored_value<T>(texels, left, j, IndexOf<T>{}), stored_value<T>(texels, right, j, IndexOf<T>{}),
+                 along);
+    };
+    return mix(row(low, x.fraction), row(high, x.fraction), y.fraction);
+  });
 }
 
 /// The level of detail: log2 of the longer side of a pixel's footprint, in texels of level 0. OpenGL 4.6,

@@ -163,15 +163,13 @@ void write_figures(JsonWriter& json, std::string_view name, const ImageError::Fi
   json.end_object();
 }
 
-void write_oracle(JsonWriter& json, const OracleError& error) {
-  json.key("against_oracle");
+void write_exact(JsonWriter& json, const ExactError& error) {
+  json.key("against_exact");
   json.begin_object();
-  json.member("pixels", error.asked);
-  json.member("followed", error.followed);
-  text_or_null(json, "not_followed_because", error.reason);
+  json.member("pixels", error.pixels);
   const auto figure = [&](std::string_view name, double value) {
     json.key(name);
-    if (error.followed > 0) json.value(value);
+    if (error.pixels > 0) json.value(value);
     else json.null();
   };
   figure("max_relative", error.max_relative);
@@ -195,7 +193,7 @@ void write_error(JsonWriter& json, const SceneResult& scene, const std::string& 
     json.member("off_by_more", error.off_by_more);
     json.end_object();
   });
-  write_oracle(json, found->against_oracle);
+  write_exact(json, found->against_exact);
   json.end_object();
 }
 

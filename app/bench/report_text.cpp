@@ -91,13 +91,10 @@ std::string errors(const SceneResult& scene) {
       more += rung.rung + ": in 8 bits " + with_commas(error.off_by_one) + " pixels are off by one, " +
               with_commas(error.off_by_more) + " by more\n";
     }
-    const OracleError& oracle = rung.against_oracle;
-    if (oracle.followed > 0)
-      table.add({rung.rung + " against 60 digits, relative", with_commas(oracle.followed),
-                 three_digits(oracle.max_relative), none, three_digits(oracle.mean_relative)});
-    if (!oracle.reason.empty())
-      more += rung.rung + ": 60 digits follow " + with_commas(oracle.followed) + " of " + with_commas(oracle.asked) +
-              " pixels: " + oracle.reason + "\n";
+    const ExactError& exact = rung.against_exact;
+    if (exact.pixels > 0)
+      table.add({rung.rung + " against exact, relative", with_commas(exact.pixels), three_digits(exact.max_relative),
+                 none, three_digits(exact.mean_relative)});
   }
   return table.text() + more;
 }

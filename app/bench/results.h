@@ -60,17 +60,16 @@ struct ImageError {
   std::uint64_t off_by_one = 0, off_by_more = 0; // of 255, in the 8-bit images
 };
 
-/// How far chosen pixels are from what the formulas say, worked out in 60 digits.
-struct OracleError {
-  std::size_t asked = 0, followed = 0;
-  std::string reason; // why some could not be followed; empty if all were
+/// How far chosen pixels are from the rung `exact`: the same formulas in 60 digits, from what the vertex stage stores.
+struct ExactError {
+  std::size_t pixels = 0; // none where no surface is seen: then the others say nothing
   double max_relative = 0, mean_relative = 0, max_levels = 0;
 };
 
 struct RungError {
   std::string rung;
   std::optional<ImageError> against_double; // nothing for double itself
-  OracleError against_oracle;
+  ExactError against_exact;
 };
 
 /// One rung with one number of threads.

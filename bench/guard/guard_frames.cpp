@@ -67,7 +67,7 @@ void draw_all(const std::string& folder) {
           };
           (draw(decltype(rung)::name), ...);
         },
-        Rungs{});
+        LaneRungs{});
 }
 
 } // namespace

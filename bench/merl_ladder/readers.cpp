@@ -104,7 +104,7 @@ std::vector<Reader> readers() {
       [&](auto... rung) {
         (all.push_back(reader<decltype(rung), TableRealOf<typename decltype(rung)::Number>>(true)), ...);
       },
-      Rungs{});
+      LaneRungs{});
   all.push_back(reader<FloatRung, Half>(false));
   return all;
 }

@@ -30,7 +30,7 @@ void for_each_number(Body&& body) {
     using T = typename R::Number;
     body.template operator()<T>(std::string(R::name) + " x" + std::to_string(NumberTraits<T>::lanes));
   };
-  std::apply([&](auto... each) { (rung(each), ...); }, Rungs{});
+  std::apply([&](auto... each) { (rung(each), ...); }, LaneRungs{});
 }
 
 /// Benchmark `name`: work() does `values` of something.

@@ -88,7 +88,7 @@ void add_tile(const std::string& name, const std::shared_ptr<TileScene>& on) {
     add("surfaces, a triangle/" + number, triangles, [on, fragments] { fragments->collect(*on); });
     add("interpolation/" + number, fragments->fragments, [on, fragments] { fragments->interpolate(*on); });
   };
-  std::apply([&](auto... each) { (rung(each), ...); }, Rungs{});
+  std::apply([&](auto... each) { (rung(each), ...); }, LaneRungs{});
 }
 
 } // namespace

@@ -2,21 +2,22 @@
 // Many errors of one kind: their maximum, the value that 99 of 100 keep to, and where the worst one was.
 
 #include "bench/precision/exact_vectors.h"
+#include "math/exact.h"
 
 #include <string>
 
 namespace refraster::precision {
 
-/// One unit in the last place of F at x: the distance of neighbouring numbers in its binade.
-template <class F>
-Exact ulp_at(const Exact& x) {
+/// One unit in the last place of F at x, a number of Boost's: the distance of neighbouring numbers in its binade.
+template <class F, class X>
+X ulp_at(const X& x) {
   int exponent = std::numeric_limits<F>::min_exponent;
   if (x != 0) {
     int of_x = 0;
-    frexp(Exact(abs(x)), &of_x);
+    frexp(X(abs(x)), &of_x);
     exponent = std::max(exponent, of_x);
   }
-  return ldexp(Exact(1), exponent - std::numeric_limits<F>::digits);
+  return ldexp(X(1), exponent - std::numeric_limits<F>::digits);
 }
 
 struct Error {
@@ -36,7 +37,8 @@ public:
     }
     all_.push_back(counted);
   }
-  void add(const Exact& error, const auto& describe) { add(error.template convert_to<double>(), describe); }
+  void add(const Mpfr& error, const auto& describe) { add(error.template convert_to<double>(), describe); }
+  void add(const Exact& error, const auto& describe) { add(static_cast<double>(error), describe); }
 
   Error summary() {
     if (all_.empty()) return {};

@@ -1,8 +1,8 @@
 #pragma once
-// The fragment functions from their textbook formulas, in 60 digits.
+// The fragment functions in 60 digits: the formulas of shading/ themselves, over Exact.
 
-#include "bench/precision/exact_vectors.h"
 #include "bench/precision/inputs.h"
+#include "math/exact.h"
 #include "shading/merl_lookup.h"
 
 namespace refraster::precision {
@@ -12,23 +12,29 @@ struct Exactly {
   Exact value, terms;
 };
 
-/// n, l, v as they were given, or exactly unit where the path computes them; C with its attenuation.
-struct ExactLit {
-  Exact3 n, l, v;
-  Exact radiance;
-};
-ExactLit exactly_lit(const Inputs& in);
+/// |x|.|y|: the sum of the magnitudes of a dot product's terms, which its rounding errors are proportional to, however
+/// small the dot product itself is.
+inline Exact magnitude_of_dot(const Vec3<Exact>& a, const Vec3<Exact>& b) {
+  return magnitude(a.x * b.x) + magnitude(a.y * b.y) + magnitude(a.z * b.z);
+}
 
-/// (kd t <n.l> + ks cos^s) C, with cos the cosine of the angle between r = 2 (n.l) n - l and v.
-/// Its terms: (kd t sum |n_i l_i| + ks) C. A highlight counts with its peak.
-Exactly exact_phong(const Inputs& in);
-/// The same with the angle between n and h = (l + v) / |l + v|.
-Exactly exact_blinn_phong(const Inputs& in);
+/// What Phong or Blinn-Phong gives. Its terms: (kd t sum |n_i l_i| + ks) C. A highlight counts with its peak.
+template <class Model>
+Exactly exactly(const Model& model, const Inputs& in) {
+  const Lit<Exact> there = lit<Exact>(in);
+  const Exact diffuse = as<Exact>(in.kd) * as<Exact>(in.texture);
+  return {model(there.at, there.light).x,
+          (diffuse * magnitude_of_dot(there.at.normal, there.light.direction) + as<Exact>(in.ks)) *
+              there.light.radiance.x};
+}
 
-/// Rusinkiewicz's coordinates in bins by their definition: half vector, arc cosines, and the azimuth of i in a frame
-/// whose pole is h. w in [0, 180). i and o are divided by their lengths first.
+/// Rusinkiewicz's coordinates in bins, of the directions brought to unit length first. w in [0, 180).
 using ExactPoint = MerlPoint<Exact>;
-ExactPoint exact_merl_point(const Exact3& n, const Exact3& i, const Exact3& o);
+template <class F>
+ExactPoint exact_merl_point(const Vec3<F>& n, const Vec3<F>& i, const Vec3<F>& o) {
+  const auto unit = [](const Vec3<F>& a) { return normalize(Vec3<Exact>(Exact(a.x), Exact(a.y), Exact(a.z))); };
+  return merl_point(half_difference(MerlAngles::closed, unit(n), unit(i), unit(o)));
+}
 
 /// How far two values of w are apart on their circle of 180.
 Exact distance_around(const Exact& w, const Exact& other);
@@ -36,14 +42,14 @@ Exact distance_around(const Exact& w, const Exact& other);
 /// What a point of a MERL table is made from, for all lookups: the coordinates and how much a relative change of the
 /// inputs moves each, that is the sum of |x du/dx| over the nine components x of n, l, v.
 struct MerlPlace {
-  ExactLit lit;
+  Lit<Exact> lit;
   ExactPoint at, moved;
 };
 MerlPlace exact_merl_place(const Inputs& in);
 
 /// f <n.l> C in one channel. Its terms: (f + |df/du| (u + du) + |df/dv| (v + dv) + |df/dw| (w + dw)) sum |n_i l_i| C
 /// with du, dv, dw from `moved`: what becomes of rounding the directions and the coordinates. Where logarithms g are
-/// interpolated, f + |df/dg| (g + |dg/du| (u + du) + ...) stands in the brackets.
+/// interpolated, |df/dg| g is added in the brackets.
 Exactly exact_merl(const MerlPlace& place, const MerlTable& table, MerlLookup lookup, int channel);
 
 } // namespace refraster::precision

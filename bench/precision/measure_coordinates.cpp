@@ -13,8 +13,9 @@ namespace {
 /// An azimuth is the less defined the closer h is to n and i to h. On the sphere an error of it is a distance.
 constexpr std::string_view sphere = "w sin θh sin θd";
 Exact sines(const ExactPoint& at) {
-  const Exact theta_h = Exact(at.u * at.u / 8100) * exact_pi() / 2, theta_d = at.v * exact_pi() / 180;
-  return sin(theta_h) * sin(theta_d);
+  const Exact pi = constant<Exact>(constants::pi);
+  const Exact theta_h = at.u * at.u / Exact(8100) * pi / Exact(2), theta_d = at.v * pi / Exact(180);
+  return Exact(Exact::Value(sin(theta_h.value()) * sin(theta_d.value())));
 }
 
 struct Column {
@@ -25,7 +26,7 @@ struct Column {
 template <class F>
 void add_all(std::vector<Column>& columns, const Inputs& in, Errors Column::*errors) {
   const Vec3<F> n = as<F>(in.n), i = as<F>(in.l), o = as<F>(in.v);
-  const ExactPoint exactly = exact_merl_point(exact(n), exact(i), exact(o));
+  const ExactPoint exactly = exact_merl_point(n, i, o);
   const auto describe = [&] { return "n = " + hex(in.n) + ", i = " + hex(in.l) + ", o = " + hex(in.v); };
   const MerlPoint<F> arc_cosines = merl_point_by_arc_cosines(n, i, o);
   for (Column& column : columns) {
@@ -33,8 +34,8 @@ void add_all(std::vector<Column>& columns, const Inputs& in, Errors Column::*err
     for (const auto& [method, name] : EnumNames<MerlAngles>::names)
       if (name == column.method) at = merl_point(half_difference(method, n, i, o));
     Exact error;
-    if (column.coordinate == "u") error = abs(Exact(at.u - exactly.u));
-    if (column.coordinate == "v") error = abs(Exact(at.v - exactly.v));
+    if (column.coordinate == "u") error = magnitude(Exact(at.u) - exactly.u);
+    if (column.coordinate == "v") error = magnitude(Exact(at.v) - exactly.v);
     if (column.coordinate == "w") error = distance_around(Exact(at.w), exactly.w);
     if (column.coordinate == sphere) error = distance_around(Exact(at.w), exactly.w) * sines(exactly);
     (column.*errors).add(error, describe);
@@ -87,8 +88,8 @@ std::vector<HighlightPoint> measure_highlight(int pairs_each) {
       const Double3 light = random_direction_above(normal, random), eye = mirrored(light, half);
       if (dot(normal, light) < 0.1 || dot(normal, eye) < 0.1) continue;
       const auto n = normalize(Float3(normal)), i = normalize(Float3(light)), o = normalize(Float3(eye));
-      const Exact u = exact_merl_point(exact(n), exact(i), exact(o)).u;
-      const auto off = [&](float computed) { return Exact(abs(Exact(computed - u))).convert_to<double>(); };
+      const Exact u = exact_merl_point(n, i, o).u;
+      const auto off = [&](float computed) { return static_cast<double>(magnitude(Exact(computed) - u)); };
       acos_errors.push_back(off(merl_point_by_arc_cosines(n, i, o).u));
       closed_errors.push_back(off(merl_point(half_difference(MerlAngles::closed, n, i, o)).u));
     }

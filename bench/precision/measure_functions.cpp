@@ -7,16 +7,16 @@ namespace refraster::precision {
 
 namespace {
 
-Exact exact_log2(const Exact& x) {
+Mpfr exact_log2(const Mpfr& x) {
   return log2(x);
 }
-Exact exact_exp2(const Exact& x) {
-  return pow(Exact(2), x);
+Mpfr exact_exp2(const Mpfr& x) {
+  return pow(Mpfr(2), x);
 }
 
 /// A trial says how far off it was and on what.
 struct Trial {
-  Exact ulp;
+  Mpfr ulp;
   std::string input;
 };
 
@@ -32,11 +32,11 @@ Error errors(int trials, const Once& once) {
 }
 
 template <class F>
-Exact in_ulps(F computed, const Exact& exact, const Exact& scale) {
-  return abs(Exact(Exact(computed) - exact)) / ulp_at<F>(scale);
+Mpfr in_ulps(F computed, const Mpfr& exact, const Mpfr& scale) {
+  return abs(Mpfr(Mpfr(computed) - exact)) / ulp_at<F>(scale);
 }
 template <class F>
-Exact in_ulps(F computed, const Exact& exact) {
+Mpfr in_ulps(F computed, const Mpfr& exact) {
   return in_ulps(computed, exact, exact);
 }
 
@@ -64,21 +64,21 @@ F positive_finite(Random& random) {
 /// 0 where the exact result is cut to 0 or overflows, or within a rounding of that.
 template <class F>
 Trial power_trial(F x, double s) {
-  const Exact y = exact_log2(Exact(x)) * s;
+  const Mpfr y = exact_log2(Mpfr(x)) * s;
   if (y <= lowest_power<F> + 1e-3 || y >= highest_power<F> - 1e-3) return {0, ""};
   return {in_ulps(power(x, s), exact_exp2(y)), input({wide(x), s})};
 }
 template <class F>
 Trial log2_trial(F x) {
-  return {in_ulps(log2(x), exact_log2(Exact(x))), input({wide(x)})};
+  return {in_ulps(log2(x), exact_log2(Mpfr(x))), input({wide(x)})};
 }
 template <class F>
 Trial exp2_trial(F x) {
-  return {in_ulps(exp2(x), exact_exp2(Exact(x))), input({wide(x)})};
+  return {in_ulps(exp2(x), exact_exp2(Mpfr(x))), input({wide(x)})};
 }
 template <class F>
 Trial atan2_trial(F y, F x) {
-  return {in_ulps(atan2(y, x), atan2(Exact(y), Exact(x))), input({wide(y), wide(x)})};
+  return {in_ulps(atan2(y, x), atan2(Mpfr(y), Mpfr(x))), input({wide(y), wide(x)})};
 }
 
 template <class F>
@@ -93,9 +93,9 @@ template <class F>
 Trial normalize_trial(const Vec3<F>& a) {
   const Vec3<F> computed = normalize(a);
   const Exact3 exactly = unit(exact(a));
-  Exact worst = 0;
+  Mpfr worst = 0;
   for (int c = 0; c < 3; ++c) {
-    const Exact ulp = in_ulps(computed[c], exactly[static_cast<std::size_t>(c)]);
+    const Mpfr ulp = in_ulps(computed[c], exactly[static_cast<std::size_t>(c)]);
     if (ulp > worst) worst = ulp;
   }
   return {worst, input(a)};
@@ -108,9 +108,9 @@ Trial highlight_trial(Random& random, double least, double most) {
   const Double3 a = normalize(some_vector<double>(random, 0));
   const Double3 across = normalize(cross(a, normalize(some_vector<double>(random, 0))));
   const Vec3<F> x = normalize(Vec3<F>(a)), y = normalize(Vec3<F>(a * std::cos(radius) + across * std::sin(radius)));
-  const Exact cosine = inner(unit(exact(x)), unit(exact(y)));
-  const Exact exactly = cosine > 0 ? pow(cosine, Exact(s)) : Exact(0);
-  return {in_ulps(cosine_power(x, y, s), exactly, Exact(1)), input(x) + ", " + input(y) + ", " + hex(s)};
+  const Mpfr cosine = inner(unit(exact(x)), unit(exact(y)));
+  const Mpfr exactly = cosine > 0 ? pow(cosine, Mpfr(s)) : Mpfr(0);
+  return {in_ulps(cosine_power(x, y, s), exactly, Mpfr(1)), input(x) + ", " + input(y) + ", " + hex(s)};
 }
 
 template <class Measure>
@@ -129,11 +129,11 @@ constexpr UlpBound cosine_power_bound() {
 }
 
 FunctionRow of_degrees(std::string_view function, UlpBound bound, int trials, double (*computed)(double),
-                       Exact (*exactly)(const Exact&), double multiple_left_out) {
+                       Mpfr (*exactly)(const Mpfr&), double multiple_left_out) {
   const auto once = [&](Random& random) -> Trial {
     const double angle = random.below(2) ? random.uniform(-360, 360) : random.sign() * random.magnitude(1e-10, 1e15);
     if (std::fmod(angle, multiple_left_out) == 0) return {0, ""}; // exact: see the tests
-    const Exact radians = Exact(std::fmod(angle, 360.0)) * exact_pi() / 180;
+    const Mpfr radians = Mpfr(std::fmod(angle, 360.0)) * exact_pi() / 180;
     return {in_ulps(computed(angle), exactly(radians)), input({angle})};
   };
   return {function, "within a turn, and up to 1e15 degrees", bound, {}, errors<double>(trials, once), {}, false};
@@ -205,11 +205,11 @@ std::vector<FunctionRow> measure_functions(int trials) {
                      return atan2_trial(y, x);
                    }),
       of_degrees(
-          "sin_degrees", sin_degrees_error, trials, sin_degrees, [](const Exact& x) { return Exact(sin(x)); }, 180),
+          "sin_degrees", sin_degrees_error, trials, sin_degrees, [](const Mpfr& x) { return Mpfr(sin(x)); }, 180),
       of_degrees(
-          "cos_degrees", cos_degrees_error, trials, cos_degrees, [](const Exact& x) { return Exact(cos(x)); }, 90),
+          "cos_degrees", cos_degrees_error, trials, cos_degrees, [](const Mpfr& x) { return Mpfr(cos(x)); }, 90),
       of_degrees(
-          "tan_degrees", tan_degrees_error, trials, tan_degrees, [](const Exact& x) { return Exact(tan(x)); }, 90),
+          "tan_degrees", tan_degrees_error, trials, tan_degrees, [](const Mpfr& x) { return Mpfr(tan(x)); }, 90),
       vectors("length", "ordinary", length_error<double>, length_error<float>, 0, length_of),
       vectors("length", "every magnitude", length_error<double>, length_error<float>, 1, length_of),
       vectors("normalize", "ordinary", normalize_error<double>, normalize_error<float>, 0, unit_of),

@@ -28,9 +28,9 @@ struct ModelErrors {
 
   template <class F, class Describe>
   void add(F computed, const Exactly& exactly, const Describe& describe) {
-    const Exact error = abs(Exact(computed) - exactly.value);
-    terms.add(Exact(error / ulp_at<F>(exactly.terms)), describe);
-    result.add(Exact(error / ulp_at<F>(exactly.value)), describe);
+    const Exact error = magnitude(Exact(computed) - exactly.value);
+    terms.add(error / Exact(ulp_at<F>(exactly.terms.value())), describe);
+    result.add(error / Exact(ulp_at<F>(exactly.value.value())), describe);
   }
 };
 
@@ -59,12 +59,13 @@ Model model_of(const Inputs& in) {
 }
 
 template <class Model>
-ShadingRow measure_phong(const Family& inputs, Exactly (*exactly)(const Inputs&), int trials) {
+ShadingRow measure_phong(const Family& inputs, int trials) {
   ModelErrors in_double, in_float;
   Errors apart;
   const auto once = [&]<class F>(ModelErrors& errors, std::mt19937_64& random) {
     const Inputs in = held<F>(inputs.make(random, decades<F>));
-    errors.add(radiance<F>(model_of<Model>(in), in, 0), exactly(in), [&] { return text(in, Glossiness::used); });
+    const Model model = model_of<Model>(in);
+    errors.add(radiance<F>(model, in, 0), exactly(model, in), [&] { return text(in, Glossiness::used); });
   };
   std::mt19937_64 random_double(1), random_float(2);
   for (int k = 0; k < trials; ++k) {
@@ -90,9 +91,7 @@ bool other_bin(const MerlPlace& place, const Inputs& in) {
   const Lit<F> there = lit<F>(in);
   const MerlPoint<F> at =
       merl_point(half_difference(MerlAngles::closed, there.at.normal, there.light.direction, there.at.to_eye));
-  const auto bin = [](const auto& x, int last) {
-    return std::clamp(static_cast<int>(floor(Exact(x)).template convert_to<double>()), 0, last);
-  };
+  const auto bin = [](const auto& x, int last) { return std::clamp(floor_and_fraction(x).index, 0, last); };
   return bin(at.u, 89) != bin(place.at.u, 89) || bin(at.v, 89) != bin(place.at.v, 89) ||
          bin(at.w, 179) != bin(place.at.w, 179);
 }
@@ -153,9 +152,8 @@ std::vector<ShadingRow> measure_merl(const std::shared_ptr<const MerlTable>& tab
 
 std::vector<ShadingRow> measure_shading(int trials) {
   std::vector<ShadingRow> rows;
-  for (const Family& inputs : phong_families()) rows.push_back(measure_phong<Phong>(inputs, exact_phong, trials));
-  for (const Family& inputs : phong_families())
-    rows.push_back(measure_phong<BlinnPhong>(inputs, exact_blinn_phong, trials));
+  for (const Family& inputs : phong_families()) rows.push_back(measure_phong<Phong>(inputs, trials));
+  for (const Family& inputs : phong_families()) rows.push_back(measure_phong<BlinnPhong>(inputs, trials));
   const std::shared_ptr<const MerlTable> table(new MerlTable(merl_table_from(find_brdf_preset("nylon-like")->brdf)));
   std::vector<ShadingRow> merl;
   for (const Family& inputs : merl_families())

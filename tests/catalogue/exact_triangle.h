@@ -16,8 +16,8 @@ using Integer = boost::multiprecision::mpz_int;
 using Rational = boost::multiprecision::mpq_rational;
 using RationalVec3 = std::array<Rational, 3>;
 
-inline Exact exact(const Rational& x) {
-  return Exact(boost::multiprecision::numerator(x)) / Exact(boost::multiprecision::denominator(x));
+inline Mpfr exact(const Rational& x) {
+  return Mpfr(boost::multiprecision::numerator(x)) / Mpfr(boost::multiprecision::denominator(x));
 }
 
 template <class V>

@@ -100,16 +100,16 @@ TEST_CASE("I2: with distances of 1 to 1e8 among its corners, a triangle is good 
           if (!is_drawn(frame, x, y)) continue;
           const auto at = truth.at(x * 256 + 128, y * 256 + 128);
           REQUIRE(at);
-          const Exact distance = -exact(at->share[0] * Rational(corner[0].z) + at->share[1] * Rational(corner[1].z) +
+          const Mpfr distance = -exact(at->share[0] * Rational(corner[0].z) + at->share[1] * Rational(corner[1].z) +
                                         at->share[2] * Rational(corner[2].z));
           // Relative to the size of the point seen, which is its distance: no coordinate in view is larger, and one
           // that passes through 0 has no digits of its own.
-          const Exact ulp = 2 * half_float_ulp(distance);
+          const Mpfr ulp = 2 * half_float_ulp(distance);
           const auto check = [&](std::size_t aov, int channel, const auto& value) {
-            Exact expected = 0;
+            Mpfr expected = 0;
             for (std::size_t k = 0; k < 3; ++k) expected += exact(at->share[k] * Rational(value(k)));
             const double error =
-                Exact(abs(Exact(frame.aovs[aov].at(x, y)[channel]) - expected) / ulp).template convert_to<double>();
+                Mpfr(abs(Mpfr(frame.aovs[aov].at(x, y)[channel]) - expected) / ulp).template convert_to<double>();
             worst = std::max(worst, error);
             REQUIRE(error <= 1);
           };
@@ -146,10 +146,10 @@ TEST_CASE(
         const auto at = truth.at((16376 + x) * 256 + 128, (16376 + y) * 256 + 128);
         REQUIRE(at);
         for (int c = 0; c < 2; ++c) {
-          Exact expected = 0;
+          Mpfr expected = 0;
           for (std::size_t k = 0; k < 3; ++k) expected += exact(at->share[k] * Rational(uvs[k][c]));
-          const Exact ulp = c == 0 ? 2 * half_float_ulp(expected) : 2 * half_float_ulp(Exact(1));
-          REQUIRE(abs(Exact(frame.aovs[1].at(x, y)[c]) - expected) <= ulp);
+          const Mpfr ulp = c == 0 ? 2 * half_float_ulp(expected) : 2 * half_float_ulp(Mpfr(1));
+          REQUIRE(abs(Mpfr(frame.aovs[1].at(x, y)[c]) - expected) <= ulp);
         }
       }
   });
@@ -186,8 +186,8 @@ TEST_CASE("I4: an interpolated value lies between the values at the corners") {
           REQUIRE(frame.aovs[1].at(x, y)[c] <= most[c]);
           Rational expected = 0;
           for (std::size_t k = 0; k < 3; ++k) expected += at->share[k] * Rational(uvs[k][c]);
-          REQUIRE(abs(Exact(frame.aovs[1].at(x, y)[c]) - exact(expected)) <=
-                  half_float_ulp(exact(expected)) + interpolation_bound(Exact(1)));
+          REQUIRE(abs(Mpfr(frame.aovs[1].at(x, y)[c]) - exact(expected)) <=
+                  half_float_ulp(exact(expected)) + interpolation_bound(Mpfr(1)));
         }
       }
   });
@@ -301,11 +301,11 @@ TEST_CASE_TEMPLATE("I7: at texel borders the texel is the floor of the exact coo
 
       const F shifted = product - F(0.5);
       const ExactCell at = exact_cell(Rational(shifted));
-      const Exact left(wrapped(at.index, width)), right(wrapped(at.index + 1, width));
-      const Exact between = left + (right - left) * exact(at.fraction);
+      const Mpfr left(wrapped(at.index, width)), right(wrapped(at.index + 1, width));
+      const Mpfr between = left + (right - left) * exact(at.fraction);
       const auto bilinear = look_up<F>(*texture, TextureFilter::bilinear, coordinate, 0);
       // Fraction, difference, product and sum: each rounds a number no larger than the width.
-      CHECK(abs(Exact(bilinear.x) - between) <= Exact(4 * width) * Exact(std::numeric_limits<F>::epsilon()) / 2);
+      CHECK(abs(Mpfr(bilinear.x) - between) <= Mpfr(4 * width) * Mpfr(std::numeric_limits<F>::epsilon()) / 2);
     }
     CHECK(look_up<F>(*texture, TextureFilter::nearest, -1e-9, 0).x == static_cast<F>(width - 1));
     CHECK(look_up<F>(*texture, TextureFilter::nearest, 0, -1e-9).y == static_cast<F>(height - 1));

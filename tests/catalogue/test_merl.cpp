@@ -23,37 +23,37 @@ using namespace refraster;
 
 namespace {
 
-using ExactVec3 = std::array<Exact, 3>;
+using ExactVec3 = std::array<Mpfr, 3>;
 
-const Exact exact_pi = boost::math::constants::pi<Exact>();
+const Mpfr exact_pi = boost::math::constants::pi<Mpfr>();
 
 template <class T>
 ExactVec3 exact_vector(const Vec3<T>& v) {
-  return {Exact(v.x), Exact(v.y), Exact(v.z)};
+  return {Mpfr(v.x), Mpfr(v.y), Mpfr(v.z)};
 }
-Exact dot(const ExactVec3& a, const ExactVec3& b) {
+Mpfr dot(const ExactVec3& a, const ExactVec3& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 ExactVec3 cross(const ExactVec3& a, const ExactVec3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-ExactVec3 plus(const ExactVec3& a, const ExactVec3& b, const Exact& factor) {
+ExactVec3 plus(const ExactVec3& a, const ExactVec3& b, const Mpfr& factor) {
   return {a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]};
 }
 ExactVec3 unit(const ExactVec3& a) {
-  const Exact scale = 1 / sqrt(dot(a, a));
+  const Mpfr scale = 1 / sqrt(dot(a, a));
   return {a[0] * scale, a[1] * scale, a[2] * scale};
 }
 
 /// Rusinkiewicz's angles as they are defined, in 60 digits: the half vector, and the azimuth of i in the frame whose z
 /// axis it is and whose x axis leans away from the normal.
-HalfDifference<Exact> exact_angles(const ExactVec3& n_any, const ExactVec3& i_any, const ExactVec3& o_any) {
+HalfDifference<Mpfr> exact_angles(const ExactVec3& n_any, const ExactVec3& i_any, const ExactVec3& o_any) {
   const ExactVec3 n = unit(n_any), i = unit(i_any), o = unit(o_any);
   const ExactVec3 h = unit(plus(i, o, 1));
-  const Exact cos_h = dot(n, h), cos_d = dot(i, h);
+  const Mpfr cos_h = dot(n, h), cos_d = dot(i, h);
   const ExactVec3 x = plus({h[0] * cos_h, h[1] * cos_h, h[2] * cos_h}, n, -1), y = cross(h, x);
   const ExactVec3 p = plus(i, h, -cos_d);
-  Exact phi = atan2(dot(p, y), dot(p, x));
+  Mpfr phi = atan2(dot(p, y), dot(p, x));
   if (phi < 0) phi += exact_pi;
   return {atan2(sqrt(dot(x, x)), cos_h), atan2(sqrt(dot(p, p)), cos_d), phi};
 }
@@ -138,10 +138,10 @@ double worst_u(double angle) {
       return normalize(Vec3<F>(static_cast<F>(v.x), static_cast<F>(v.y), static_cast<F>(v.z)));
     };
     const Vec3<F> nf = rounded(n), inf = rounded(i), of = rounded(o);
-    const Exact theta_h = exact_angles(exact_vector(nf), exact_vector(inf), exact_vector(of)).theta_h;
-    const Exact u = 90 * sqrt(theta_h * 2 / exact_pi);
+    const Mpfr theta_h = exact_angles(exact_vector(nf), exact_vector(inf), exact_vector(of)).theta_h;
+    const Mpfr u = 90 * sqrt(theta_h * 2 / exact_pi);
     const F got = merl_point(half_difference(MerlAngles::closed, nf, inf, of)).u;
-    worst = std::max(worst, Exact(abs(Exact(got) - u)).template convert_to<double>());
+    worst = std::max(worst, Mpfr(abs(Mpfr(got) - u)).template convert_to<double>());
   });
   return worst;
 }
@@ -234,7 +234,7 @@ TEST_CASE_TEMPLATE("M4: phi_d has the period pi: its two ends meet, and bin 179 
     CHECK(line_angle(p) < as<F>(std::numbers::pi));
   }
   // 2 pi - e is e below the line: pi - e.
-  const Exact below = atan2(Exact(F(-1e-3)), Exact(1)) + exact_pi;
+  const Mpfr below = atan2(Mpfr(F(-1e-3)), Mpfr(1)) + exact_pi;
   CHECK(ulp_error(line_angle(Vec2<F>(1, F(-1e-3))), below) <= 2);
 }
 
@@ -253,7 +253,7 @@ TEST_CASE_TEMPLATE("M5: where phi_d is undefined it is pi / 2, whatever led ther
   const HalfDifference<F> opposite =
       half_difference(MerlAngles::closed, Vec3<F>(0, 0, 1), Vec3<F>(F(0.6), 0, F(0.8)), Vec3<F>(F(-0.6), 0, F(-0.8)));
   CHECK(opposite.theta_h == 0);
-  CHECK(ulp_error(opposite.theta_d, Exact(exact_pi / 2)) <= 1);
+  CHECK(ulp_error(opposite.theta_d, Mpfr(exact_pi / 2)) <= 1);
   CHECK(opposite.phi_d == as<F>(std::numbers::pi / 2));
 }
 
@@ -279,8 +279,8 @@ TEST_CASE_TEMPLATE("M6: samples never measured are left out; with none measured 
     const auto at = merl_value(table, MerlLookup::trilinear, MerlPoint<F>{F(10.75), F(11), F(11.25)});
     CHECK(at.unmeasured == (mask == 0));
     // Shares and samples are exact; so are the sums. The quotient, by a reciprocal, rounds twice.
-    const Exact expected = mask == 0 ? Exact(0) : Exact(sum) / Exact(weight);
-    CHECK(abs(Exact(at.f.x) - expected) <= expected * Exact(std::numeric_limits<F>::epsilon()));
+    const Mpfr expected = mask == 0 ? Mpfr(0) : Mpfr(sum) / Mpfr(weight);
+    CHECK(abs(Mpfr(at.f.x) - expected) <= expected * Mpfr(std::numeric_limits<F>::epsilon()));
     if (mask == 0xff) CHECK(at.f.x == static_cast<F>(sum));
     if (mask != 0) CHECK(at.f.x > 0);
   }
@@ -366,12 +366,12 @@ TEST_CASE("M10: turning surface, light and eye together changes nothing: there i
     const HalfDifference<double> moved = half_difference(MerlAngles::closed, turned(n), turned(i), turned(o));
     for (const auto& [angles, a, b, c] :
          {std::tuple(still, n, i, o), std::tuple(moved, turned(n), turned(i), turned(o))}) {
-      const HalfDifference<Exact> truth = exact_angles(exact_vector(a), exact_vector(b), exact_vector(c));
-      Exact off = abs(Exact(angles.phi_d) - truth.phi_d);
+      const HalfDifference<Mpfr> truth = exact_angles(exact_vector(a), exact_vector(b), exact_vector(c));
+      Mpfr off = abs(Mpfr(angles.phi_d) - truth.phi_d);
       if (off > exact_pi / 2) off = exact_pi - off;
-      worst_phi = std::max(worst_phi, Exact(off * sin(truth.theta_h) * sin(truth.theta_d)).convert_to<double>());
-      worst_theta = std::max({worst_theta, Exact(abs(Exact(angles.theta_h) - truth.theta_h)).convert_to<double>(),
-                              Exact(abs(Exact(angles.theta_d) - truth.theta_d)).convert_to<double>()});
+      worst_phi = std::max(worst_phi, Mpfr(off * sin(truth.theta_h) * sin(truth.theta_d)).convert_to<double>());
+      worst_theta = std::max({worst_theta, Mpfr(abs(Mpfr(angles.theta_h) - truth.theta_h)).convert_to<double>(),
+                              Mpfr(abs(Mpfr(angles.theta_d) - truth.theta_d)).convert_to<double>()});
     }
     // Turning rounds each vector by a few 2^-53; beyond that the two agree.
     CHECK(std::abs(still.theta_h - moved.theta_h) <= 0x1p-46);

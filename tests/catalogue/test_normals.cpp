@@ -15,33 +15,33 @@ using namespace refraster::test;
 
 namespace {
 
-using ExactVec3 = std::array<Exact, 3>;
+using ExactVec3 = std::array<Mpfr, 3>;
 
 ExactVec3 exact_vector(const Double3& v) {
-  return {Exact(v.x), Exact(v.y), Exact(v.z)};
+  return {Mpfr(v.x), Mpfr(v.y), Mpfr(v.z)};
 }
-Exact dot(const ExactVec3& a, const ExactVec3& b) {
+Mpfr dot(const ExactVec3& a, const ExactVec3& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 ExactVec3 cross(const ExactVec3& a, const ExactVec3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-Exact length(const ExactVec3& a) {
+Mpfr length(const ExactVec3& a) {
   return sqrt(dot(a, a));
 }
 
 /// The sine of the angle between two directions, and 2 where they point to opposite sides.
 double sine_between(const ExactVec3& a, const ExactVec3& b) {
   if (dot(a, b) <= 0) return 2;
-  return Exact(length(cross(a, b)) / (length(a) * length(b))).convert_to<double>();
+  return Mpfr(length(cross(a, b)) / (length(a) * length(b))).convert_to<double>();
 }
 
 /// R n with R = Rx Ry Rz, degrees.
 ExactVec3 rotated(const Double3& degrees, ExactVec3 v) {
-  const Exact radians = boost::math::constants::pi<Exact>() / 180;
+  const Mpfr radians = boost::math::constants::pi<Mpfr>() / 180;
   const auto turn = [&](double angle, std::size_t i, std::size_t j) { // axis i toward axis j
-    const Exact c = cos(Exact(angle) * radians), s = sin(Exact(angle) * radians);
-    const Exact x = v[i], y = v[j];
+    const Mpfr c = cos(Mpfr(angle) * radians), s = sin(Mpfr(angle) * radians);
+    const Mpfr x = v[i], y = v[j];
     v[i] = c * x - s * y;
     v[j] = s * x + c * y;
   };
@@ -51,7 +51,7 @@ ExactVec3 rotated(const Double3& degrees, ExactVec3 v) {
 
 /// The direction of the inverse transpose of R S, times the normal: R S^-1 n.
 ExactVec3 inverse_transpose(const Double3& degrees, const Double3& scale, const Double3& n) {
-  return rotated(degrees, {Exact(n.x) / Exact(scale.x), Exact(n.y) / Exact(scale.y), Exact(n.z) / Exact(scale.z)});
+  return rotated(degrees, {Mpfr(n.x) / Mpfr(scale.x), Mpfr(n.y) / Mpfr(scale.y), Mpfr(n.z) / Mpfr(scale.z)});
 }
 
 ObjectTransform transform_of(const Double3& degrees, const Double3& scale) {
@@ -177,18 +177,18 @@ TEST_CASE("N4: normals of any finite length give a unit vector to an ulp") {
       for (const std::string_view rung : {"double", "float"}) {
         CAPTURE(std::string(rung));
         const Frame frame = shown({n, n, n}, light, rung);
-        Exact cosine = 0;
+        Mpfr cosine = 0;
         for (std::size_t c = 0; c < 3; ++c) {
-          const Exact expected = exactly[c] / length(exactly);
-          cosine += expected * Exact(light[static_cast<int>(c)]) / length(exact_vector(light));
+          const Mpfr expected = exactly[c] / length(exactly);
+          cosine += expected * Mpfr(light[static_cast<int>(c)]) / length(exact_vector(light));
           // Half an ulp is the image's. Squares and their sum are good to 4, the root and the quotient to 1 each, of
           // 2^-53.
-          CHECK(abs(Exact(frame.aovs[0].at(1, 1)[c]) - expected) <= half_float_ulp(expected) + Exact(8 * 0x1p-53));
+          CHECK(abs(Mpfr(frame.aovs[0].at(1, 1)[c]) - expected) <= half_float_ulp(expected) + Mpfr(8 * 0x1p-53));
         }
         const double u = rung == "float" ? 0x1p-24 : 0x1p-53;
         // Normal and light to 8 u each, as above, and the dot product to 3.
-        const Exact expected = cosine > 0 ? cosine : Exact(0);
-        CHECK(abs(Exact(frame.radiance.at(1, 1)[0]) - expected) <= half_float_ulp(expected) + Exact(24 * u));
+        const Mpfr expected = cosine > 0 ? cosine : Mpfr(0);
+        CHECK(abs(Mpfr(frame.radiance.at(1, 1)[0]) - expected) <= half_float_ulp(expected) + Mpfr(24 * u));
       }
     }
 }

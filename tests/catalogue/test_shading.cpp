@@ -63,9 +63,9 @@ Vec3<T> random_unit(Random& random) {
 
 /// 1 - |a - b|^2 / 2, the cosine for unit a and b, exactly.
 template <class T>
-Exact exact_cosine(const Vec3<T>& a, const Vec3<T>& b) {
-  Exact squared = 0;
-  for (int c = 0; c < 3; ++c) squared += (Exact(a[c]) - Exact(b[c])) * (Exact(a[c]) - Exact(b[c]));
+Mpfr exact_cosine(const Vec3<T>& a, const Vec3<T>& b) {
+  Mpfr squared = 0;
+  for (int c = 0; c < 3; ++c) squared += (Mpfr(a[c]) - Mpfr(b[c])) * (Mpfr(a[c]) - Mpfr(b[c]));
   return 1 - squared / 2;
 }
 
@@ -159,7 +159,7 @@ TEST_CASE_TEMPLATE("S6: attenuation (0, 0, 0) is none", F, double, float) {
 
 TEST_CASE_TEMPLATE("S7: attenuation is finite from 1e-20 to 1e20, and right where the result is in range", F, double,
                    float) {
-  const Exact largest(std::numeric_limits<F>::max()), least(std::numeric_limits<F>::min());
+  const Mpfr largest(std::numeric_limits<F>::max()), least(std::numeric_limits<F>::min());
   for (const double d : {1e-20, 1e-10, 1e-3, 1.0, 1e3, 1e10, 1e20, 1e30})
     for (const auto& [constant, linear, quadratic] :
          {std::tuple(1.0, 0.0, 0.0), std::tuple(0.0, 1.0, 0.0), std::tuple(0.0, 0.0, 1.0), std::tuple(0.5, 0.25, 0.125),
@@ -170,12 +170,12 @@ TEST_CASE_TEMPLATE("S7: attenuation is finite from 1e-20 to 1e20, and right wher
       const F got = light_on_origin<F>(light, counts).radiance.x;
       CHECK(std::isfinite(got));
       CHECK(got >= 0);
-      const Exact at(static_cast<F>(d)), divisor = Exact(static_cast<F>(constant)) +
-                                                   Exact(static_cast<F>(linear)) * at +
-                                                   Exact(static_cast<F>(quadratic)) * at * at;
-      const Exact expected = 3 / divisor;
+      const Mpfr at(static_cast<F>(d)), divisor = Mpfr(static_cast<F>(constant)) +
+                                                   Mpfr(static_cast<F>(linear)) * at +
+                                                   Mpfr(static_cast<F>(quadratic)) * at * at;
+      const Mpfr expected = 3 / divisor;
       if (divisor < least || expected > largest) CHECK(got >= F(3) * (1 / std::numeric_limits<F>::min()) / 4); // huge
-      else if (divisor > largest) CHECK(Exact(got) <= least);
+      else if (divisor > largest) CHECK(Mpfr(got) <= least);
       // d is good to 1 ulp (a root of a square), its square to 3.5, products and sums to 1 each, the quotient to 1.
       else CHECK(ulp_error(got, expected) <= 8);
     }
@@ -202,8 +202,8 @@ TEST_CASE_TEMPLATE("S9: exponents from 1e-3 to 1e30 give the exact power to an u
     for_all(200, [&](Random& random) {
       const F x = static_cast<F>(random.below(2) ? random.uniform(0, 1) : 1 - random.magnitude(1e-15, 0.1));
       if (!(x > 0)) return;
-      const Exact expected = exp(Exact(s) * log(Exact(x)));
-      if (expected < Exact(std::ldexp(1.0, sizeof(F) == 4 ? -119 : -999))) return; // cut to 0 from there down
+      const Mpfr expected = exp(Mpfr(s) * log(Mpfr(x)));
+      if (expected < Mpfr(std::ldexp(1.0, sizeof(F) == 4 ? -119 : -999))) return; // cut to 0 from there down
       const double error = ulp_error(power(x, s), expected);
       worst = std::max(worst, error);
       CHECK(error <= 1);
@@ -215,11 +215,11 @@ TEST_CASE_TEMPLATE("S9: exponents from 1e-3 to 1e30 give the exact power to an u
     for (const double angle : {1e-9, 1e-6, 1e-4, 1e-3, 0.1, 0.6}) {
       const Vec3<F> a(0, 0, 1),
           b = normalize(Vec3<F>(static_cast<F>(std::sin(angle)), 0, static_cast<F>(std::cos(angle))));
-      const Exact expected = exp(Exact(s) * log(exact_cosine(a, b)));
+      const Mpfr expected = exp(Mpfr(s) * log(exact_cosine(a, b)));
       // math/power.h: an error of r q in q = |a - b|^2 / 2 changes the power by 1.4 r at most; r is 4 roundings.
-      const Exact bound = Exact(5.6 + 1) * Exact(std::numeric_limits<F>::epsilon()) / 2 +
-                          Exact(std::ldexp(1.0, sizeof(F) == 4 ? -120 : -1000));
-      CHECK(abs(Exact(cosine_power(a, b, s)) - expected) <= bound);
+      const Mpfr bound = Mpfr(5.6 + 1) * Mpfr(std::numeric_limits<F>::epsilon()) / 2 +
+                          Mpfr(std::ldexp(1.0, sizeof(F) == 4 ? -120 : -1000));
+      CHECK(abs(Mpfr(cosine_power(a, b, s)) - expected) <= bound);
     }
 }
 
@@ -233,8 +233,8 @@ TEST_CASE("S10: an exponent does not magnify the rounding of the cosine") {
       const double angle = random.uniform(0, 4) / std::sqrt(s); // where the lobe has its slope
       const Float3 aside = normalize(cross(a, random_unit<float>(random)));
       const Float3 b = normalize(a * static_cast<float>(std::cos(angle)) + aside * static_cast<float>(std::sin(angle)));
-      const Exact expected = exp(Exact(s) * log(exact_cosine(a, b)));
-      const auto error = [&](float got) { return Exact(abs(Exact(got) - expected)).convert_to<double>() / 0x1p-24; };
+      const Mpfr expected = exp(Mpfr(s) * log(exact_cosine(a, b)));
+      const auto error = [&](float got) { return Mpfr(abs(Mpfr(got) - expected)).convert_to<double>() / 0x1p-24; };
       worst = std::max(worst, error(cosine_power(a, b, s)));
       worst_by_dot = std::max(worst_by_dot, error(power(dot(a, b), s)));
     });
@@ -302,22 +302,22 @@ TEST_CASE("S13: lights are summed in the order of the scene: none, one, a thousa
   matt.ka = Double3(0.1), matt.kd = Double3(1), matt.ks = Double3(0);
   add_wall(window).material.model = matt;
   Double3 sum(0.1);
-  Exact exact_sum(0.1);
+  Mpfr exact_sum(0.1);
   for (int lights = 0; lights <= 1000; ++lights) {
     if (lights > 0) {
       const Double3 radiance(random.magnitude(1e-6, 1), random.uniform(0, 1), random.magnitude(1e-12, 1e3));
       window.scene.direction_lights.push_back({{0, 0, -1}, radiance}); // straight at the wall: n.l is exactly 1
       sum += radiance;
-      exact_sum += Exact(radiance.x);
+      exact_sum += Mpfr(radiance.x);
     }
     if (lights > 1 && lights < 1000) continue;
     const Frame frame = window.frame();
     for (int c = 0; c < 3; ++c) CHECK(frame.radiance.at(1, 1)[c] == static_cast<float>(sum[c]));
-    CHECK(abs(Exact(frame.radiance.at(1, 1)[0]) - exact_sum) <=
-          half_float_ulp(exact_sum) + exact_sum * lights * Exact(0x1p-53));
+    CHECK(abs(Mpfr(frame.radiance.at(1, 1)[0]) - exact_sum) <=
+          half_float_ulp(exact_sum) + exact_sum * lights * Mpfr(0x1p-53));
   }
   // In another order: within a rounding a light of the exact sum, so of each other too.
   std::reverse(window.scene.direction_lights.begin(), window.scene.direction_lights.end());
-  CHECK(abs(Exact(window.frame().radiance.at(1, 1)[0]) - exact_sum) <=
-        half_float_ulp(exact_sum) + exact_sum * 1000 * Exact(0x1p-53));
+  CHECK(abs(Mpfr(window.frame().radiance.at(1, 1)[0]) - exact_sum) <=
+        half_float_ulp(exact_sum) + exact_sum * 1000 * Mpfr(0x1p-53));
 }

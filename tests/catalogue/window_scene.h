@@ -23,7 +23,7 @@ struct WindowScene {
     scene.camera.near = near, scene.camera.far = far;
   }
 
-  /// The point seen at window (x, y), in pixels, at distance w in front of the eye plane. Exact for powers of two, and
+  /// The point seen at window (x, y), in pixels, at distance w in front of the eye plane. Mpfr for powers of two, and
   /// for x and y in few bits; the window place of any other point is that of the rounded one.
   Float3 place(double x, double y, double w) const {
     const double half = side / 2.0;
@@ -87,16 +87,16 @@ inline long drawn_pixels(const Frame& frame, std::size_t index = 0) {
 }
 
 /// Half the distance between floats at `exact`: what rounding an image's value to float may add to an error.
-inline Exact half_float_ulp(const Exact& exact) {
+inline Mpfr half_float_ulp(const Mpfr& exact) {
   const float magnitude = std::abs(exact.convert_to<float>());
-  return Exact(std::nextafter(magnitude, INFINITY) - magnitude) / 2;
+  return Mpfr(std::nextafter(magnitude, INFINITY) - magnitude) / 2;
 }
 
 /// What double arithmetic may do to an attribute whose value is at most `most` at every corner. In units of 2^-53: a
 /// corner's weight is good to 2, times its line's exact value to 3, the sum of three to 5, so a share to 9, times a
 /// difference of corners (at most 2 most, itself to 1) to 11; two of them and two sums are within 32 of `most`.
-inline Exact interpolation_bound(const Exact& most) {
-  return most * Exact(0x1p-48);
+inline Mpfr interpolation_bound(const Mpfr& most) {
+  return most * Mpfr(0x1p-48);
 }
 
 inline constexpr int all_threads[] = {1, 2, 3, 7};

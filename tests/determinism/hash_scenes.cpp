@@ -78,7 +78,7 @@ void for_each_rung(Body&& body) {
   const auto strict = [&](auto rung) {
     if constexpr (!is_quick<typename decltype(rung)::Number>) body(rung.name);
   };
-  std::apply([&](auto... rung) { (strict(rung), ...); }, Rungs{});
+  std::apply([&](auto... rung) { (strict(rung), ...); }, LaneRungs{});
 }
 
 /// Both by "rung scene".

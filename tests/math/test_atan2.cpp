@@ -8,7 +8,7 @@ namespace {
 
 template <class F>
 double error_of_atan2(F y, F x) {
-  return ulp_error(atan2(y, x), atan2(Exact(y), Exact(x)));
+  return ulp_error(atan2(y, x), atan2(Mpfr(y), Mpfr(x)));
 }
 
 /// There the quotient's rounding is not made up for, and scaling may have cost bits.

@@ -23,11 +23,11 @@ Vec3<F> beside(const Vec3<F>& a, double angle, Random& random) {
 
 /// The cosine of the angle between two vectors of any length, exactly.
 template <class F>
-Exact exact_cosine(const Vec3<F>& a, const Vec3<F>& b) {
+Mpfr exact_cosine(const Vec3<F>& a, const Vec3<F>& b) {
   const auto exact_dot = [](const Vec3<F>& u, const Vec3<F>& v) {
-    return Exact(Exact(u.x) * v.x + Exact(u.y) * v.y + Exact(u.z) * v.z);
+    return Mpfr(Mpfr(u.x) * v.x + Mpfr(u.y) * v.y + Mpfr(u.z) * v.z);
   };
-  return exact_dot(a, b) / sqrt(Exact(exact_dot(a, a) * exact_dot(b, b)));
+  return exact_dot(a, b) / sqrt(Mpfr(exact_dot(a, a) * exact_dot(b, b)));
 }
 
 TEST_CASE_TEMPLATE("the power inside a highlight is off by a few roundings for each halving", F, double, float) {
@@ -35,12 +35,12 @@ TEST_CASE_TEMPLATE("the power inside a highlight is off by a few roundings for e
   for_all(20000, [&](Random& random) {
     const F t = F(random.below(2) ? random.uniform(-0.29, 0.41) : -random.magnitude(1e-30, 0.25));
     const F k = F(t > 0 ? -1 - random.below(20) : -random.below(20));
-    const Exact log2_base = exact_log2(1 + Exact(t)) + k;
+    const Mpfr log2_base = exact_log2(1 + Mpfr(t)) + k;
     const double bits = random.magnitude(1e-3, -lowest_power<F> - 1); // the result is about 2^-bits
     const double s = bits / -log2_base.template convert_to<double>();
     if (s > 1e38) return;
-    const Exact exact = exact_exp2(log2_base * s);
-    const Exact error = abs(Exact(small_power(OnePlus<F>{t, k}, s)) - exact) / exact;
+    const Mpfr exact = exact_exp2(log2_base * s);
+    const Mpfr error = abs(Mpfr(small_power(OnePlus<F>{t, k}, s)) - exact) / exact;
     const double bound = (small_power_error_at_1 + small_power_error_per_bit * bits) * epsilon_of<F> / 2;
     worst = std::max(worst, (error / bound).template convert_to<double>());
   });
@@ -56,9 +56,9 @@ TEST_CASE_TEMPLATE("the highlight of an angle keeps its absolute error bound for
     const Vec3<F> a = direction<F>(random);
     const double highlight_radius = std::sqrt(2 / s); // there cos^s is about 1/e
     const Vec3<F> b = beside(a, highlight_radius * random.uniform(0, 3), random);
-    const Exact cosine = exact_cosine(a, b);
-    const Exact exact = cosine > 0 ? exact_exp2(exact_log2(cosine) * s) : Exact(0);
-    const double error = Exact(abs(Exact(cosine_power(a, b, s)) - exact)).template convert_to<double>();
+    const Mpfr cosine = exact_cosine(a, b);
+    const Mpfr exact = cosine > 0 ? exact_exp2(exact_log2(cosine) * s) : Mpfr(0);
+    const double error = Mpfr(abs(Mpfr(cosine_power(a, b, s)) - exact)).template convert_to<double>();
     worst = std::max(worst, error);
     if (!(error <= bound)) {
       CAPTURE(s);
@@ -73,8 +73,8 @@ TEST_CASE("the plain power of a float dot product would not keep that bound") {
   double worst = 0;
   for_all(1000, [&](Random& random) {
     const Vec3<float> a = direction<float>(random), b = beside(a, 1e-3, random);
-    const Exact exact = exact_exp2(exact_log2(exact_cosine(a, b)) * 1e6);
-    const double error = Exact(abs(Exact(power(dot(a, b), 1e6)) - exact)).convert_to<double>();
+    const Mpfr exact = exact_exp2(exact_log2(exact_cosine(a, b)) * 1e6);
+    const double error = Mpfr(abs(Mpfr(power(dot(a, b), 1e6)) - exact)).convert_to<double>();
     worst = std::max(worst, error);
   });
   CHECK(worst > 1000 * cosine_power_max_error<float>);

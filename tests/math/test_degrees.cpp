@@ -8,8 +8,8 @@
 namespace refraster {
 namespace {
 
-Exact exact_radians(double angle) {
-  return Exact(std::fmod(angle, 360.0)) * boost::math::constants::pi<Exact>() / 180;
+Mpfr exact_radians(double angle) {
+  return Mpfr(std::fmod(angle, 360.0)) * boost::math::constants::pi<Mpfr>() / 180;
 }
 double some_angle(Random& random) {
   switch (random.below(3)) {

@@ -150,7 +150,7 @@ TEST_CASE_TEMPLATE("each lane of a basic operation has the bits of the number al
     check_lanes(
         "reciprocal_binade", [](const auto& a) { return reciprocal_binade(a); }, x);
     check_lanes(
-        "fraction", [](const auto& a) { return cell(a).fraction; }, x);
+        "fraction", [](const auto& a) { return floor_and_fraction(a).fraction; }, x);
     check_lanes(
         "minimum", [](const auto& a, const auto& b) { return minimum(a, b); }, x, y);
     check_lanes(
@@ -159,12 +159,12 @@ TEST_CASE_TEMPLATE("each lane of a basic operation has the bits of the number al
         "quotient", [](const auto& a, const auto& b) { return a / b; }, x, y);
 
     const int n = 1 + random.below(random.below(2) ? 5 : 70000);
-    const Cell<T> cells = cell(x);
+    const Cell<T> cells = floor_and_fraction(x);
     const IndexOf<T> wrapped = wrap_index(cells.index, n), clamped = clamp_index(next_index(cells.index), 2, n + 2);
     const MaskOf<T> less = x < y;
     int count = 0;
     for (int lane = 0; lane < NumberTraits<T>::lanes; ++lane) {
-      const std::int32_t index = cell(x[lane]).index;
+      const std::int32_t index = floor_and_fraction(x[lane]).index;
       CHECK(cells.index.i[lane] == index);
       CHECK(wrapped.i[lane] == wrap_index(index, n));
       CHECK(clamped.i[lane] == clamp_index(next_index(index), 2, n + 2));

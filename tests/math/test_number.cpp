@@ -1,5 +1,5 @@
 #include "math/elementary.h"
-#include "math/lookup.h"
+#include "math/read_grid.h"
 #include "math/rungs.h"
 #include "tests/support/for_all.h"
 
@@ -14,35 +14,35 @@ static_assert(
 TEST_CASE_TEMPLATE("a cell is the integer below and the way from there", F, double, float) {
   for_all(5000, [](Random& random) {
     const F x = F(random.sign() * random.magnitude(1e-3, 1e6));
-    const Cell<F> at = cell(x);
+    const Cell<F> at = floor_and_fraction(x);
     CHECK(F(at.index) <= x);
     CHECK(at.fraction >= 0);
     CHECK(at.fraction < 1);
     const double rounding = epsilon_of<F> / 2; // of a fraction, at most
     CHECK(std::abs(at.index + static_cast<double>(at.fraction) - static_cast<double>(x)) <= rounding);
   });
-  CHECK(cell(F(-0.25)).index == -1);
-  CHECK(cell(F(-0.25)).fraction == F(0.75));
-  CHECK(cell(F(-3)).index == -3);
-  CHECK(cell(F(-3)).fraction == 0);
+  CHECK(floor_and_fraction(F(-0.25)).index == -1);
+  CHECK(floor_and_fraction(F(-0.25)).fraction == F(0.75));
+  CHECK(floor_and_fraction(F(-3)).index == -3);
+  CHECK(floor_and_fraction(F(-3)).fraction == 0);
 }
 
 TEST_CASE_TEMPLATE("a cell far away is the last that an index can name", F, double, float) {
   using Limits = std::numeric_limits<F>;
   constexpr std::int32_t limit = 1 << 30;
   for (const F x : {F(1e30), Limits::max(), Limits::infinity()}) {
-    CHECK(cell(x).index == limit);
-    CHECK(cell(-x).index == -limit);
-    CHECK(cell(x).fraction == 0);
+    CHECK(floor_and_fraction(x).index == limit);
+    CHECK(floor_and_fraction(-x).index == -limit);
+    CHECK(floor_and_fraction(x).fraction == 0);
   }
-  CHECK(cell(Limits::quiet_NaN()).index == -limit);
+  CHECK(floor_and_fraction(Limits::quiet_NaN()).index == -limit);
 }
 
 TEST_CASE_TEMPLATE("the fraction just below an integer does not round up to 1", F, double, float) {
   const F tiny = std::numeric_limits<F>::denorm_min();
-  CHECK(cell(-tiny).index == -1);
-  CHECK(cell(-tiny).fraction < 1);
-  CHECK(cell(std::nextafter(F(1), F(0))).fraction < 1);
+  CHECK(floor_and_fraction(-tiny).index == -1);
+  CHECK(floor_and_fraction(-tiny).fraction < 1);
+  CHECK(floor_and_fraction(std::nextafter(F(1), F(0))).fraction < 1);
 }
 
 TEST_CASE("an index wraps as the mathematical remainder") {
@@ -102,7 +102,7 @@ TEST_CASE("a lookup takes each lane's own value") {
     return Rgb<float>(static_cast<float>(i), static_cast<float>(j), static_cast<float>(k));
   };
   WideIndex<4> i = {{1, 2, 3, 4}}, j = {{5, 6, 7, 8}}, k = {{9, 10, 11, 12}};
-  const auto rgb = lookup<Wide<float, 4>>(fetch, i, j, k);
+  const auto rgb = stored_value<Wide<float, 4>>(fetch, i, j, k);
   for (int lane = 0; lane < 4; ++lane) {
     CHECK(rgb.x[lane] == static_cast<float>(1 + lane));
     CHECK(rgb.y[lane] == static_cast<float>(5 + lane));

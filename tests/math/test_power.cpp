@@ -7,7 +7,7 @@ namespace {
 /// 0 for results that are cut to 0, and those within a rounding of the cut.
 template <class F>
 double error_of_power(F x, double s) {
-  const Exact y = exact_log2(Exact(x)) * s;
+  const Mpfr y = exact_log2(Mpfr(x)) * s;
   if (y <= lowest_power<F> + 1e-3 || y >= highest_power<F> - 1e-3) return 0;
   return ulp_error(power(x, s), exact_exp2(y));
 }

@@ -66,11 +66,11 @@ std::vector<Float3> list(const std::array<Float3, 3>& c) {
   return {c[0], c[1], c[2]};
 }
 
-Exact largest_coordinate(const std::array<Float3, 3>& corners) {
+Mpfr largest_coordinate(const std::array<Float3, 3>& corners) {
   float most = 0;
   for (const Float3& p : corners)
     for (int c = 0; c < 3; ++c) most = std::max(most, std::abs(p[c]));
-  return Exact(most);
+  return Mpfr(most);
 }
 
 // A line with an end off the lattice is cut to 61 bits: at samples, which lie below 2^22, its value is off by less than
@@ -116,11 +116,11 @@ struct Plane {
   }
   /// How far `value` of what is seen may move.
   template <class Value>
-  Exact moved(int x, int y, const Value& value) const {
-    const Exact middle = value(*at(x, y, 0, 0));
-    Exact most = 0;
+  Mpfr moved(int x, int y, const Value& value) const {
+    const Mpfr middle = value(*at(x, y, 0, 0));
+    Mpfr most = 0;
     for (const auto& [sx, sy] : places)
-      if (const auto hit = at(x, y, sx, sy)) most = std::max(most, Exact(abs(value(*hit) - middle)));
+      if (const auto hit = at(x, y, sx, sy)) most = std::max(most, Mpfr(abs(value(*hit) - middle)));
     return most;
   }
 
@@ -131,13 +131,13 @@ private:
 } // namespace
 
 TEST_CASE("a cut triangle covers the pixels whose rays meet it between the depth planes, at the points they meet") {
-  Exact worst = 0;
+  Mpfr worst = 0;
   for (const CutTriangle& triangle : cut_triangles()) {
     CAPTURE(triangle.name);
     WindowScene window = empty_window();
     window.add(list(triangle.corner));
     const Plane plane(window, triangle.corner, triangle.on_lattice);
-    const Exact most = largest_coordinate(triangle.corner);
+    const Mpfr most = largest_coordinate(triangle.corner);
     const Frame frame = window.frame({Aov::object, Aov::position});
     CHECK(frame.counts.drawn == 1);
     int shown = 0, wrong = 0;
@@ -152,10 +152,10 @@ TEST_CASE("a cut triangle covers the pixels whose rays meet it between the depth
         ++shown;
         for (std::size_t c = 0; c < 3; ++c) {
           const auto coordinate = [c](const RayHit& hit) { return exact(hit.point[c]); };
-          const Exact exactly = coordinate(*plane.at(x, y, 0, 0));
-          const Exact bound = half_float_ulp(exactly) + interpolation_bound(most) + plane.moved(x, y, coordinate);
-          const Exact error = abs(Exact(frame.aovs[1].at(x, y)[c]) - exactly);
-          worst = std::max(worst, Exact(error / bound));
+          const Mpfr exactly = coordinate(*plane.at(x, y, 0, 0));
+          const Mpfr bound = half_float_ulp(exactly) + interpolation_bound(most) + plane.moved(x, y, coordinate);
+          const Mpfr error = abs(Mpfr(frame.aovs[1].at(x, y)[c]) - exactly);
+          worst = std::max(worst, Mpfr(error / bound));
           REQUIRE(error <= bound);
         }
       }
@@ -179,22 +179,22 @@ TEST_CASE("the depth of a cut triangle is that of its plane") {
     REQUIRE(triangle_set_up);
     // z / w = a - b / w at distance w. In units of 2^-53, the corners' z is good to 8 of a |w| + b, and what is
     // interpolated to 32 of the largest depth at a vertex: those of a piece lie beyond half the near plane.
-    const Exact near(near_plane), far(far_plane), a = (far + near) / (far - near), b = 2 * far * near / (far - near);
-    const auto depth_of = [&](const RayHit& hit) -> Exact { return a + b / exact(hit.point[2]); };
-    Exact largest_depth = a + 2 * b / near;
+    const Mpfr near(near_plane), far(far_plane), a = (far + near) / (far - near), b = 2 * far * near / (far - near);
+    const auto depth_of = [&](const RayHit& hit) -> Mpfr { return a + b / exact(hit.point[2]); };
+    Mpfr largest_depth = a + 2 * b / near;
     for (const Double4& c : clip)
-      if (c.w > 0) largest_depth = std::max(largest_depth, Exact(a + b / Exact(c.w)));
+      if (c.w > 0) largest_depth = std::max(largest_depth, Mpfr(a + b / Mpfr(c.w)));
     for (int y = 0; y < side; ++y)
       for (int x = 0; x < side; ++x) {
         if (!is_drawn(frame, x, y) || !plane.meeting(x, y).sure) continue;
         const RayHit hit = *plane.at(x, y, 0, 0);
-        const Exact distance = -exact(hit.point[2]);
-        const Exact corners = 8 * Exact(0x1p-53) * (a * largest_coordinate(triangle.corner) + b) / distance;
-        const Exact bound = interpolation_bound(largest_depth) + corners + plane.moved(x, y, depth_of);
+        const Mpfr distance = -exact(hit.point[2]);
+        const Mpfr corners = 8 * Mpfr(0x1p-53) * (a * largest_coordinate(triangle.corner) + b) / distance;
+        const Mpfr bound = interpolation_bound(largest_depth) + corners + plane.moved(x, y, depth_of);
         const double depth = triangle_set_up->depth(x * 256 + 128, y * 256 + 128);
-        const Exact error = abs(Exact(depth) - depth_of(hit));
+        const Mpfr error = abs(Mpfr(depth) - depth_of(hit));
         REQUIRE(error <= bound);
-        worst = std::max(worst, Exact(error / bound).convert_to<double>());
+        worst = std::max(worst, Mpfr(error / bound).convert_to<double>());
         CHECK(*frame.aovs[1].at(x, y) == static_cast<float>(depth * 0.5 + 0.5));
       }
   }
@@ -225,21 +225,21 @@ TEST_CASE("a cut triangle and an uncut one of the same plane show the same point
     CAPTURE(corners[0].x);
     const Frame cut_frame = with_uv(corners);
     CHECK(cut_frame.counts.clipped == 1);
-    const Exact most = largest_coordinate(corners);
+    const Mpfr most = largest_coordinate(corners);
     const Plane plane(window, corners, false);
     int compared = 0;
     for (int y = 0; y < side; ++y)
       for (int x = 0; x < side; ++x) {
         if (!is_drawn(uncut_frame, x, y) || !is_drawn(cut_frame, x, y)) continue;
         ++compared;
-        const auto compare = [&](std::size_t aov, int channel, const Exact& double_error) {
-          const Exact a(uncut_frame.aovs[aov].at(x, y)[channel]), b(cut_frame.aovs[aov].at(x, y)[channel]);
+        const auto compare = [&](std::size_t aov, int channel, const Mpfr& double_error) {
+          const Mpfr a(uncut_frame.aovs[aov].at(x, y)[channel]), b(cut_frame.aovs[aov].at(x, y)[channel]);
           REQUIRE(abs(a - b) <= 2 * half_float_ulp(a) + double_error);
         };
         // Both are within their bounds of the plane's exact value. Depth: z / w is a + b / w with |a| + |b| < 3, and w
         // is at least 1 here.
-        const Exact bound = interpolation_bound(most) + interpolation_bound(Exact(64));
-        const auto seen = [&](std::size_t c) -> Exact {
+        const Mpfr bound = interpolation_bound(most) + interpolation_bound(Mpfr(64));
+        const auto seen = [&](std::size_t c) -> Mpfr {
           return bound + plane.moved(x, y, [c](const RayHit& hit) { return exact(hit.point[c]); });
         };
         for (int c = 0; c < 3; ++c) compare(2, c, seen(static_cast<std::size_t>(c)));

@@ -1,5 +1,7 @@
 #include "tests/scenes/slow_visibility.h"
 
+#include "raster/transform.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -112,6 +114,30 @@ std::vector<Corner> corners_of(const Object& object, const Viewer& viewer) {
   return corners;
 }
 
+/// The same from what raster/transform.h stores of object number `index`.
+std::vector<Corner> stored_corners(const Scene& scene, const Geometry& geometry, std::size_t index, int width,
+                                   int height) {
+  const Mesh& mesh = *scene.objects[index].mesh;
+  std::vector<Corner> corners(mesh.positions.size());
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    Corner& corner = corners[i];
+    const std::size_t number = geometry.first_vertex[index] + i;
+    const Double4 clip = clip_position(geometry.transforms[index], mesh.positions[i]);
+    const WindowVertex window = geometry.window[number];
+    corner.position = vec(geometry.world[number].position);
+    corner.normal = vec(geometry.world[number].normal);
+    if (!mesh.uvs.empty()) corner.u = real(mesh.uvs[i].x), corner.v = real(mesh.uvs[i].y);
+    corner.x = real(clip.x), corner.y = real(clip.y), corner.z = real(clip.z), corner.w = real(clip.w);
+    if (window.outcode & outcode::unsnapped) {
+      corner.window = {(corner.x + corner.w) * width / 2, (corner.w - corner.y) * height / 2, corner.w};
+    } else {
+      corner.window = {real(window.x) / subpixels, real(window.y) / subpixels, 1};
+      corner.factor = real(window.inverse_w);
+    }
+  }
+  return corners;
+}
+
 /// A pixel centre p = sum of lambda_k (window point k): inside where no lambda is negative.
 struct Planes {
   std::array<Vec, 3> lambda; // lambda_k(p) = dot(lambda[k], (x, y, 1))
@@ -201,11 +227,16 @@ std::vector<Corner> part_in_front(const std::array<const Corner*, 3>& triangle, 
 
 } // namespace
 
-std::vector<std::optional<Seen>> seen_at(const Scene& scene, int width, int height, std::span<const Pixel> pixels) {
+std::vector<std::optional<Seen>> seen_at(const Scene& scene, int width, int height, std::span<const Pixel> pixels,
+                                         Vertices vertices) {
   const Viewer viewer(scene.camera, width, height);
+  Geometry geometry;
+  if (vertices == Vertices::of_the_renderer) transform(scene, width, height, 1, geometry);
   std::vector<Candidate> candidates(pixels.size());
-  for (const Object& object : scene.objects) {
-    const std::vector<Corner> corners = corners_of(object, viewer);
+  for (std::size_t index = 0; index < scene.objects.size(); ++index) {
+    const Object& object = scene.objects[index];
+    const std::vector<Corner> corners =
+        vertices == Vertices::own ? corners_of(object, viewer) : stored_corners(scene, geometry, index, width, height);
     const auto draw = [&](const std::array<const Corner*, 3>& c) {
       const Vec e0 = cross(c[1]->window, c[2]->window), e1 = cross(c[2]->window, c[0]->window),
                 e2 = cross(c[0]->window, c[1]->window);

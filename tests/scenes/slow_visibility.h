@@ -22,8 +22,13 @@ struct Seen {
   Real u_right = 0, v_right = 0, u_down = 0, v_down = 0; // their change by one pixel
 };
 
+/// Where corners come from: worked out here from the scene's numbers, or as the renderer's vertex stage stores them in
+/// double, so that what follows it can be judged by itself.
+enum class Vertices { own, of_the_renderer };
+
 /// For each pixel what is seen at its centre. Nothing where that is not for this function to say: the centre lies on an
 /// edge (the top-left rule decides), two surfaces are as good as equally deep, or there is no normal.
-std::vector<std::optional<Seen>> seen_at(const Scene& scene, int width, int height, std::span<const Pixel> pixels);
+std::vector<std::optional<Seen>> seen_at(const Scene& scene, int width, int height, std::span<const Pixel> pixels,
+                                         Vertices vertices = Vertices::own);
 
 } // namespace refraster::slow

@@ -13,13 +13,13 @@ using namespace refraster;
 
 namespace {
 
-using Exact = boost::multiprecision::cpp_bin_float_50;
+using Mpfr = boost::multiprecision::cpp_bin_float_50;
 constexpr double pi = std::numbers::pi;
 constexpr double degree = pi / 180;
 constexpr MerlAngles all_methods[] = {MerlAngles::closed, MerlAngles::rotation, MerlAngles::frame};
 
 struct Exact3 {
-  Exact x, y, z;
+  Mpfr x, y, z;
 };
 Exact3 operator+(const Exact3& a, const Exact3& b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};
@@ -27,10 +27,10 @@ Exact3 operator+(const Exact3& a, const Exact3& b) {
 Exact3 operator-(const Exact3& a, const Exact3& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
-Exact3 operator*(const Exact3& a, const Exact& s) {
+Exact3 operator*(const Exact3& a, const Mpfr& s) {
   return {a.x * s, a.y * s, a.z * s};
 }
-Exact inner(const Exact3& a, const Exact3& b) {
+Mpfr inner(const Exact3& a, const Exact3& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 Exact3 outer(const Exact3& a, const Exact3& b) {
@@ -44,21 +44,21 @@ Exact3 unit(const Double3& a) {
 }
 
 /// The definition, word for word: half vector, arc cosines, and the azimuth of i in a frame whose pole is h.
-HalfDifference<Exact> by_definition(const SurfacePair& pair) {
+HalfDifference<Mpfr> by_definition(const SurfacePair& pair) {
   const Exact3 n = unit(pair.n), i = unit(pair.i), o = unit(pair.o), h = unit(i + o);
   const Exact3 x = unit(h * inner(n, h) - n), y = outer(h, x);
-  Exact phi = atan2(inner(i, y), inner(i, x));
-  if (phi < 0) phi += boost::math::constants::pi<Exact>();
+  Mpfr phi = atan2(inner(i, y), inner(i, x));
+  if (phi < 0) phi += boost::math::constants::pi<Mpfr>();
   return {acos(inner(n, h)), acos(inner(i, h)), phi};
 }
 
-double distance(double a, const Exact& b) {
+double distance(double a, const Mpfr& b) {
   return static_cast<double>(abs(b - a));
 }
 /// On a circle of length pi.
-double distance_mod_pi(double a, const Exact& b) {
-  const Exact away = abs(b - a);
-  const Exact around = boost::math::constants::pi<Exact>() - away;
+double distance_mod_pi(double a, const Mpfr& b) {
+  const Mpfr away = abs(b - a);
+  const Mpfr around = boost::math::constants::pi<Mpfr>() - away;
   return static_cast<double>(away < around ? away : around);
 }
 
@@ -179,7 +179,7 @@ TEST_CASE("the closed form is right to a few roundings against 50 digits") {
     for (int k = 0; k < 1000; ++k) {
       const SurfacePair at = family(random);
       const HalfDifference<double> angles = angles_of(MerlAngles::closed, at);
-      const HalfDifference<Exact> exact = by_definition(at);
+      const HalfDifference<Mpfr> exact = by_definition(at);
       const double sin_h = static_cast<double>(sin(exact.theta_h)), sin_d = static_cast<double>(sin(exact.theta_d));
       const double cos_d = static_cast<double>(cos(exact.theta_d));
       // Errors in units of u = 2^-53, for i, o and n whose lengths are known to 2 u, which moves s and d by 2 u.

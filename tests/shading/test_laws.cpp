@@ -1,7 +1,7 @@
 // Laws that every fragment function keeps, over every number.
 
+#include "math/interval_functions.h"
 #include "tests/shading/laws.h"
-#include "tests/support/interval.h"
 
 #include <doctest/doctest.h>
 
@@ -10,6 +10,8 @@
 using namespace refraster;
 
 namespace {
+
+using Bounds = Interval<DoubleArithmetic>;
 
 constexpr int trials = 200;
 
@@ -84,7 +86,7 @@ TEST_CASE("bounds on a point contain what double makes of it") {
     for (int k = 0; k < trials; ++k) {
       const Situation situation = random_situation(random, k);
       const Rgb<double> point = shaded<double>(tried.model, situation);
-      const Rgb<Interval> bounds = shaded<Interval>(tried.model, situation);
+      const Rgb<Bounds> bounds = shaded<Bounds>(tried.model, situation);
       REQUIRE(bounds.x.contains(point.x));
       REQUIRE(bounds.y.contains(point.y));
       REQUIRE(bounds.z.contains(point.z));
@@ -99,13 +101,13 @@ TEST_CASE("bounds on a box contain what double makes of points in it") {
     std::mt19937_64 random(4);
     for (int k = 0; k < trials; k += 5) {
       const Situation situation = random_situation(random, k);
-      auto at = situation.fragment<Interval>();
-      const auto light = situation.incident<Interval>();
+      auto at = situation.fragment<Bounds>();
+      const auto light = situation.incident<Bounds>();
       for (int axis = 0; axis < 3; ++axis) {
         at.normal[axis] = {situation.n[axis] - half_width, situation.n[axis] + half_width};
         at.to_eye[axis] = {situation.v[axis] - half_width, situation.v[axis] + half_width};
       }
-      const Rgb<Interval> bounds = std::visit([&](const auto& m) { return m.ambient(at) + m(at, light); }, tried.model);
+      const Rgb<Bounds> bounds = std::visit([&](const auto& m) { return m.ambient(at) + m(at, light); }, tried.model);
       for (int inside = 0; inside < 4; ++inside) {
         Situation moved = situation;
         for (int axis = 0; axis < 3; ++axis) {

@@ -1,8 +1,8 @@
 // Textures: colours worked out by hand. Levels hold whole numbers, so that products with simple weights are exact.
 
+#include "math/interval_functions.h"
 #include "math/rungs.h"
 #include "shading/texture.h"
-#include "tests/support/interval.h"
 
 #include <doctest/doctest.h>
 
@@ -13,6 +13,8 @@
 using namespace refraster;
 
 namespace {
+
+using Bounds = Interval<DoubleArithmetic>;
 
 /// A grey image; rows from the bottom.
 TextureLevel grey(int width, int height, std::initializer_list<float> texels) {
@@ -229,11 +231,11 @@ TEST_CASE("bounds on a box of coordinates contain every sample in it") {
     // Boxes smaller than a texel, as large as several, and across the seams.
     const double size = std::exp2(-12 + 10 * std::abs(uniform(random)));
     const Double2 middle(2 * uniform(random), 2 * uniform(random)), dx(0.2 * uniform(random), 0), dy(0, 0.2);
-    const auto box = [&](double x) { return Interval(x - size, x + size); };
-    const Vec2<Interval> uv(box(middle.x), box(middle.y)), uv_dx(Interval(dx.x), Interval(0.0)),
-        uv_dy(Interval(0.0), Interval(dy.y));
+    const auto box = [&](double x) { return Bounds(x - size, x + size); };
+    const Vec2<Bounds> uv(box(middle.x), box(middle.y)), uv_dx(Bounds(dx.x), Bounds(0.0)),
+        uv_dy(Bounds(0.0), Bounds(dy.y));
     for (const TextureFilter filter : {TextureFilter::nearest, TextureFilter::bilinear, TextureFilter::trilinear}) {
-      const Rgb<Interval> bounds = sample(texture, filter, uv, uv_dx, uv_dy);
+      const Rgb<Bounds> bounds = sample(texture, filter, uv, uv_dx, uv_dy);
       for (int k = 0; k < 4; ++k) {
         const Double2 inside(middle.x + size * uniform(random), middle.y + size * uniform(random));
         const Rgb<double> point = sample(texture, filter, inside, dx, dy);

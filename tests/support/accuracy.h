@@ -26,12 +26,12 @@ void check_error(std::string_view function, const UlpBound& bound, int trials, c
   CHECK(most <= bound.mostly);
 }
 
-inline Exact exact_log2(const Exact& x) {
-  static const Exact ln2 = log(Exact(2));
+inline Mpfr exact_log2(const Mpfr& x) {
+  static const Mpfr ln2 = log(Mpfr(2));
   return log(x) / ln2;
 }
-inline Exact exact_exp2(const Exact& x) {
-  return pow(Exact(2), x);
+inline Mpfr exact_exp2(const Mpfr& x) {
+  return pow(Mpfr(2), x);
 }
 
 } // namespace refraster

@@ -10,19 +10,19 @@
 
 namespace refraster {
 
-/// 60 digits: errors below a millionth of an ulp even of a result that cancels to half its digits.
-using Exact =
+/// 60 digits by MPFR: errors below a millionth of an ulp even of a result that cancels to half its digits.
+using Mpfr =
     boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<60, boost::multiprecision::allocate_stack>>;
 
 /// |computed - exact| in ulps of F at `exact`: the distance of neighbouring numbers in its binade.
 template <class F>
-double ulp_error(F computed, const Exact& exact) {
+double ulp_error(F computed, const Mpfr& exact) {
   if (exact == 0) return computed == 0 ? 0 : std::numeric_limits<double>::infinity();
   int exponent = 0; // |exact| in [2^(exponent - 1), 2^exponent)
-  frexp(Exact(abs(exact)), &exponent);
+  frexp(Mpfr(abs(exact)), &exponent);
   exponent = std::max(exponent, std::numeric_limits<F>::min_exponent);
-  const Exact ulp = ldexp(Exact(1), exponent - std::numeric_limits<F>::digits);
-  return Exact(abs(Exact(computed) - exact) / ulp).template convert_to<double>();
+  const Mpfr ulp = ldexp(Mpfr(1), exponent - std::numeric_limits<F>::digits);
+  return Mpfr(abs(Mpfr(computed) - exact) / ulp).template convert_to<double>();
 }
 
 /// Errors of many trials.

@@ -25,8 +25,8 @@ std::vector<Place> places(const Run& run) {
       if (result.threads != scene.rungs.front().threads) continue;
       const auto error = std::find_if(scene.errors.begin(), scene.errors.end(),
                                       [&](const RungError& e) { return e.rung == result.rung; });
-      if (error == scene.errors.end() || error->against_oracle.followed == 0) continue;
-      const double ns = result.frame_ms.median * 1e6 / scene.shaded(), mean = error->against_oracle.mean_relative;
+      if (error == scene.errors.end() || error->against_exact.pixels == 0) continue;
+      const double ns = result.frame_ms.median * 1e6 / scene.shaded(), mean = error->against_exact.mean_relative;
       if (!(mean > 0 && ns < std::numeric_limits<double>::infinity())) continue; // nothing that has a logarithm
       all.push_back({s, place_of(rungs, result.rung), ns, mean,
                      format("%s, %s: %.3g ns, %.2g", label(run, scene).c_str(), result.rung.c_str(), ns, mean)});

@@ -23,7 +23,7 @@ std::string short_name(const SceneResult& scene);
 /// The same, with its size where the run has several.
 std::string label(const Run& run, const SceneResult& scene);
 
-/// Mean relative error against the oracle, over ns a shaded pixel: a point for each scene and rung, those of a scene
+/// Mean relative error against `exact`, over ns a shaded pixel: a point for each scene and rung, those of a scene
 /// joined. Empty if there is no such error.
 std::string error_chart(const Run& run);
 

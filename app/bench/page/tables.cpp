@@ -65,14 +65,14 @@ std::string frames_table(const Run& run) {
 
 std::string errors_table(const Run& run) {
   HtmlTable table(
-      {"scene", "rung", "60 digits: mean", "max", "double, levels: max", "99.9 %", "mean", "off by one", "by more"}, 2);
+      {"scene", "rung", "exact: mean", "max", "double, levels: max", "99.9 %", "mean", "off by one", "by more"}, 2);
   for (const SceneResult& scene : run.scenes) {
     auto group = HtmlTable::Group::first;
     for (const RungError& error : scene.errors) {
-      const OracleError& oracle = error.against_oracle;
+      const ExactError& exact = error.against_exact;
       std::vector<std::string> row = {group == HtmlTable::Group::first ? label(run, scene) : "", error.rung,
-                                      oracle.followed > 0 ? format("%.1e", oracle.mean_relative) : "–",
-                                      oracle.followed > 0 ? format("%.1e", oracle.max_relative) : "–"};
+                                      exact.pixels > 0 ? format("%.1e", exact.mean_relative) : "–",
+                                      exact.pixels > 0 ? format("%.1e", exact.max_relative) : "–"};
       if (error.against_double) {
         const ImageError& image = *error.against_double;
         const double percent = 100.0 / static_cast<double>(image.pixels);

@@ -1,0 +1,120 @@
+#pragma once
+// A number of 60 digits: the truth that every precision is judged by.
+
+#include "math/constants.h"
+#include "math/vec.h"
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <string_view>
+
+namespace refraster {
+
+/// 60 decimal digits, four times those of double, so that what cancels leaves enough; exponents beyond any that a
+/// formula meets. Nothing is cut off or saturated as the formats of IEEE 754 have it. Boost's cpp_bin_float, in a type
+/// of this namespace, so that the names of math/number.h find it.
+class Exact {
+public:
+  using Value = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<60>, boost::multiprecision::et_off>;
+
+  Exact() = default;
+  template <class A>
+    requires std::is_arithmetic_v<A>
+  explicit(!std::same_as<A, double>) Exact(A x) : value_(x) {}
+  explicit Exact(Value value) : value_(std::move(value)) {}
+
+  const Value& value() const { return value_; }
+  explicit operator double() const { return static_cast<double>(value_); }
+
+  friend Exact operator+(const Exact& a, const Exact& b) { return Exact(Value(a.value_ + b.value_)); }
+  friend Exact operator-(const Exact& a, const Exact& b) { return Exact(Value(a.value_ - b.value_)); }
+  friend Exact operator*(const Exact& a, const Exact& b) { return Exact(Value(a.value_ * b.value_)); }
+  friend Exact operator/(const Exact& a, const Exact& b) { return Exact(Value(a.value_ / b.value_)); }
+  friend Exact operator-(const Exact& a) { return Exact(Value(-a.value_)); }
+  Exact& operator+=(const Exact& b) { return *this = *this + b; }
+  Exact& operator-=(const Exact& b) { return *this = *this - b; }
+  Exact& operator*=(const Exact& b) { return *this = *this * b; }
+  Exact& operator/=(const Exact& b) { return *this = *this / b; }
+
+  friend bool operator<(const Exact& a, const Exact& b) { return a.value_ < b.value_; }
+  friend bool operator>(const Exact& a, const Exact& b) { return a.value_ > b.value_; }
+  friend bool operator<=(const Exact& a, const Exact& b) { return a.value_ <= b.value_; }
+  friend bool operator>=(const Exact& a, const Exact& b) { return a.value_ >= b.value_; }
+  friend bool operator==(const Exact& a, const Exact& b) { return a.value_ == b.value_; }
+
+private:
+  Value value_;
+};
+
+template <>
+struct NumberTraits<Exact> {
+  using Real = double;
+  using Mask = bool;
+  using Index = std::int32_t;
+  static constexpr int lanes = 1;
+  static constexpr bool has_lanes = false, decides = true, is_ieee = false;
+  static constexpr double largest = std::numeric_limits<double>::max(); // what leaves a formula becomes a double
+
+  static Exact constant(const RealConstant& c) { return Exact(Exact::Value(c.digits)); }
+};
+
+inline Exact select(bool m, const Exact& x, const Exact& y) {
+  return m ? x : y;
+}
+inline Exact maximum(const Exact& x, const Exact& y) {
+  return x > y ? x : y;
+}
+inline Exact minimum(const Exact& x, const Exact& y) {
+  return x < y ? x : y;
+}
+inline Exact magnitude(const Exact& x) {
+  return x < Exact(0) ? -x : x;
+}
+inline Exact square(const Exact& x) {
+  return x * x;
+}
+/// 0 below 0.
+inline Exact root(const Exact& x) {
+  return x > Exact(0) ? Exact(Exact::Value(sqrt(x.value()))) : Exact(0);
+}
+inline Cell<Exact> floor_and_fraction(const Exact& x) {
+  const Exact inside = minimum(maximum(x, Exact(-cell_limit)), Exact(cell_limit));
+  const Exact::Value below = floor(inside.value());
+  return {static_cast<std::int32_t>(below), inside - Exact(below)};
+}
+inline Exact fraction(const Exact& x) {
+  return floor_and_fraction(x).fraction;
+}
+
+/// log2(x); of what is not positive, that of the smallest positive double, as of every precision.
+inline Exact log2(const Exact& x) {
+  using boost::multiprecision::log2;
+  return Exact(Exact::Value(log2(maximum(x, Exact(std::numeric_limits<double>::denorm_min())).value())));
+}
+/// 2^x, for |x| up to 2^20; beyond, as there.
+inline Exact exp2(const Exact& x) {
+  const Exact inside = minimum(maximum(x, Exact(-0x1p20)), Exact(0x1p20));
+  return Exact(Exact::Value(pow(Exact::Value(2), inside.value())));
+}
+/// x^s for s >= 0; x^0 = 1, also for x = 0; x < 0 counts as 0.
+inline Exact power(const Exact& x, double s) {
+  if (s == 0) return Exact(1);
+  return x > Exact(0) ? Exact(Exact::Value(pow(x.value(), Exact::Value(s)))) : Exact(0);
+}
+/// In (-pi, pi]; atan2(0, 0) = 0.
+inline Exact atan2(const Exact& y, const Exact& x) {
+  using boost::multiprecision::atan2;
+  if (x == Exact(0) && y == Exact(0)) return Exact(0);
+  return Exact(Exact::Value(atan2(y.value(), x.value())));
+}
+/// max(cos, 0)^s of the angle between two vectors, whose lengths may be those of unit vectors as they were rounded.
+inline Exact cosine_power(const Vec3<Exact>& a, const Vec3<Exact>& b, double s) {
+  if (s == 0) return Exact(1);
+  const Exact lengths = squared_length(a) * squared_length(b);
+  return lengths > Exact(0) ? power(dot(a, b) / root(lengths), s) : Exact(0);
+}
+
+} // namespace refraster
