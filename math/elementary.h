@@ -1,6 +1,7 @@
 #pragma once
 // The elementary functions of a Number: branch-free, total, the same bits in every lane as alone, and with a maximal
-// error that is tested. No libm: its results change with the machine. For a bounds type see tests/support/interval.h.
+// error that is tested. No libm: its results change with the machine. For bounds see math/interval_functions.h, for 60
+// digits math/exact.h.
 
 #include "math/atan2.h"
 #include "math/cosine_power.h"

@@ -172,9 +172,9 @@ std::string errors(const Run& run) {
              image.off_by_more});
         add({"double", "relative", image.pixels, relative.max, relative.p99_9, relative.mean, "", ""});
       }
-      const OracleError& oracle = error.against_oracle;
-      if (oracle.followed > 0)
-        add({"60 digits", "relative", oracle.followed, oracle.max_relative, "", oracle.mean_relative, "", ""});
+      const ExactError& exact = error.against_exact;
+      if (exact.pixels > 0)
+        add({"exact", "relative", exact.pixels, exact.max_relative, "", exact.mean_relative, "", ""});
     }
   return csv.text();
 }

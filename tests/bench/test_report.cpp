@@ -185,7 +185,7 @@ TEST_CASE("a picture that is cut out of the page is a file of its own: XML, SVG'
   run.scenes[0].scene = "a\x01 & <b>\xff.json";
   RungError error;
   error.rung = "double";
-  error.against_oracle = {.asked = 1, .followed = 1, .reason = "", .max_relative = 1, .mean_relative = 1};
+  error.against_exact = {.pixels = 1, .max_relative = 1, .mean_relative = 1};
   run.scenes[0].errors = {error};
   run.scenes[0].opengl = {{2, "driver", "1", resolved, resolved}};
   run.scenes[0].rungs[0].opengl_ratio = resolved;
