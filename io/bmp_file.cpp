@@ -172,14 +172,12 @@ std::string plain_header(const Bmp& bmp, const std::string& palette) {
 }
 
 /// Where a header has no place for alpha, the fourth byte means nothing; but some programs write alpha there.
-void note_fourth_bytes(const std::string& path, const Bmp& bmp, const StbPixels& raw, const ImageRequest& request) {
-  if (bmp.bits != 32 || bmp.compression != none) return;
-  const std::size_t count = static_cast<std::size_t>(bmp.width * bmp.height);
-  const std::uint8_t first = raw.values.get()[3];
-  for (std::size_t i = 0; i < count; ++i)
-    if (raw.values.get()[4 * i + 3] != first)
-      return add_note(request, path, "a fourth byte that differs from pixel to pixel, and no alpha mask",
-                      "read as red, green and blue, without alpha");
+bool has_meaningless_bytes(const Bmp& bmp, const StbPixels& raw) {
+  if (bmp.bits != 32 || bmp.compression != none) return false;
+  const std::uint8_t* const fourth = raw.values.get() + 3;
+  for (std::size_t i = 0; i < bmp.width * bmp.height; ++i)
+    if (fourth[4 * i] != fourth[0]) return true;
+  return false;
 }
 
 /// Channels under masks: 8 bits, or 16 where one of them has more.
@@ -217,7 +215,9 @@ ImageFile read_bmp(const std::string& path, std::string_view bytes, const ImageR
   ImageFile image;
   if (has_masks) {
     read_masked(bmp, raw, image);
-    note_fourth_bytes(path, bmp, raw, request);
+    if (has_meaningless_bytes(bmp, raw))
+      image.notes.add({path, 0, "a fourth byte that differs from pixel to pixel, and no alpha mask",
+                       "read as red, green and blue, without alpha", 1});
   } else {
     image.values = Image<float>(raw.width, raw.height, raw.channels);
     std::copy_n(raw.values.get(), image.values.values.size(), image.values.values.begin());

@@ -38,7 +38,7 @@ int exif_orientation(std::string_view tiff) {
   return 1;
 }
 
-void note_orientation(const ImageRequest& request, const std::string& path, int orientation) {
+void note_orientation(ImageFile& image, const std::string& path, int orientation) {
   constexpr std::array<const char*, 9> to_see_it = {"", // of what is stored, what a viewer shows
                                                     "as stored",
                                                     "mirrored, left and right exchanged",
@@ -49,10 +49,9 @@ void note_orientation(const ImageRequest& request, const std::string& path, int 
                                                     "mirrored at the diagonal from the top right corner",
                                                     "turned by 90 degrees counter-clockwise"};
   if (orientation == 1) return;
-  add_note(request, path,
-           "EXIF orientation " + std::to_string(orientation) + ", to be shown " +
-               to_see_it.at(static_cast<std::size_t>(orientation)),
-           "read as its rows are stored");
+  const char* const how = to_see_it.at(static_cast<std::size_t>(orientation));
+  image.notes.add({path, 0, "EXIF orientation " + std::to_string(orientation) + ", to be shown " + how,
+                   "read as its rows are stored", 1});
 }
 
 } // namespace refraster

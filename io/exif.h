@@ -11,6 +11,6 @@ namespace refraster {
 int exif_orientation(std::string_view tiff);
 
 /// Adds the note that the orientation is not applied, unless it is 1.
-void note_orientation(const ImageRequest& request, const std::string& path, int orientation);
+void note_orientation(ImageFile& image, const std::string& path, int orientation);
 
 } // namespace refraster

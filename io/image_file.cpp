@@ -24,10 +24,6 @@ void need_image(const ImageRequest& request, const std::string& path, std::uint6
   request.memory.need(pixels * static_cast<std::uint64_t>(channels) * (sizeof(float) + decoded_bytes), path);
 }
 
-void add_note(const ImageRequest& request, const std::string& path, std::string found, std::string consequence) {
-  if (request.notes) request.notes->add({path, 0, std::move(found), std::move(consequence), 1});
-}
-
 void refuse_image(const std::string& path, std::string place, std::string found, std::string expected) {
   throw InputError(InputFault{path, 0, 0, std::move(place), std::move(found), std::move(expected)});
 }
@@ -59,12 +55,13 @@ ImageFile read_image(const std::string& path, const ImageRequest& request) {
 }
 } // namespace
 
-ImageFile read_image(const std::string& path, const MemoryBudget& memory, NoteList* notes) {
-  return read_image(path, ImageRequest{memory, limit::image_side, notes});
+ImageFile read_image(const std::string& path, const MemoryBudget& memory) {
+  return read_image(path, ImageRequest{memory});
 }
 
 Texture read_texture(const std::string& path, const MemoryBudget& memory, NoteList* notes) {
-  const ImageFile image = read_image(path, ImageRequest{memory, limit::texture_side, notes});
+  const ImageFile image = read_image(path, ImageRequest{memory, limit::texture_side});
+  if (notes) notes->add(image.notes);
   if (image.bits > 16)
     throw InputError(InputFault{path, 0, 0, "", "an image of floating-point numbers", "8 or 16 bits a channel"});
   Texture texture;

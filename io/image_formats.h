@@ -4,7 +4,6 @@
 #include "io/image_file.h"
 #include "io/input_error.h"
 #include "io/limits.h"
-#include "io/notes.h"
 
 #include <memory>
 #include <string_view>
@@ -15,11 +14,7 @@ namespace refraster {
 struct ImageRequest {
   const MemoryBudget& memory;
   const Limit& side = limit::image_side;
-  NoteList* notes = nullptr; // nowhere if null
 };
-
-/// Adds a note on the file: what is unusual in it, and what is done about it.
-void add_note(const ImageRequest& request, const std::string& path, std::string found, std::string consequence);
 
 /// Asks for what an image of so many pixels takes as floats, and beside them as a decoder gives it.
 void need_image(const ImageRequest& request, const std::string& path, std::uint64_t pixels, int channels,

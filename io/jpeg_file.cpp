@@ -221,13 +221,13 @@ ImageFile read_jpeg(const std::string& path, std::string_view bytes, const Image
     convert_row(row, channels, is_cmyk, result.values.at(0, y));
   }
   check_complete(path, jpeg);
-  note_orientation(request, path, orientation(jpeg.decoder));
+  note_orientation(result, path, orientation(jpeg.decoder));
   if (!decoder.runs([](Jpeg& j) { jpeg_finish_decompress(&j.decoder); })) refuse(path, jpeg);
   if (is_cmyk)
-    add_note(request, path, "inks, C M Y K", "read as red (1 - C) (1 - K), and so on, without a colour profile");
-  if (jpeg.warnings > 0 && request.notes)
-    request.notes->add({path, 0, "what libjpeg warns of (" + one_line(jpeg.warning) + ")", "read all the same",
-                        static_cast<std::uint64_t>(jpeg.warnings)});
+    result.notes.add({path, 0, "inks, C M Y K", "read as red (1 - C) (1 - K), and so on, without a colour profile", 1});
+  if (jpeg.warnings > 0)
+    result.notes.add({path, 0, "what libjpeg warns of (" + one_line(jpeg.warning) + ")", "read all the same",
+                      static_cast<std::uint64_t>(jpeg.warnings)});
   result.channels = default_channels(channels);
   return result;
 }

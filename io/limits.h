@@ -41,8 +41,7 @@ inline constexpr Limit image_pixels{"an image that is read", std::uint64_t{1} <<
 inline constexpr Limit image_channels{"channels of an EXR image", 64, "channels", "N channels",
                                       "each takes as much as a grey image"};
 inline constexpr Limit jpeg_scans{"scans of a JPEG image", 500, "scans", "N scans",
-                                  "a scan of few bytes may go through the whole image; libjpeg-turbo's own tests stop "
-                                  "there"};
+                                  "ten are usual, and each, however few bytes it has, goes through the whole image"};
 inline constexpr Limit texture_side{"a texture, each side", 16384, "texels a side", "W x H pixels",
                                     "the most that OpenGL drivers take: `gl` must draw the same"};
 // The scene

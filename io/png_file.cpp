@@ -171,10 +171,9 @@ void convert_row(const std::string& path, const Header& header, int y, const png
   }
 }
 
-void add_notes(const std::string& path, const State& state, const ImageRequest& request) {
+void add_notes(ImageFile& image, const std::string& path, const State& state) {
   const auto add = [&](const Remark& remark, const std::string& found, const std::string& consequence) {
-    if (remark.count > 0 && request.notes)
-      request.notes->add({path, 0, found, consequence, static_cast<std::uint64_t>(remark.count)});
+    if (remark.count > 0) image.notes.add({path, 0, found, consequence, static_cast<std::uint64_t>(remark.count)});
   };
   const std::string_view skipped(state.skipped.first);
   add(state.skipped, "a CRC that does not fit the chunk " + one_line(skipped.substr(0, 4)),
@@ -221,8 +220,8 @@ ImageFile read_png(const std::string& path, std::string_view bytes, const ImageR
     if (png_get_eXIf_1(p, info, &size, &data)) exif = {reinterpret_cast<const char*>(data), size};
   };
   if (!png.runs(end)) refuse(path, state);
-  add_notes(path, state, request);
-  note_orientation(request, path, exif_orientation(exif));
+  add_notes(result, path, state);
+  note_orientation(result, path, exif_orientation(exif));
   if (header.bits == 16) {
     result.bits = 16;
     result.full_scale = 65535;

@@ -25,9 +25,9 @@ TEST_CASE(
     CAPTURE(input.clause);
     CAPTURE(input.what);
     write_files(folder.path, {{input.name, input.bytes}});
-    NoteList notes;
     try {
-      const ImageFile image = read_image(folder / input.name, {}, &notes);
+      const ImageFile image = read_image(folder / input.name);
+      const NoteList& notes = image.notes;
       REQUIRE(image.values.channels == input.channels);
       CHECK(image.values.values == input.values);
       CHECK(image.bits == input.bits);
