@@ -121,8 +121,7 @@ struct Header {
   std::array<std::array<std::uint8_t, 4>, 256> palette; // R G B A
 };
 
-/// Everything before the pixels; rows are asked for as bytes, or 16-bit numbers in this machine's order. Palettes are
-/// applied here, since libpng takes an index beyond the palette for black.
+/// The chunks before the pixels. No memory is taken for a row yet.
 void read_header(png_structp png, png_infop info, Header& header) {
   // Chunks that cannot change a value are skipped unread, so that none asks for memory.
   png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
@@ -130,6 +129,11 @@ void read_header(png_structp png, png_infop info, Header& header) {
   png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX); // check_image_size has ours
   png_read_info(png, info);
   png_get_IHDR(png, info, &header.width, &header.height, &header.bits, &header.colour_type, nullptr, nullptr, nullptr);
+}
+
+/// Rows are asked for as bytes, or 16-bit numbers in this machine's order. Palettes are applied here, since libpng
+/// takes an index beyond the palette for black.
+void prepare_rows(png_structp png, png_infop info, Header& header) {
   png_bytep alpha = nullptr;
   int alphas = 0;
   if (!png_get_tRNS(png, info, &alpha, &alphas, nullptr)) alphas = 0;
@@ -193,9 +197,9 @@ ImageFile read_png(const std::string& path, std::string_view bytes, const ImageR
     png_set_chunk_malloc_max(p, file_bytes);
     read_header(p, info, header);
   };
-  // The size is judged before memory is taken for a row.
   if (!png.runs(begin)) refuse(path, state);
   check_image_size(path, header.width, header.height, file_bytes, pixels_per_byte, request);
+  if (!png.runs([&header](png_structp p, png_infop info) { prepare_rows(p, info, header); })) refuse(path, state);
   const std::uint64_t pixels = std::uint64_t{header.width} * header.height;
   const int height = static_cast<int>(header.height);
   const bool interlaced = header.passes > 1;
