@@ -38,22 +38,22 @@ struct State {
   Remark error, skipped, other; // skipped: chunks whose CRC is wrong
 };
 
-bool ends_with(const char* text, std::string_view end) {
-  return std::string_view(text).ends_with(end);
-}
+/// Of a chunk that is longer than the file, the bound that libpng is given. Only a warning to libpng, which then takes
+/// memory for it.
+constexpr std::string_view too_long = "chunk data is too large";
 
 [[noreturn]] void on_error(png_structp png, png_const_charp text) {
   static_cast<State*>(png_get_error_ptr(png))->error.add(text);
   png_longjmp(png, 1);
 }
 
-/// Pixels depend on IDAT and tRNS: what libpng would go on without, there, is an error here.
+/// Pixels depend on IDAT and tRNS: where libpng would go on without what is wrong there, that is an error here.
 void on_warning(png_structp png, png_const_charp text) {
   State& state = *static_cast<State*>(png_get_error_ptr(png));
   const std::string_view said(text);
   const bool of_pixels = said.starts_with("IDAT: ") || said.starts_with("tRNS: ");
-  if (of_pixels && said != "IDAT: Extra compressed data") png_error(png, text);
-  (ends_with(text, ": CRC error") ? state.skipped : state.other).add(text);
+  if ((of_pixels && said != "IDAT: Extra compressed data") || said.ends_with(too_long)) png_error(png, text);
+  (said.ends_with(": CRC error") ? state.skipped : state.other).add(text);
 }
 
 void on_read(png_structp png, png_bytep data, std::size_t size) {
@@ -99,8 +99,7 @@ private:
 [[noreturn]] void refuse(const std::string& path, const State& state) {
   const std::string text = one_line(state.error.first);
   if (text == "Out of memory") throw std::bad_alloc();
-  // No chunk may be larger than the file: the bound that libpng was given.
-  if (state.is_truncated || text.ends_with("chunk data is too large")) throw truncated_image(path);
+  if (state.is_truncated || text.ends_with(too_long)) throw truncated_image(path);
   const bool names_chunk = text.size() > 6 && text.compare(4, 2, ": ") == 0;
   const std::string place = names_chunk ? "chunk " + text.substr(0, 4) : "", what = names_chunk ? text.substr(6) : text;
   if (what == "CRC error")

@@ -117,6 +117,7 @@ std::vector<ImageClause> png_clauses() {
   reads("11.3.3.4", "3 significant bits: values stay as stored", grey_with(png_chunk("sBIT", "\3")), 1, {10, 20});
   reads("extensions, eXIf", "an orientation", grey_with(png_chunk("eXIf", exif_bytes(6))), 1, {10, 20},
         "found EXIF orientation 6, to be shown turned by 90 degrees clockwise, read as its rows are stored");
+  refuses("extensions, eXIf", "longer than the file", grey_with("\x32\xff\0\x1a"s + "eXIf"), truncated);
   reads("extensions, eXIf", "the usual orientation", grey_with(png_chunk("eXIf", exif_bytes(1))), 1, {10, 20});
   return list;
 }
