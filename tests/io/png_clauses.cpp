@@ -91,6 +91,10 @@ std::vector<ImageClause> png_clauses() {
   wrong_sum.back() ^= 1;
   refuses("10.1", "a wrong Adler-32, with a CRC that fits", grey_with("", png_chunk("IDAT", wrong_sum)),
           "chunk IDAT: found a checksum that does not fit the pixels, expected their Adler-32: the file is damaged");
+  const std::string sum_apart = png_chunk("IDAT", wrong_sum.substr(0, wrong_sum.size() - 4)) +
+                                png_chunk("IDAT", wrong_sum.substr(wrong_sum.size() - 4));
+  refuses("10.1", "a wrong Adler-32, in a chunk of its own", grey_with("", sum_apart),
+          "chunk IDAT: found a checksum that does not fit the pixels, expected their Adler-32: the file is damaged");
   const std::string stream = zlib_stored("\0\x0a\x14"s);
   reads("10.1", "pixels in two chunks",
         grey_with("", png_chunk("IDAT", stream.substr(0, 9)) + png_chunk("IDAT", stream.substr(9))), 1, {10, 20});
