@@ -45,7 +45,7 @@ private:
 /// The difference of a mean to the one before, by category (T.81, F.1.2.1); the code of a category is its number, in
 /// four bits. All else is 0: the code 0, in one bit.
 void add_block(Bits& bits, int difference, bool is_progressive) {
-  const int category = std::bit_width(static_cast<unsigned>(std::abs(difference)));
+  const int category = static_cast<int>(std::bit_width(static_cast<unsigned>(std::abs(difference))));
   bits.add(static_cast<unsigned>(category), 4);
   bits.add(static_cast<unsigned>(difference > 0 ? difference : difference - 1), category);
   if (!is_progressive) bits.add(0, 1);
