@@ -60,7 +60,7 @@ public:
       });
     } else {
       result.material.texture = load(textures_, text.texture_file, "an image", [&](const std::string& path) {
-        auto texture = std::make_shared<Texture>(read_texture(path, options_.memory));
+        auto texture = std::make_shared<Texture>(read_texture(path, options_.memory, options_.notes));
         if (trilinear_.contains(identity(path))) {
           options_.memory.need(texture->levels.front().rgb.size() * sizeof(float) / 3, path); // 1/4 + 1/16 + …
           build_mip_levels(*texture);

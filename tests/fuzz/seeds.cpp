@@ -6,6 +6,7 @@
 #include "io/merl_file.h"
 #include "io/obj_file.h"
 #include "raster/primitives.h"
+#include "tests/io/image_clauses.h"
 #include "tests/io/malformed_inputs.h"
 #include "tests/io/png_bytes.h"
 
@@ -48,7 +49,8 @@ void add_malformed(Seeds& seeds) {
       if (file.name.ends_with(".json")) seeds.add("scene", name, file.content);
       else if (file.name.ends_with(".obj")) seeds.add("obj", name, file.content);
       else if (input.reader == Reader::merl) seeds.add("merl", name, file.content);
-      else if (file.name.ends_with(".png")) seeds.add("image", name, file.content);
+      else if (file.name.ends_with(".png") || file.name.ends_with(".bmp") || file.name.ends_with(".tga"))
+        seeds.add("image", name, file.content);
       else seeds.add("float_image", name, file.content);
     }
 }
@@ -105,6 +107,9 @@ void add_meshes(Seeds& seeds) {
 }
 
 void add_images(Seeds& seeds) {
+  int number = 0;
+  for (const test::ImageClause& clause : test::all_image_clauses())
+    seeds.add("image", "clause_" + std::to_string(number++), clause.bytes);
   for (int channels = 1; channels <= 4; ++channels)
     for (const int bits : {8, 16}) {
       std::vector<std::uint16_t> samples;
