@@ -74,11 +74,14 @@ ExitCode run(const GlArguments& a) {
     NoteList notes;
     SceneOptions reading = a.reading;
     reading.notes = &notes;
-    auto line = std::make_unique<ProgressLine>("reading " + a.scene);
+    const auto progress = [&](const std::string& what) {
+      return a.diagnostics.verbosity == Verbosity::quiet ? nullptr : std::make_unique<ProgressLine>(what);
+    };
+    auto line = progress("reading " + a.scene);
     const Scene scene = read_scene(a.scene, reading);
     line.reset(); // before anything is printed
     print_file_notes(notes, a.diagnostics);
-    line = std::make_unique<ProgressLine>("drawing " + a.scene);
+    line = progress("drawing " + a.scene);
     frame = render_gl(scene, options);
   } catch (const NoOpenGl& error) {
     std::cerr << "refraster: " << error.what() << "\n";
@@ -145,7 +148,8 @@ void add_gl(CLI::App& program, Action& chosen) {
   command.footer(
       "An object is drawn by the GLSL files that the scene names where they exist, else by our own GLSL of the\n"
       "same formulas; a line on standard error says which. docs/glsl-interface.md: what a shader is given.\n"
-      "Exit code 3: GLSL that does not compile. 5: no OpenGL 3.3, or not the renderer that was asked for.");
+      "Exit code 3: GLSL that does not compile, link or draw. 5: no OpenGL 3.3, or not the renderer that was asked "
+      "for.");
   command.final_callback([&chosen, arguments] {
     check_together(*arguments);
     chosen = [arguments] {

@@ -6,6 +6,7 @@
 #include "verify/gl/gl_names.h"
 
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -40,6 +41,12 @@ struct GlTimes {
   std::vector<double> wall_ms, cpu_ms;
 };
 
+/// Pixels with a channel that is NaN, and those without but with an infinite one; the first of either, row by row.
+struct NonFinitePixels {
+  std::uint64_t nan = 0, infinite = 0;
+  int nan_x = 0, nan_y = 0, infinite_x = 0, infinite_y = 0;
+};
+
 struct GlFrame {
   Image<std::uint8_t> levels; // 3 channels, from an RGBA8 target
   Image<float> radiance;      // 3 channels, from an RGBA32F target
@@ -49,14 +56,15 @@ struct GlFrame {
   GlTimes times;
   std::uint64_t samples_passed = 0;  // the depth test, in one frame
   std::vector<std::string> shaders;  // one line for each object: whose GLSL draws it, and why
-  std::vector<std::string> warnings; // of shader compilers, and uniforms that nobody sets
+  std::vector<std::string> warnings; // of compilers, of what shaders ask for in vain, and of what is wrong in the image
+  std::optional<NonFinitePixels> non_finite; // as in `radiance`, whether it is wanted or not; empty: cannot be told
 };
 
 /// Draws the scene with the GLSL that it names where those files exist, else with our own GLSL of the same formulas.
 /// docs/glsl-interface.md says what a shader is given. Row 0 of each image is the top; window coordinates, and with
-/// them gl_FragCoord, count downward, so that ties on edges fall as in render(). Throws NoOpenGl; std::runtime_error if
-/// the driver reports an error; InputError for GLSL that does not compile or link. Not to be called from two threads at
-/// once: a driver is chosen by the environment of the process.
+/// them gl_FragCoord, count downward, so that ties on edges fall as in render(). Throws NoOpenGl; InputError for GLSL
+/// that does not compile, link or draw. Not to be called from two threads at once: a driver is chosen by the
+/// environment of the process.
 GlFrame render_gl(const Scene& scene, const GlOptions& options);
 
 } // namespace refraster
