@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
+#include <utility>
 
 namespace refraster {
 namespace {
@@ -51,7 +53,12 @@ void check_matrices(const UniformBlock& block, std::vector<std::string>& warning
 
 GLint bind_blocks(const GlApi& gl, GLuint program, std::vector<std::string>& warnings) {
   GLint largest = 0;
-  for (const UniformBlock& block : active_blocks(gl, program)) {
+  std::map<std::string, int> unknown; // by name without index: how many elements of an array of blocks
+  const std::vector<UniformBlock> blocks = active_blocks(gl, program);
+  const auto base_name = [](const UniformBlock& block) { return block.name.substr(0, block.name.find('[')); };
+  for (const UniformBlock& block : blocks)
+    if (block.name != "Matrices") ++unknown[base_name(block)];
+  for (const UniformBlock& block : blocks) {
     largest = std::max(largest, block.size_bytes);
     if (block.name == "Matrices") {
       check_matrices(block, warnings);
@@ -62,9 +69,13 @@ GLint bind_blocks(const GlApi& gl, GLuint program, std::vector<std::string>& war
       return std::any_of(std::begin(of_matrices), std::end(of_matrices),
                          [&](const MatrixMember& m) { return member.name == m.name; });
     });
-    warnings.push_back("uniform block " + block.name + " is not one that refraster sets: all of it is 0" +
-                       (has_matrices ? "; view and projection are in a block named Matrices" : ""));
     gl.UniformBlockBinding(program, block.index, zeros_binding);
+    const int elements = std::exchange(unknown[base_name(block)], 0);
+    if (elements == 0) continue; // said of the first
+    warnings.push_back("uniform block " + block.name +
+                       (elements > 1 ? " (and " + std::to_string(elements - 1) + " more elements)" : "") +
+                       " is not one that refraster sets: all of it is 0" +
+                       (has_matrices ? "; view and projection are in a block named Matrices" : ""));
   }
   return largest;
 }

@@ -160,7 +160,7 @@ std::vector<UniformSetting> settings(const GlApi& gl, GLuint program, const Unif
       warnings.push_back(declared + " is not set for the fragment function " + std::string(function) + ": " + effect);
     else
       warnings.push_back(declared +
-                         (group.size() > 1 ? " (and of " + std::to_string(group.size() - 1) + " more elements)" : "") +
+                         (group.size() > 1 ? " (and " + std::to_string(group.size() - 1) + " more elements)" : "") +
                          " is not one that refraster sets: " + effect);
   }
   return found;
