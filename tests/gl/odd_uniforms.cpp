@@ -143,7 +143,33 @@ void add_uniforms(std::vector<OddShader>& list) {
                   white_fragment,
                   {"ball: uniform mat4 view" + stays_0, "ball: uniform mat4 projection" + stays_0, nothing_drawn},
                   background});
-  list.push_back({"an image",
+  const std::map<std::string, std::string> places = {
+      {"1D", "0"},
+      {"2D", "ivec2(0)"},
+      {"3D", "ivec3(0)"},
+      {"Cube", "ivec3(0)"},
+      {"2DRect", "ivec2(0)"},
+      {"1DArray", "ivec2(0)"},
+      {"2DArray", "ivec3(0)"},
+      {"CubeArray", "ivec3(0)"},
+      {"Buffer", "0"},
+      {"2DMS", "ivec2(0), 0"},
+      {"2DMSArray", "ivec3(0), 0"},
+  };
+  for (const auto& [shape, place] : places) {
+    std::string declarations, sum = "vec4(0.0)";
+    std::vector<std::string> warnings;
+    for (const std::string prefix : {"", "i", "u"}) {
+      const std::string type = prefix + "image" + shape, name = prefix + "img";
+      declarations += "layout(rgba8" + (prefix == "u" ? "ui" : prefix) + ") uniform " + type + " " + name + "; ";
+      sum += " + vec4(imageLoad(" + name + ", " + place + "))";
+      warnings.push_back("ball: uniform " + type + " " + name + not_set +
+                         "it reads 0, and what is written to it is lost");
+    }
+    list.push_back(
+        {"images of shape " + shape, "", fragment("FragColor = " + sum + ";", declarations, 420), warnings, black});
+  }
+  list.push_back({"an image that is written to",
                   "",
                   fragment("FragColor = imageLoad(img, ivec2(0)); imageStore(img, ivec2(0), vec4(1.0));",
                            "layout(rgba8) uniform image2D img;", 420),

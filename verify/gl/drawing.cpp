@@ -104,6 +104,7 @@ const GlDrawing::Program& GlDrawing::linked(const ShaderText& vertex, const Shad
   const std::size_t function = object.material.model.index();
   for (const Program& program : programs_)
     if (program.vertex == vertex && program.fragment == fragment && program.function == function) return program;
+  throw_if_error(gl_, "uploading the scene"); // asking about programs takes errors
   const GlProgram compiled = link_program(gl_, vertex, fragment);
   for (const std::string& warning : compiled.warnings) warnings.add(warning);
 

@@ -1,15 +1,25 @@
 #include "verify/gl/driver_environment.h"
 
 #include <algorithm>
+#include <iterator>
 #include <string_view>
 
 namespace refraster {
 namespace {
 
 // Of Mesa (docs.mesa3d.org/envvars.html), of libglvnd, which finds EGL's drivers, and of the drivers' own loaders.
-constexpr std::string_view prefixes[] = {
-    "MESA_", "LIBGL_", "GALLIUM_",  "EGL_",  "__EGL_",           "__GLVND_",        "GBM_",
-    "DRI_",  "LP_",    "SOFTPIPE_", "ZINK_", "VK_ICD_FILENAMES", "VK_DRIVER_FILES", "__NV_PRIME_"};
+constexpr std::string_view prefixes[] = {"MESA_",           "LIBGL_",     "GALLIUM_", "EGL_",
+                                         "__EGL_",          "__GLVND_",   "GBM_",     "VK_ICD_FILENAMES",
+                                         "VK_DRIVER_FILES", "__NV_PRIME_"};
+// With these words in the name they choose nothing, but what is written down.
+constexpr std::string_view harmless[] = {"DEBUG", "CACHE", "LOG"};
+
+bool chooses_driver(std::string_view name) {
+  return std::any_of(std::begin(prefixes), std::end(prefixes),
+                     [&](std::string_view prefix) { return name.starts_with(prefix); }) &&
+         std::none_of(std::begin(harmless), std::end(harmless),
+                      [&](std::string_view word) { return name.find(word) != std::string_view::npos; });
+}
 
 } // namespace
 
@@ -18,9 +28,8 @@ std::vector<std::string> driver_variables(const char* const* environment, const 
   for (; environment && *environment; ++environment) {
     const std::string_view variable(*environment);
     const std::string_view name = variable.substr(0, variable.find('='));
-    const bool chooses = std::any_of(std::begin(prefixes), std::end(prefixes),
-                                     [&](std::string_view prefix) { return name.starts_with(prefix); });
-    if (chooses && std::find(ignored.begin(), ignored.end(), name) == ignored.end()) found.emplace_back(variable);
+    if (chooses_driver(name) && std::find(ignored.begin(), ignored.end(), name) == ignored.end())
+      found.emplace_back(variable);
   }
   std::sort(found.begin(), found.end());
   return found;
