@@ -56,13 +56,8 @@ std::string gl_report_json(const std::string& scene, const GlOptions& options, c
   json.member("shaders", frame.shaders);
   json.member("warnings", frame.warnings);
   json.member("samples_passed", frame.samples_passed);
-  const auto pixels = [&](const char* name, std::uint64_t NonFinitePixels::*count) {
-    json.key(name);
-    if (frame.non_finite) json.value(frame.non_finite.value().*count);
-    else json.null();
-  };
-  pixels("nan_pixels", &NonFinitePixels::nan);
-  pixels("infinite_pixels", &NonFinitePixels::infinite);
+  json.member("nan_pixels", frame.non_finite.nan);
+  json.member("infinite_pixels", frame.non_finite.infinite);
   json.member("frames", frame.times.wall_ms.size());
   json.key("frame_ms");
   write_times(json, frame.times.wall_ms);

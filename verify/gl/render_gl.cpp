@@ -73,7 +73,7 @@ GlFrame render_gl(const Scene& scene, const GlOptions& options) {
   drawing.draw(GlPass::colour);
   Image<float> radiance = read_pixels<float>(gl, options, GL_RGB, 3);
   frame.non_finite = non_finite_pixels(radiance);
-  warn_of(*frame.non_finite, frame.warnings);
+  warn_of(frame.non_finite, frame.warnings);
   if (options.want_radiance) frame.radiance = std::move(radiance);
   if (options.want_ids) {
     drawing.draw(GlPass::ids);

@@ -6,7 +6,6 @@
 #include "verify/gl/gl_names.h"
 
 #include <cstdint>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -57,7 +56,7 @@ struct GlFrame {
   std::uint64_t samples_passed = 0;  // the depth test, in one frame
   std::vector<std::string> shaders;  // one line for each object: whose GLSL draws it, and why
   std::vector<std::string> warnings; // of compilers, of what shaders ask for in vain, and of what is wrong in the image
-  std::optional<NonFinitePixels> non_finite; // as in `radiance`, whether it is wanted or not; empty: cannot be told
+  NonFinitePixels non_finite;        // as in `radiance`, whether that is wanted or not
 };
 
 /// Draws the scene with the GLSL that it names where those files exist, else with our own GLSL of the same formulas.
