@@ -81,6 +81,14 @@ void add_blocks(std::vector<OddShader>& list) {
        fragment("FragColor = vec4(x[2] + x[3]); x[3] = 1.0;", "layout(std430, binding = 3) buffer Data { float x[]; };",
                 430),
        {"ball: buffer Data" + not_set + "all of it is 0 before each draw, and what is written to it is lost"}});
+  // Vertices come before fragments, so that what one draw writes only another one could read.
+  const std::string data = "layout(std430, binding = 3) buffer Data { float x[]; };\n";
+  list.push_back(
+      {"a storage buffer that another draw has written to",
+       bare(usual_declarations + data + "out float before;", "before = x[0]; " + usual_position, 430),
+       bare(data + "in float before; out vec4 FragColor;", "FragColor = vec4(1.0 - before); x[0] = 1.0;", 430),
+       {"ball: buffer Data" + not_set + "all of it is 0 before each draw, and what is written to it is lost"},
+       white});
   list.push_back({"an atomic counter",
                   "",
                   fragment("FragColor = vec4(atomicCounter(n));", "layout(binding = 0) uniform atomic_uint n;", 420),

@@ -65,6 +65,16 @@ void add_samplers(std::vector<OddShader>& list) {
                   {"ball: uniform sampler2D layers[0].map (and 1 more elements)" + reads_black,
                    "ball: uniform float layers[0].weight (and 1 more elements)" + stays_0},
                   black});
+  list.push_back({"samplers of several types",
+                  "",
+                  fragment("FragColor = texture(a, 0.5) + texture(b, vec3(0.5)) + vec4(texture(c, vec2(0.5))) + "
+                           "vec4(texture(d, vec2(0.5))) + vec4(texture(e, vec3(0.5))) + texture(tex, vec2(0.5));",
+                           "uniform sampler1D a; uniform samplerCube b; uniform isampler2D c; uniform sampler2D d; "
+                           "uniform sampler2DShadow e; uniform sampler2D tex;"),
+                  {"ball: uniform sampler1D a" + reads_black, "ball: uniform samplerCube b" + reads_black,
+                   "ball: uniform isampler2D c" + reads_black, "ball: uniform sampler2D d" + reads_black,
+                   "ball: uniform sampler2DShadow e" + not_set + "it compares with depth 1"},
+                  {{2, 2, 2}}});
   list.push_back({"tex of another type",
                   "",
                   fragment("FragColor = texture(tex, vec3(0.5));", "uniform samplerCube tex;"),
