@@ -235,14 +235,15 @@ TEST_CASE("where a variable of the environment keeps the driver from starting, i
       {"__EGL_VENDOR_LIBRARY_DIRS", folder.path}, // glvnd finds no vendor there
       {"__EGL_VENDOR_LIBRARY_FILENAMES", folder / "none.json"},
   };
-  for (const auto& [name, value] : variables) {
+  for (const auto& variable : variables) {
+    const std::string name = variable.first, value = variable.second; // clang++ 14 captures no bindings
     INFO(name);
-    const Environment variable(name, value);
+    const Environment set(variable.first, value);
     const Finished run = run_program(folder.path, {"gl", "scene.json", "-o", "gl.png", "--size", "8x8"});
     CHECK(run.exit_code == 5);
-    CHECK_MESSAGE(holds(run.err, "; the environment chooses the driver: try again with this unset: " +
-                                     std::string(name) + "=" + value + "\n"),
-                  run.err);
+    CHECK_MESSAGE(
+        holds(run.err, "; the environment chooses the driver: try again with this unset: " + name + "=" + value + "\n"),
+        run.err);
     CHECK_FALSE(holds(run.err, "install"));
   }
 }
