@@ -299,6 +299,7 @@ AllowedColour ColourBound::at(std::size_t object, std::uint32_t triangle, int pi
   const Setup setup = set_up(object, triangle);
   if (setup.planes.flat) return anything;
   const double x = pixel_x + 0.5, y = pixel_y + 0.5;
+  const Double2 reach = from_origin(pixel_x, pixel_y);
 
   // Anchored at the framebuffer's origin: a0 + a_x x + a_y y, each of the three with errors in proportion to its size.
   const auto plane = [&](auto&& corner_value) {
@@ -312,7 +313,8 @@ AllowedColour ColourBound::at(std::size_t object, std::uint32_t triangle, int pi
     if (setup.clipped) // cut at the borders of the window: a plane is largest at a corner of it
       for (const double px : {0.0, static_cast<double>(width_)})
         for (const double py : {0.0, static_cast<double>(height_)}) most = std::max(most, std::abs(value(px, py)));
-    return Plane{value(x, y), sum.x, sum.y, driver_.plane_ulp * u * (most + std::abs(sum.x) * x + std::abs(sum.y) * y)};
+    return Plane{value(x, y), sum.x, sum.y,
+                 driver_.plane_ulp * u * (most + std::abs(sum.x) * reach.x + std::abs(sum.y) * reach.y)};
   };
   const Plane inverse_w = plane([](std::size_t) { return 1.0; });
   if (!(inverse_w.value > inverse_w.error)) return anything;
@@ -330,7 +332,7 @@ AllowedColour ColourBound::at(std::size_t object, std::uint32_t triangle, int pi
   for (std::size_t i = 0; i < 3; ++i) snapped += std::max(weight[i] * setup.w_clip[i], 0.0);
   const Double3& error = setup.homogeneous_error;
   const double step = std::max(our_lattice, driver_.lattice);
-  const double shift = step / 2 * snapped + (error.x + std::max(x, y) * error.z) * inverse_w.value;
+  const double shift = step / 2 * snapped + (error.x + std::max(reach.x, reach.y) * error.z) * inverse_w.value;
   // Snapping moves two corners against each other by up to a step both ways: along an altitude so much of every
   // derivative, in levels.
   double altitude = infinite;
@@ -340,8 +342,9 @@ AllowedColour ColourBound::at(std::size_t object, std::uint32_t triangle, int pi
   const double snapped_detail = std::log2(1 + std::numbers::sqrt2 * step / altitude);
 
   const IdealShader shader{scene_, scene_.objects[object].material, Double2(0), Double2(0)};
-  const PixelBound pixel(shader, driver_, inverse_w, planes, setup.corner_error, shift, {pixel_x & 1, pixel_y & 1},
-                         snapped_detail);
+  // Blocks of 2 x 2 pixels begin at OpenGL's row 0, the lowest: in an image of odd height they begin at our odd rows.
+  const std::array<int, 2> place_in_block = {pixel_x & 1, (height_ - pixel_y) & 1};
+  const PixelBound pixel(shader, driver_, inverse_w, planes, setup.corner_error, shift, place_in_block, snapped_detail);
   return pixel.allowed(scene_.point_lights.size() + scene_.direction_lights.size(), part);
 }
 
@@ -356,14 +359,15 @@ double ColourBound::depth(std::size_t object, std::uint32_t triangle, int x, int
 double ColourBound::depth_error(std::size_t object, std::uint32_t triangle, int pixel_x, int pixel_y) const {
   const Setup setup = set_up(object, triangle);
   const double x = pixel_x + 0.5, y = pixel_y + 0.5;
+  const Double2 reach = from_origin(pixel_x, pixel_y);
   Double3 z(0), h(0);
   for (std::size_t i = 0; i < 3; ++i) z += setup.planes.l[i] * setup.z_clip[i], h += setup.planes.l[i];
   const double w = 1 / (h.x * x + h.y * y + h.z);
   const double shift =
-      rounded_apart(driver_) + (setup.homogeneous_error.x + std::max(x, y) * setup.homogeneous_error.z) / w;
+      rounded_apart(driver_) + (setup.homogeneous_error.x + std::max(reach.x, reach.y) * setup.homogeneous_error.z) / w;
   // z lies in [0, 1] on the screen, and its plane is anchored at the origin like any other.
   const double corner_error = (setup.homogeneous_error.y + setup.homogeneous_error.z) / w;
-  return 0.5 * (corner_error + driver_.plane_ulp * u * (1 + std::abs(z.x) * x + std::abs(z.y) * y) +
+  return 0.5 * (corner_error + driver_.plane_ulp * u * (1 + std::abs(z.x) * reach.x + std::abs(z.y) * reach.y) +
                 shift * (std::abs(z.x) + std::abs(z.y)));
 }
 

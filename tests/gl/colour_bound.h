@@ -15,7 +15,7 @@ inline constexpr double our_lattice = 1.0 / subpixels; // pixels: the step to wh
 /// What the bound assumes of a driver. Units in the last place are of float: 2^-24 relative.
 struct DriverTolerances {
   double lattice = our_lattice;
-  double plane_ulp = 6;    // of plane equations anchored at the framebuffer's origin
+  double plane_ulp = 6;    // of plane equations anchored at the framebuffer's origin, the lower left corner
   double atan_ulp = 352;   // of atan(y, x)
   double power_ulp = 2.1;  // of pow(x, s), for each unit of s; and 16 beside
   double texel_error = 0;  // of a filtered texel, in units of the texture's full scale
@@ -98,6 +98,9 @@ public:
 private:
   struct Setup;
   Setup set_up(std::size_t object, std::uint32_t triangle) const;
+
+  /// How far a pixel's centre is from the framebuffer's origin, which OpenGL has at the lower left, in x and in y.
+  Double2 from_origin(int x, int y) const { return {x + 0.5, height_ - (y + 0.5)}; }
 
   const Scene& scene_;
   int width_, height_;

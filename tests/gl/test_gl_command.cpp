@@ -163,6 +163,21 @@ TEST_CASE("compare finds a measured BRDF that is cut off at phi_d = 0 instead of
   CHECK_MESSAGE(none.exit_code == 0, none.out);
 }
 
+TEST_CASE("compare finds no fault in face normals by derivatives, and one where dFdy has the wrong sign") {
+  const TemporaryFolder folder;
+  const std::string lecture = text_of(lecture_shaders + "phong_fs.glsl");
+  const std::string cube =
+      replaced(scene_with(R"("fragment_function": "phong", "fragment_shader_file_path": "face_fs.glsl", )" + plastic),
+               R"("sphere": {"segments": 48, "rings": 24})", R"("cube": {})");
+  for (const bool right : {true, false}) {
+    const std::string normal =
+        right ? "cross(dFdx(fs_in.FragPos), dFdy(fs_in.FragPos))" : "cross(dFdx(fs_in.FragPos), -dFdy(fs_in.FragPos))";
+    save_text(folder / "face_fs.glsl", replaced(lecture, "fs_in.Normal)", normal + ")"));
+    const Finished found = compared(folder, cube);
+    CHECK_MESSAGE(found.exit_code == (right ? 0 : 1), found.out);
+  }
+}
+
 TEST_CASE("a line for each object says whose shaders draw it") {
   const TemporaryFolder folder;
   save_text(folder / "scene.json", scene_with(R"("fragment_function": "phong", )" + plastic));

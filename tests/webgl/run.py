@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws gallery scenes in headless Chromium (WebGL 2 on SwiftShader, no GPU, no network) with the GLSL of `refraster gl`,
+"""Draws scenes in headless Chromium (WebGL 2 on SwiftShader, no GPU, no network) with the GLSL of `refraster gl`,
 and holds the pixels to the bound of docs/verification.md.
 
     run.py TOOLS SCENE...       TOOLS: folder of the programs scene_page and judge_pixels

@@ -94,7 +94,7 @@ void write_table(JsonWriter& json, const Material& material) {
 }
 
 std::string scene_json(const Scene& scene, int width, int height) {
-  const Double4x4 clip = flipped_clip_from_world(scene.camera, static_cast<double>(width) / height);
+  const Double4x4 clip = clip_from_world(scene.camera, static_cast<double>(width) / height);
   JsonWriter json;
   json.begin_object();
   json.member("width", width);

@@ -74,13 +74,13 @@ std::uint64_t samples_passed(const GlApi& gl, Draw&& draw) {
 GlDrawing::GlDrawing(const GlApi& gl, const Scene& scene, const GlOptions& options)
     : gl_(gl), background_(scene.background), white_(upload_white(gl)), dummies_(gl, first_dummy_unit) {
   const double aspect = static_cast<double>(options.width) / options.height;
-  const Double4x4 clip = flipped_clip_from_world(scene.camera, aspect);
+  const Double4x4 clip = clip_from_world(scene.camera, aspect);
   for (std::size_t i = 0; i < scene.objects.size(); ++i) items_.push_back(item(scene, i, options, clip));
   upload_blocks(matrices_block(scene.camera, aspect));
 
   gl.Enable(GL_DEPTH_TEST);
   gl.DepthFunc(GL_LESS);
-  gl.FrontFace(GL_CW); // y is turned over, and with it what runs counter-clockwise
+  gl.FrontFace(GL_CCW);
   gl.CullFace(GL_BACK);
   throw_if_error(gl, "uploading the scene");
 }

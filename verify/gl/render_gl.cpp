@@ -13,13 +13,18 @@
 namespace refraster {
 namespace {
 
-/// The current framebuffer's pixels. y was turned over in drawing, so the first row is the top one.
+/// The current framebuffer's pixels, the top row first. OpenGL counts rows from the bottom, and gives them so.
 template <class Value>
 Image<Value> read_pixels(const GlApi& gl, const GlOptions& options, GLenum format, int channels) {
   Image<Value> image(options.width, options.height, channels);
   gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
   gl.ReadPixels(0, 0, options.width, options.height, format, sizeof(Value) == 1 ? GL_UNSIGNED_BYTE : GL_FLOAT,
                 image.values.data());
+  const auto row_values = static_cast<std::ptrdiff_t>(options.width) * channels;
+  for (int top = 0, bottom = options.height - 1; top < bottom; ++top, --bottom) {
+    const auto row = image.values.begin() + top * row_values;
+    std::swap_ranges(row, row + row_values, image.values.begin() + bottom * row_values);
+  }
   return image;
 }
 

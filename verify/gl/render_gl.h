@@ -60,10 +60,10 @@ struct GlFrame {
 };
 
 /// Draws the scene with the GLSL that it names where those files exist, else with our own GLSL of the same formulas.
-/// docs/glsl-interface.md says what a shader is given. Row 0 of each image is the top; window coordinates, and with
-/// them gl_FragCoord, count downward, so that ties on edges fall as in render(). Throws NoOpenGl; InputError for GLSL
-/// that does not compile, link or draw. Not to be called from two threads at once: a driver is chosen by the
-/// environment of the process.
+/// docs/glsl-interface.md says what a shader is given. Drawn as an application draws, y up in the window, so that
+/// gl_FragCoord, dFdy, gl_FrontFacing and ties on edges are OpenGL's own; but row 0 of each image is the top. Throws
+/// NoOpenGl; InputError for GLSL that does not compile, link or draw. Not to be called from two threads at once: a
+/// driver is chosen by the environment of the process.
 GlFrame render_gl(const Scene& scene, const GlOptions& options);
 
 } // namespace refraster

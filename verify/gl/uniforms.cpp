@@ -1,16 +1,8 @@
 #include "verify/gl/uniforms.h"
 
 namespace refraster {
-Double4x4 flipped_clip_from_world(const Camera& camera, double aspect) {
-  Double4x4 clip = clip_from_world(camera, aspect);
-  for (int column = 0; column < 4; ++column) clip[column][1] = -clip[column][1];
-  return clip;
-}
-
 MatricesBlock matrices_block(const Camera& camera, double aspect) {
-  Double4x4 projection = clip_from_view(camera, aspect);
-  projection[1][1] = -projection[1][1];
-  return {Float4x4(view_from_world(camera)), Float4x4(projection)};
+  return {Float4x4(view_from_world(camera)), Float4x4(clip_from_view(camera, aspect))};
 }
 
 UniformValues scene_uniforms(const Scene& scene) {

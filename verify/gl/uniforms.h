@@ -26,7 +26,7 @@ struct MatricesBlock {
   Float4x4 view, projection;
 };
 
-/// The camera's matrices, with y turned over: see render_gl.
+/// The camera's matrices, as an application would pass them: y is up in clip space.
 MatricesBlock matrices_block(const Camera& camera, double aspect);
 
 /// For every object alike: the camera's position and the lights.
@@ -34,9 +34,6 @@ UniformValues scene_uniforms(const Scene& scene);
 
 /// For one object: its matrices and its material.
 UniformValues object_uniforms(const Object& object, const Double4x4& clip_from_world);
-
-/// projection . view with y turned over.
-Double4x4 flipped_clip_from_world(const Camera& camera, double aspect);
 
 /// A value with a place in a program.
 struct UniformSetting {
