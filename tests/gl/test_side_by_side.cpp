@@ -2,6 +2,7 @@
 
 #include "io/scene_file.h"
 #include "tests/gl/side_by_side.h"
+#include "tests/scenes/half_textured.h"
 #include "tests/scenes/listed_scenes.h"
 
 #include <doctest/doctest.h>
@@ -29,9 +30,8 @@ std::string told(const WorstPixel& pixel) {
 }
 
 /// Gives the largest share of its bound that a pixel uses.
-double check_scene(const std::string& path, int width, int height, const DriverProfile& profile) {
-  const std::string name = std::filesystem::path(path).stem();
-  const SideBySide found = side_by_side(listed_scene(path), width, height, profile);
+double check_scene(const std::string& name, const Scene& scene, int width, int height, const DriverProfile& profile) {
+  const SideBySide found = side_by_side(scene, width, height, profile);
   INFO(name << " through " << found.driver << ", " << width << " x " << height << ": " << found.equal
             << " pixels equal, " << found.off_by_one << " off by one level, " << found.off_by_more << " by more, "
             << found.edge_pixels << " on edges");
@@ -40,6 +40,9 @@ double check_scene(const std::string& path, int width, int height, const DriverP
   CHECK(found.over_bound == 0);
   CHECK(found.levels_not_rounded == 0);
   return found.worst_share_of_bound;
+}
+double check_scene(const std::string& path, int width, int height, const DriverProfile& profile) {
+  return check_scene(std::filesystem::path(path).stem(), listed_scene(path), width, height, profile);
 }
 
 void check_gallery(std::string_view profile_name, int width, int height) {
@@ -54,6 +57,11 @@ void check_gallery(std::string_view profile_name, int width, int height) {
 
 TEST_CASE("a scene through llvmpipe shows the same surfaces, in colours within the bound") {
   for (const std::string& path : quick_scenes()) check_scene(path, 112, 63, profile("llvmpipe"));
+}
+
+TEST_CASE("on triangles without texture coordinates llvmpipe shows no texture either") {
+  for (const TextureFilter filter : {TextureFilter::nearest, TextureFilter::bilinear, TextureFilter::trilinear})
+    check_scene("half_textured", half_textured(filter), 160, 90, profile("llvmpipe"));
 }
 
 TEST_SUITE_BEGIN("slow");

@@ -56,6 +56,11 @@ GLuint once(std::map<Key, GLuint>& shared, const Key& key, Make&& make) {
   return entry->second;
 }
 
+/// Of a triangle's indices in the buffer, as DrawElements takes it.
+const void* place_of(std::size_t triangle) {
+  return reinterpret_cast<const void*>(triangle * 3 * sizeof(std::uint32_t));
+}
+
 } // namespace
 
 GlDrawing::GlDrawing(const GlApi& gl, const Scene& scene, const GlOptions& options)
@@ -87,17 +92,30 @@ GLuint GlDrawing::linked(const ShaderText& vertex, const ShaderText& fragment, c
   return program.name;
 }
 
+// Whatever a shader does with its texture, white is what it gets where there are no coordinates to read another at. The
+// order of triangles stays: of equally near ones the first is seen.
+std::vector<GlDrawing::TextureRun> GlDrawing::texture_runs(const Mesh& mesh, GLuint texture, GLuint white) {
+  if (texture == white || mesh.uvs.size() == mesh.positions.size()) return {{texture, 0, mesh.triangles.size()}};
+  std::vector<TextureRun> runs;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const GLuint here = has_uvs(mesh, mesh.triangles[i]) ? texture : white;
+    if (runs.empty() || runs.back().texture != here) runs.push_back({here, i, 0});
+    ++runs.back().triangles;
+  }
+  return runs;
+}
+
 GlDrawing::Item GlDrawing::item(const Scene& scene, std::size_t number, const GlOptions& options,
                                 const Double4x4& clip_from_world) {
   const Object& object = scene.objects[number];
   Item item;
   item.cull = object.cull;
-  item.indices = static_cast<GLsizei>(3 * object.mesh->triangles.size());
   item.vertices = once(meshes_, object.mesh.get(), [&] { return upload_mesh(gl_, *object.mesh); });
-  item.texture = white_;
+  GLuint shown = white_;
   if (const Texture* const texture = object.material.texture.get())
-    item.texture = once(textures_, {texture, object.material.texture_filter},
-                        [&] { return upload_texture(gl_, *texture, object.material.texture_filter); });
+    shown = once(textures_, {texture, object.material.texture_filter},
+                 [&] { return upload_texture(gl_, *texture, object.material.texture_filter); });
+  item.runs = texture_runs(*object.mesh, shown, white_);
   if (const Merl* const merl = std::get_if<Merl>(&object.material.model))
     item.table = once(tables_, {merl->table.get(), merl->lookup}, [&] {
       const TableContent content = reads_logarithms(merl->lookup) ? TableContent::logarithms : TableContent::values;
@@ -135,23 +153,25 @@ void GlDrawing::draw(GlPass pass) const {
     else gl_.Disable(GL_CULL_FACE);
     gl_.UseProgram(item.program[p]);
     for (const UniformSetting& uniform : item.uniforms[p]) set_uniform(gl_, uniform);
-    gl_.ActiveTexture(GL_TEXTURE0 + texture_unit);
-    gl_.BindTexture(GL_TEXTURE_2D, item.texture);
     gl_.ActiveTexture(GL_TEXTURE0 + merl_unit);
     gl_.BindTexture(GL_TEXTURE_3D, item.table);
+    gl_.ActiveTexture(GL_TEXTURE0 + texture_unit);
     gl_.BindVertexArray(item.vertices);
-    if (pass == GlPass::colour) gl_.DrawElements(GL_TRIANGLES, item.indices, GL_UNSIGNED_INT, nullptr);
-    else draw_each(item);
+    for (const TextureRun& run : item.runs) {
+      gl_.BindTexture(GL_TEXTURE_2D, run.texture);
+      if (pass == GlPass::colour)
+        gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * run.triangles), GL_UNSIGNED_INT,
+                         place_of(run.first_triangle));
+      else draw_each(item, run);
+    }
   }
 }
 
 // gl_PrimitiveID would be the way, but Mesa's softpipe has none in fragment shaders.
-void GlDrawing::draw_each(const Item& item) const {
-  constexpr std::size_t triangle_bytes = 3 * sizeof(std::uint32_t);
-  const std::size_t triangles = static_cast<std::size_t>(item.indices) / 3;
-  for (std::size_t i = 0; i < triangles; ++i) {
+void GlDrawing::draw_each(const Item& item, const TextureRun& run) const {
+  for (std::size_t i = run.first_triangle; i < run.first_triangle + run.triangles; ++i) {
     gl_.Uniform1f(item.triangle_number, static_cast<float>(i + 1));
-    gl_.DrawElements(GL_TRIANGLES, 3, GL_UNSIGNED_INT, reinterpret_cast<const void*>(i * triangle_bytes));
+    gl_.DrawElements(GL_TRIANGLES, 3, GL_UNSIGNED_INT, place_of(i));
   }
 }
 

@@ -29,9 +29,16 @@ public:
   const std::vector<std::string>& warnings() const { return warnings_; }
 
 private:
+  /// Triangles that follow one another and show one texture: white on those without texture coordinates.
+  struct TextureRun {
+    GLuint texture = 0;
+    std::size_t first_triangle = 0, triangles = 0;
+  };
+  static std::vector<TextureRun> texture_runs(const Mesh& mesh, GLuint texture, GLuint white);
+
   struct Item {
-    GLuint vertices = 0, texture = 0, table = 0;
-    GLsizei indices = 0;
+    GLuint vertices = 0, table = 0;
+    std::vector<TextureRun> runs;
     Cull cull = Cull::none;
     GLint triangle_number = -1;              // place of that uniform in the program of ids
     GLuint program[2] = {};                  // by pass
@@ -39,7 +46,7 @@ private:
   };
 
   Item item(const Scene& scene, std::size_t object, const GlOptions& options, const Double4x4& clip_from_world);
-  void draw_each(const Item& item) const;
+  void draw_each(const Item& item, const TextureRun& run) const;
   GLuint linked(const ShaderText& vertex, const ShaderText& fragment, const std::string& object);
 
   const GlApi& gl_;

@@ -51,7 +51,12 @@ GLuint upload_mesh(const GlApi& gl, const Mesh& mesh) {
   gl.BindVertexArray(vertices);
   add_attribute<3>(gl, 0, mesh.positions);
   add_attribute<3>(gl, 1, mesh.normals);
-  if (!mesh.uvs.empty()) add_attribute<2>(gl, 2, mesh.uvs); // else GL's initial value: (0, 0)
+  if (mesh.uvs.size() == mesh.positions.size()) add_attribute<2>(gl, 2, mesh.uvs);
+  else if (!mesh.uvs.empty()) { // where there are none at all, GL's initial value is (0, 0)
+    std::vector<Float2> uvs = mesh.uvs;
+    uvs.resize(mesh.positions.size(), Float2(0.0f));
+    add_attribute<2>(gl, 2, uvs);
+  }
   fill_buffer(gl, GL_ELEMENT_ARRAY_BUFFER, mesh.triangles);
   return vertices;
 }
