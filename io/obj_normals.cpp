@@ -91,10 +91,8 @@ struct Angle {
   double radians, error;
 };
 
-enum class Polygon { triangle, other };
-
 /// From the edge to `next` round the normal to the edge to `before`.
-Angle inner_angle(const Float3& before, const Float3& p, const Float3& next, const FaceNormal& face, Polygon polygon) {
+Angle inner_angle(const Float3& before, const Float3& p, const Float3& next, const FaceNormal& face) {
   const Double3 to_next = Double3(next) - Double3(p), to_before = Double3(before) - Double3(p);
   const Double3 a = normalize(to_next), b = normalize(to_before), across = cross(a, b);
   const auto direction_error = [&](const Float3& end, const Double3& edge) {
@@ -105,8 +103,7 @@ Angle inner_angle(const Float3& before, const Float3& p, const Float3& next, con
   // angles up to 2 pi, whose unit in the last place is 8 roundings.
   const double error = edges + (10 + 8 * (atan2_error<double>.max + 0.5)) * rounding;
   const double cosine = dot(a, b), sine = dot(face.n, across);
-  // No angle of a triangle is beyond half a turn; and an edge that runs back along the one before is no whole turn.
-  if (polygon == Polygon::triangle) return {atan2(length(across), cosine), error};
+  // An edge that runs back along the one before is no whole turn.
   if (std::abs(sine) <= edges + face.error) return {atan2(std::abs(sine), cosine), error};
   const double angle = atan2(sine, cosine);
   return {angle < 0 ? angle + 2 * pi : angle, error};
@@ -144,8 +141,7 @@ public:
         if (number < 0 || std::exchange(counted_in_[static_cast<std::size_t>(number)], run_number_) == run_number_)
           continue;
         const Angle angle =
-            inner_angle(polygon[(run.first + n - 1) % n], polygon[i], polygon[(run.first + run.size) % n], face,
-                        runs_.size() == 3 ? Polygon::triangle : Polygon::other);
+            inner_angle(polygon[(run.first + n - 1) % n], polygon[i], polygon[(run.first + run.size) % n], face);
         sums_[static_cast<std::size_t>(number)].add(face.n * angle.radians,
                                                     angle.radians * (face.error + 2 * rounding) + angle.error);
       }

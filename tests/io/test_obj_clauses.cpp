@@ -172,6 +172,12 @@ const std::vector<Clause>& clauses() {
        "1 triangles, 3 vertices, 0 with uv; coordinates as large as 5e+06 are rounded to single precision, which moves "
        "them "
        "by up to 0.2: more than a thousandth of the mesh's size, 12"},
+      {"a little more than a thousandth", "v 5000000.3 0 0\nv 5000150.3 0 0\nv 5000000.3 8 0\nf 1 2 3\n",
+       "1 triangles, 3 vertices, 0 with uv; coordinates as large as 5e+06 are rounded to single precision, which moves "
+       "them "
+       "by up to 0.2: more than a thousandth of the mesh's size, 150"},
+      {"a little less", "v 5000000.3 0 0\nv 5000250.3 0 0\nv 5000000.3 8 0\nf 1 2 3\n",
+       "1 triangles, 3 vertices, 0 with uv"},
       {"coordinates as large that are floats", "v 5000000.5 100 0\nv 5000012.5 100 0\nv 5000000.5 108 0\nf 1 2 3\n",
        "1 triangles, 3 vertices, 0 with uv"},
       {"coordinates as large of a mesh as large", "v 5000000.3 0 0\nv 4999000.3 0 0\nv 0.3 8.1 0\nf 1 2 3\n",
