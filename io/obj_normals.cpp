@@ -23,8 +23,9 @@ Double3 magnitudes(const Double3& a) {
 } // namespace
 
 double rounding_of(const Float3& point) {
-  constexpr double half_of_smallest = std::numeric_limits<float>::denorm_min(); // for three coordinates: > sqrt(3) / 2
-  return 0x1p-24 * length(Double3(point)) + half_of_smallest;
+  // Half a unit in the last place of a coordinate is 2^-24 of it; of a subnormal one, half of the smallest float, and
+  // of three of these less than that.
+  return 0x1p-24 * length(Double3(point)) + static_cast<double>(std::numeric_limits<float>::denorm_min());
 }
 
 Double3 area_vector(std::span<const Float3> polygon) {

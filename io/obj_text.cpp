@@ -76,8 +76,9 @@ public:
       faults_.add({file_, 0, 0, "", what_instead_of_faces(), "at least one face (a statement f)"});
     faults_.sort_by_place();
     faults_.throw_if_any();
-    for (const auto& [v, position] : not_finite_v_)
-      remark(ObjRemark::position_not_finite, position.where, [&] { return "the coordinate " + position.word; });
+    for (const auto& unused : not_finite_v_)
+      remark(ObjRemark::position_not_finite, unused.second.where,
+             [&] { return "the coordinate " + unused.second.word; });
   }
 
   const ObjNotes& notes() const { return notes_; }

@@ -339,7 +339,7 @@ TEST_CASE("I9: a triangle without texture coordinates is white, and nothing is c
   const auto texture = index_texture(4, 4);
   for (const TextureFilter filter : {TextureFilter::nearest, TextureFilter::bilinear, TextureFilter::trilinear})
     for (const std::string_view rung : {"double", "float", "fast"})
-      for (const std::size_t textured : {0, 2, 3, 5}) { // vertices; of the triangle on the left it needs three
+      for (const std::size_t textured : {0u, 2u, 3u, 5u}) { // vertices; of the triangle on the left it needs three
         WindowScene window(16);
         Object& object = window.add({window.place(-8, -8, 1), window.place(-8, 40, 1), window.place(8, 8, 1),
                                      window.place(24, -8, 1), window.place(24, 40, 1), window.place(8, 8, 1)},

@@ -133,7 +133,7 @@ TEST_CASE("of a sheet whose faces are there twice, once each way round, all norm
   // only, since in waves these are other surfaces.
   const std::string in_waves = sheet_vertices(8);
   for (const Cut cut : {Cut::quads, Cut::one_diagonal})
-    for (const std::size_t first : {0, 1, 2}) {
+    for (const std::size_t first : {0u, 1u, 2u}) {
       const Mesh mesh =
           mesh_of(in_waves + sheet_faces(8, cut, Side::front) + sheet_faces(8, cut, Side::back, first), smooth);
       for (const Float3& n : mesh.normals) CHECK(n == Float3(0));
