@@ -246,6 +246,12 @@ T interpolated_uv(const PacketData<T, triangles>& data, int c, const PacketBaryc
   return select(at.inside, minimum(data.row(most_uv_row + c)[3], maximum(data.row(least_uv_row + c)[3], uv)), uv);
 }
 
+/// Where triangles have no texture coordinates: the least is greater than the greatest. No other triangle's is.
+template <class T, Triangles triangles>
+MaskOf<T> without_uv(const PacketData<T, triangles>& data) {
+  return data.row(least_uv_row)[3] > data.row(most_uv_row)[3];
+}
+
 template <class T, Triangles triangles>
 Vec3<T> interpolated3(const PacketData<T, triangles>& data, Attribute attribute, const Barycentric<T>& at) {
   return {interpolated(data, attribute, 0, at), interpolated(data, attribute, 1, at),

@@ -40,13 +40,15 @@ Vec3<T> shading_normal(const Scene& scene, const Geometry& geometry, const Packe
   return normalize(select<T>(zero, own, interpolated));
 }
 
+/// The texture's colour; white where the triangle has no texture coordinates. Those are looked for only where some are
+/// not finite, which those are not.
 template <class T, Triangles triangles>
 Rgb<T> texture_colour(const Material& material, const PacketData<T, triangles>& data, const PacketBarycentrics<T>& at,
                       const UndefinedTally<T>& tally) {
   const auto uv = [&](int c) { return interpolated_uv(data, c, at); };
   const Vec2<T> point(uv(0), uv(1));
   const auto finite = [](const T& x) { return magnitude(x) <= T(std::numeric_limits<RealOf<T>>::max()); };
-  tally.note(Undefined::bad_uv, !(finite(point.x) & finite(point.y)));
+  const MaskOf<T> bad = !(finite(point.x) & finite(point.y));
   Vec2<T> right(T(0)), down(T(0));
   if (material.texture_filter == TextureFilter::trilinear) {
     const auto change = [&](const Barycentric<T>& by) {
@@ -56,7 +58,12 @@ Rgb<T> texture_colour(const Material& material, const PacketData<T, triangles>& 
     right = change(at.right);
     down = change(at.down);
   }
-  return sample(*material.texture, material.texture_filter, point, right, down);
+  const Rgb<T> colour = sample(*material.texture, material.texture_filter, point, right, down);
+  if (!any(bad)) [[likely]]
+    return colour;
+  const MaskOf<T> none = without_uv(data);
+  tally.note(Undefined::bad_uv, bad & !none);
+  return select<T>(none, Rgb<T>(T(1)), colour);
 }
 
 template <class T, Triangles triangles>

@@ -1,5 +1,6 @@
 // The oracle of 60 digits against the slow path in long double: two texts of the same formulas that share no line.
 
+#include "tests/scenes/half_textured.h"
 #include "tests/scenes/listed_scenes.h"
 #include "tests/scenes/slow_shading.h"
 #include "verify/oracle/pixel_oracle.h"
@@ -30,9 +31,7 @@ struct Tally {
   std::size_t on_objects = 0, followed = 0;
 };
 
-Tally check_oracle(const std::string& path, int rows_apart) {
-  CAPTURE(path);
-  const Scene& scene = listed_scene(path);
+Tally check_oracle(const Scene& scene, int rows_apart) {
   RenderOptions options;
   options.width = width, options.height = height;
   options.want_levels = false;
@@ -70,7 +69,8 @@ Tally check_oracle(const std::string& path, int rows_apart) {
 void check_oracle(const std::vector<std::string>& paths, int rows_apart) {
   Tally sum;
   for (const std::string& path : paths) {
-    const Tally tally = check_oracle(path, rows_apart);
+    CAPTURE(path);
+    const Tally tally = check_oracle(listed_scene(path), rows_apart);
     sum.on_objects += tally.on_objects;
     sum.followed += tally.followed;
   }
@@ -82,6 +82,14 @@ void check_oracle(const std::vector<std::string>& paths, int rows_apart) {
 
 TEST_CASE("the oracle of 60 digits says what the slow path in long double says") {
   check_oracle(quick_scenes(), 34);
+}
+
+TEST_CASE("so it does of a mesh of which only some triangles have texture coordinates") {
+  for (const TextureFilter filter : {TextureFilter::nearest, TextureFilter::bilinear, TextureFilter::trilinear}) {
+    const Tally tally = check_oracle(half_textured(filter), 17);
+    CHECK(tally.followed >= 20);
+    CHECK(tally.followed == tally.on_objects);
+  }
 }
 
 TEST_SUITE("slow") {

@@ -69,6 +69,11 @@ std::uint64_t samples_passed(const GlApi& gl, Draw&& draw) {
   return passed;
 }
 
+/// Of a triangle's indices in the buffer, as DrawElements takes it.
+const void* place_of(std::size_t triangle) {
+  return reinterpret_cast<const void*>(triangle * 3 * sizeof(std::uint32_t));
+}
+
 } // namespace
 
 GlDrawing::GlDrawing(const GlApi& gl, const Scene& scene, const GlOptions& options)
@@ -142,18 +147,31 @@ GlDrawing::Part GlDrawing::part(const Object& object, const ShaderText& vertex, 
   return part;
 }
 
+// Whatever a shader does with its texture, white is what it gets where there are no coordinates to read another at. The
+// order of triangles stays: of equally near ones the first is seen.
+std::vector<GlDrawing::TextureRun> GlDrawing::texture_runs(const Mesh& mesh, GLuint texture, GLuint white) {
+  if (texture == white || mesh.uvs.size() == mesh.positions.size()) return {{texture, 0, mesh.triangles.size()}};
+  std::vector<TextureRun> runs;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const GLuint here = has_uvs(mesh, mesh.triangles[i]) ? texture : white;
+    if (runs.empty() || runs.back().texture != here) runs.push_back({here, i, 0});
+    ++runs.back().triangles;
+  }
+  return runs;
+}
+
 GlDrawing::Item GlDrawing::item(const Scene& scene, std::size_t number, const GlOptions& options,
                                 const Double4x4& clip_from_world) {
   const Object& object = scene.objects[number];
   Item item;
   item.name = object.name;
   item.cull = object.cull;
-  item.indices = static_cast<GLsizei>(3 * object.mesh->triangles.size());
   item.has_texture_coordinates = !object.mesh->uvs.empty();
-  item.texture = white_;
+  GLuint shown = white_;
   if (const Texture* const texture = object.material.texture.get())
-    item.texture = once(textures_, {texture, object.material.texture_filter},
-                        [&] { return upload_texture(gl_, *texture, object.material.texture_filter); });
+    shown = once(textures_, {texture, object.material.texture_filter},
+                 [&] { return upload_texture(gl_, *texture, object.material.texture_filter); });
+  item.runs = texture_runs(*object.mesh, shown, white_);
   if (const Merl* const merl = std::get_if<Merl>(&object.material.model))
     item.table = once(tables_, {merl->table.get(), merl->lookup}, [&] {
       const TableContent content = reads_logarithms(merl->lookup) ? TableContent::logarithms : TableContent::values;
@@ -208,10 +226,9 @@ void GlDrawing::prepare(const Item& item, const Part& part) const {
     gl_.BindBufferBase(use.target, use.binding, storage_.at({use.target, use.binding, use.size_bytes}));
     gl_.BufferData(use.target, use.size_bytes, zeros.data(), GL_DYNAMIC_DRAW);
   }
-  gl_.ActiveTexture(GL_TEXTURE0 + texture_unit);
-  gl_.BindTexture(GL_TEXTURE_2D, item.texture);
   gl_.ActiveTexture(GL_TEXTURE0 + merl_unit);
   gl_.BindTexture(GL_TEXTURE_3D, item.table);
+  gl_.ActiveTexture(GL_TEXTURE0 + texture_unit); // of each run: draw_runs, draw_each
   gl_.BindVertexArray(part.vertices);
   for (const ConstantAttribute& attribute : program.attributes.constants) set_constant(gl_, attribute);
   if (!item.has_texture_coordinates && (program.attributes.arrays & 1u << 2) != 0)
@@ -222,8 +239,16 @@ void GlDrawing::draw_item(const Item& item, GlPass pass) const {
   const Part& part = item.parts[static_cast<std::size_t>(pass)];
   if (!part.program->has_position) return;
   prepare(item, part);
-  if (pass == GlPass::colour) gl_.DrawElements(GL_TRIANGLES, item.indices, GL_UNSIGNED_INT, nullptr);
+  if (pass == GlPass::colour) draw_runs(item);
   else draw_each(item);
+}
+
+void GlDrawing::draw_runs(const Item& item) const {
+  for (const TextureRun& run : item.runs) {
+    gl_.BindTexture(GL_TEXTURE_2D, run.texture);
+    gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * run.triangles), GL_UNSIGNED_INT,
+                     place_of(run.first_triangle));
+  }
 }
 
 void GlDrawing::draw(GlPass pass) const {
@@ -233,11 +258,12 @@ void GlDrawing::draw(GlPass pass) const {
 
 // gl_PrimitiveID would be the way, but Mesa's softpipe has none in fragment shaders.
 void GlDrawing::draw_each(const Item& item) const {
-  constexpr std::size_t triangle_bytes = 3 * sizeof(std::uint32_t);
-  const std::size_t triangles = static_cast<std::size_t>(item.indices) / 3;
-  for (std::size_t i = 0; i < triangles; ++i) {
-    gl_.Uniform1f(item.triangle_number, static_cast<float>(i + 1));
-    gl_.DrawElements(GL_TRIANGLES, 3, GL_UNSIGNED_INT, reinterpret_cast<const void*>(i * triangle_bytes));
+  for (const TextureRun& run : item.runs) {
+    gl_.BindTexture(GL_TEXTURE_2D, run.texture);
+    for (std::size_t i = run.first_triangle; i < run.first_triangle + run.triangles; ++i) {
+      gl_.Uniform1f(item.triangle_number, static_cast<float>(i + 1));
+      gl_.DrawElements(GL_TRIANGLES, 3, GL_UNSIGNED_INT, place_of(i));
+    }
   }
 }
 
@@ -245,7 +271,7 @@ std::uint64_t GlDrawing::samples_alone(const Item& item, const Part& part) const
   clear(GlPass::colour);
   return samples_passed(gl_, [&] {
     prepare(item, part);
-    gl_.DrawElements(GL_TRIANGLES, item.indices, GL_UNSIGNED_INT, nullptr);
+    draw_runs(item);
   });
 }
 

@@ -38,6 +38,13 @@ public:
   std::vector<std::string> warnings() const { return warnings_.lines(); }
 
 private:
+  /// Triangles that follow one another and show one texture: white on those without texture coordinates.
+  struct TextureRun {
+    GLuint texture = 0;
+    std::size_t first_triangle = 0, triangles = 0;
+  };
+  static std::vector<TextureRun> texture_runs(const Mesh& mesh, GLuint texture, GLuint white);
+
   struct Program {
     ShaderText vertex, fragment;
     std::size_t function = 0; // the fragment function's place in Model: what is set depends on it
@@ -55,8 +62,8 @@ private:
   };
   struct Item {
     std::string name;
-    GLuint texture = 0, table = 0;
-    GLsizei indices = 0;
+    GLuint table = 0;
+    std::vector<TextureRun> runs;
     Cull cull = Cull::none;
     bool has_texture_coordinates = true, has_shaders_of_its_own = false;
     GLint triangle_number = -1; // place of that uniform in the program of ids
@@ -73,6 +80,7 @@ private:
   void clear(GlPass pass) const;
   void prepare(const Item& item, const Part& part) const;
   void draw_item(const Item& item, GlPass pass) const;
+  void draw_runs(const Item& item) const;
   void draw_each(const Item& item) const;
   std::uint64_t samples_alone(const Item& item, const Part& part) const;
 

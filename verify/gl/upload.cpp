@@ -54,7 +54,14 @@ GLuint upload_mesh(const GlApi& gl, const Mesh& mesh, unsigned attributes) {
   gl.BindVertexArray(vertices);
   if ((attributes & 1) != 0) add_attribute<3>(gl, 0, mesh.positions);
   if ((attributes & 2) != 0) add_attribute<3>(gl, 1, mesh.normals);
-  if ((attributes & 4) != 0 && !mesh.uvs.empty()) add_attribute<2>(gl, 2, mesh.uvs); // else GL's initial value: (0, 0)
+  if ((attributes & 4) != 0) {
+    if (mesh.uvs.size() == mesh.positions.size()) add_attribute<2>(gl, 2, mesh.uvs);
+    else if (!mesh.uvs.empty()) { // where there are none at all, GL's initial value is (0, 0)
+      std::vector<Float2> uvs = mesh.uvs;
+      uvs.resize(mesh.positions.size(), Float2(0.0f));
+      add_attribute<2>(gl, 2, uvs);
+    }
+  }
   fill_buffer(gl, GL_ELEMENT_ARRAY_BUFFER, mesh.triangles);
   return vertices;
 }

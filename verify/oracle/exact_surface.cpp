@@ -149,7 +149,7 @@ std::optional<ExactGeometry::Corner> ExactGeometry::corner(const Place& place, s
   if ((vertex.outcode & outcode::not_finite) != 0) return std::nullopt;
   corner.position = model.axes * exact(mesh.positions[index]) + exact(object.position);
   corner.normal = model.normals * exact(mesh.normals[index]);
-  if (!mesh.uvs.empty()) corner.u = Exact(mesh.uvs[index].x), corner.v = Exact(mesh.uvs[index].y);
+  if (index < mesh.uvs.size()) corner.u = Exact(mesh.uvs[index].x), corner.v = Exact(mesh.uvs[index].y);
   if ((vertex.outcode & outcode::unsnapped) != 0) {
     corner.window = window_point(Exact(corner.clip.x), Exact(corner.clip.y), Exact(corner.clip.w));
     corner.behind_eye = corner.clip.w <= 0;
@@ -199,7 +199,11 @@ std::optional<SurfacePoint> ExactGeometry::surface_at(const Place& place) const 
   const std::vector<Corner> part = in_front(corners);
   for (std::size_t k = 1; k + 1 < part.size(); ++k) {
     const Sight<Corner> sight({&part[0], &part[k], &part[k + 1]}, place.x, place.y);
-    if (sight.hits()) return sight.point();
+    if (!sight.hits()) continue;
+    std::optional<SurfacePoint> point = sight.point();
+    const Mesh& mesh = *scene_.objects[place.object].mesh;
+    if (point) point->has_uv = has_uvs(mesh, mesh.triangles[place.triangle]);
+    return point;
   }
   return std::nullopt;
 }

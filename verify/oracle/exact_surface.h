@@ -12,6 +12,7 @@ namespace refraster::oracle {
 
 struct SurfacePoint {
   Exact3 position, normal; // world space; normal of unit length
+  bool has_uv = true;      // whether the triangle has texture coordinates
   Exact u, v;
   Exact u_right, v_right, u_down, v_down; // their change by one pixel
 };

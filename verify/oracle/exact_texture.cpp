@@ -40,7 +40,7 @@ Exact3 trilinear(const Texture& texture, const SurfacePoint& at) {
 } // namespace
 
 Exact3 texture_colour(const Material& material, const SurfacePoint& at) {
-  if (!material.texture) return {1, 1, 1};
+  if (!material.texture || !at.has_uv) return {1, 1, 1};
   const Texture& texture = *material.texture;
   const TextureLevel& image = texture.levels[0];
   const Exact scale = 1 / Exact(texture.full_scale);

@@ -5,7 +5,8 @@
 
 namespace refraster::oracle {
 
-/// White without one. The levels of a mip chain are those of the texture: averages in float, by rule.
+/// White without one, and on triangles without texture coordinates. The levels of a mip chain are those of the texture:
+/// averages in float, by rule.
 Exact3 texture_colour(const Material& material, const SurfacePoint& at);
 
 } // namespace refraster::oracle
