@@ -158,7 +158,8 @@ void add_gl(CLI::App& program, Action& chosen) {
   command.footer(
       "An object is drawn by the GLSL files that the scene names where they exist, else by our own GLSL of the\n"
       "same formulas; a line on standard error says which. docs/glsl-interface.md: what a shader is given.\n"
-      "Exit code 3: GLSL that does not compile. 5: no OpenGL 3.3, or not the renderer that was asked for.");
+      "Exit code 3: GLSL that does not compile, link or draw. 5: no OpenGL 3.3, or not the renderer that was asked "
+      "for.");
   command.final_callback([&chosen, arguments] {
     check_together(*arguments);
     chosen = [arguments] {

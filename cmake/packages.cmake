@@ -4,6 +4,8 @@ find_package(glm REQUIRED CONFIG)
 find_package(Boost REQUIRED) # headers: exact integers of any size
 find_package(RapidJSON REQUIRED CONFIG)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto) # sha256 of measured tables
+find_package(PNG REQUIRED)
+find_package(JPEG REQUIRED) # libjpeg-turbo
 find_package(PkgConfig REQUIRED)
 find_package(ZLIB REQUIRED) # what OpenEXR unpacks, counted before
 pkg_check_modules(OpenEXR REQUIRED IMPORTED_TARGET OpenEXR)

@@ -1,11 +1,15 @@
 #include "io/fault_list.h"
 
 #include <algorithm>
+#include <span>
 
 namespace refraster {
 
 void FaultList::add(const InputError& error) {
-  for (const InputFault& fault : error.faults()) add(fault);
+  std::span<const InputFault> listed = error.faults();
+  if (error.unlisted() > 0) listed = listed.first(listed.size() - 1); // the last one only says how many more there are
+  for (const InputFault& fault : listed) add(fault);
+  count_ += error.unlisted();
 }
 
 void FaultList::add(const FaultList& others) {
@@ -24,11 +28,13 @@ void FaultList::throw_if_any() const {
   std::vector<InputFault> list = faults_;
   if (count_ > kept) {
     InputFault rest;
-    rest.file = faults_.back().file;
+    const std::string& file = faults_.back().file;
+    const auto is_there = [&](const InputFault& fault) { return fault.file == file; };
+    if (std::all_of(faults_.begin(), faults_.end(), is_there)) rest.file = file;
     rest.found = std::to_string(count_ - kept) + " more faults";
     list.push_back(std::move(rest));
   }
-  throw InputError(std::move(list));
+  throw InputError(std::move(list), count_ > kept ? count_ - kept : 0);
 }
 
 } // namespace refraster

@@ -4,9 +4,6 @@
 #include "io/input_error.h"
 #include "io/input_file.h"
 
-#include <algorithm>
-#include <initializer_list>
-
 namespace refraster {
 
 void check_image_size(const std::string& path, std::uint64_t width, std::uint64_t height, std::uint64_t file_bytes,
@@ -25,6 +22,10 @@ void check_image_size(const std::string& path, std::uint64_t width, std::uint64_
 void need_image(const ImageRequest& request, const std::string& path, std::uint64_t pixels, int channels,
                 std::uint64_t decoded_bytes) {
   request.memory.need(pixels * static_cast<std::uint64_t>(channels) * (sizeof(float) + decoded_bytes), path);
+}
+
+void refuse_image(const std::string& path, std::string place, std::string found, std::string expected) {
+  throw InputError(InputFault{path, 0, 0, std::move(place), std::move(found), std::move(expected)});
 }
 
 InputError truncated_image(const std::string& path) {
@@ -47,21 +48,10 @@ std::vector<std::string> default_channels(int count) {
 namespace {
 ImageFile read_image(const std::string& path, const ImageRequest& request) {
   if (auto fault = file_fault(path, "an image", limit::image_bytes.value)) throw InputError(std::move(*fault));
-  const std::string prefix = read_prefix(path, 1024);
-  const auto begins = [](std::string_view text, std::initializer_list<std::string_view> with) {
-    return std::any_of(with.begin(), with.end(), [&](std::string_view magic) { return text.starts_with(magic); });
-  };
-  const auto is_exr = [&](std::string_view text) { return begins(text, {"\x76\x2f\x31\x01"}); };
-  const auto is_hdr = [&](std::string_view text) { return begins(text, {"#?RADIANCE\n", "#?RGBE\n"}); };
-  const auto is_pfm = [&](std::string_view text) { return begins(text, {"PF", "Pf"}); };
-  if (!is_exr(prefix) && !is_hdr(prefix) && !is_pfm(prefix))
-    check_stb_prefix(path, prefix); // before the whole is read, however large it is
+  image_reader(path, read_prefix(path, 1024)); // before the whole is read, however large it is
   request.memory.need(file_size_bytes(path), path);
   const std::string bytes = read_file(path, "an image", limit::image_bytes.value);
-  if (is_exr(bytes)) return read_exr(path, bytes, request);
-  if (is_hdr(bytes)) return read_hdr(path, bytes, request);
-  if (is_pfm(bytes)) return read_pfm(path, bytes, request);
-  return read_stb(path, bytes, request);
+  return image_reader(path, bytes)(path, bytes, request);
 }
 } // namespace
 
@@ -69,8 +59,9 @@ ImageFile read_image(const std::string& path, const MemoryBudget& memory) {
   return read_image(path, ImageRequest{memory});
 }
 
-Texture read_texture(const std::string& path, const MemoryBudget& memory) {
+Texture read_texture(const std::string& path, const MemoryBudget& memory, NoteList* notes) {
   const ImageFile image = read_image(path, ImageRequest{memory, limit::texture_side});
+  if (notes) notes->add(image.notes);
   if (image.bits > 16)
     throw InputError(InputFault{path, 0, 0, "", "an image of floating-point numbers", "8 or 16 bits a channel"});
   Texture texture;

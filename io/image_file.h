@@ -24,14 +24,15 @@ struct ImageFile {
   NoteList notes;                    // what was read otherwise than it is stored
 };
 
-/// Reads `.png .jpg .tga .bmp` (8 or 16 bits), `.hdr .pfm .exr` (float). What it is, is seen from its content.
-/// Throws InputError. The size it declares is checked against the limits (io/limits.h), and against the size of the
-/// file, before any memory is taken.
+/// Reads PNG, JPEG, TGA, BMP (8 or 16 bits), Radiance HDR, PFM, OpenEXR (float). What it is, is seen from its content;
+/// docs/image-formats.md says what is read of each. Values are as stored: no gamma, no colour profile and no EXIF
+/// orientation is applied. Throws InputError. The size it declares is checked against the limits (io/limits.h), and
+/// against the size of the file, before any memory is taken.
 ImageFile read_image(const std::string& path, const MemoryBudget& memory = {});
 
 /// Reads an image of 8 or 16 bits, within limit::texture_side, as a texture with level 0 only: one channel becomes
-/// grey, alpha is dropped.
-Texture read_texture(const std::string& path, const MemoryBudget& memory = {});
+/// grey, alpha is dropped. Else as read_image; its notes go to `notes`, if not null.
+Texture read_texture(const std::string& path, const MemoryBudget& memory = {}, NoteList* notes = nullptr);
 
 /// Writes 8-bit grey (1 channel) or RGB (3) as PNG, with no colour profile. Throws OutputError.
 void write_png(const std::string& path, const Image<std::uint8_t>& image);

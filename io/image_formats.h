@@ -5,6 +5,7 @@
 #include "io/input_error.h"
 #include "io/limits.h"
 
+#include <memory>
 #include <string_view>
 
 namespace refraster {
@@ -26,22 +27,38 @@ void check_image_size(const std::string& path, std::uint64_t width, std::uint64_
 /// The names of 1 to 4 channels.
 std::vector<std::string> default_channels(int count);
 
-/// Throws InputError unless a file that begins like this may be one of read_stb's.
-void check_stb_prefix(const std::string& path, std::string_view prefix);
-
 /// What is said of a file that ends before its image does.
 InputError truncated_image(const std::string& path);
 
-/// PNG, JPEG, TGA, BMP.
-ImageFile read_stb(const std::string& path, std::string_view bytes, const ImageRequest& request);
+/// Throws InputError with one fault: at `place` of the file, "" for the file as a whole.
+[[noreturn]] void refuse_image(const std::string& path, std::string place, std::string found, std::string expected);
+
+/// Each reads the bytes of a whole file; InputError says what is wrong with them.
+using ImageReader = ImageFile (*)(const std::string& path, std::string_view bytes, const ImageRequest& request);
+
+/// The reader of files that begin like this, as far as 1024 bytes of them tell. Throws InputError for an unknown type.
+ImageReader image_reader(const std::string& path, std::string_view prefix);
+
+ImageFile read_png(const std::string& path, std::string_view bytes, const ImageRequest& request);
+ImageFile read_jpeg(const std::string& path, std::string_view bytes, const ImageRequest& request);
+ImageFile read_bmp(const std::string& path, std::string_view bytes, const ImageRequest& request);
+ImageFile read_tga(const std::string& path, std::string_view bytes, const ImageRequest& request);
 ImageFile read_hdr(const std::string& path, std::string_view bytes, const ImageRequest& request);
 ImageFile read_pfm(const std::string& path, std::string_view bytes, const ImageRequest& request);
 ImageFile read_exr(const std::string& path, std::string_view bytes, const ImageRequest& request);
 
-/// How many pixels a byte of a PNG, JPEG, BMP or TGA may stand for. Throws InputError for what stb_image must not see:
-/// a chunk of a PNG that is longer than the file; a BMP without all its pixels, with an index beyond its palette, or of
-/// OS/2 with a palette, of which stb_image forgets four colours.
-std::uint64_t check_before_stb(const std::string& path, std::string_view bytes, const ImageRequest& request);
+/// Whether a file that begins like this can be a TGA, which has no signature.
+bool may_be_tga(std::string_view prefix);
+
+/// 1 to 4 channels of 8 bits as stb_image gives them: row 0 at the top, channels interleaved.
+struct StbPixels {
+  std::unique_ptr<std::uint8_t, void (*)(void*)> values;
+  int width, height, channels;
+};
+
+/// Decodes a BMP or TGA of which `header` is all that stands before the pixels. stb_image must agree with it; the
+/// callers make headers of the plainest kind. Throws InputError if pixels are missing; std::bad_alloc.
+StbPixels decode_stb(const std::string& path, std::string_view header, std::string_view pixels);
 
 /// What OpenEXR must not see: see read_exr_header; and a file that lacks rows or tiles, or in which one of them does
 /// not fill its place: OpenEXR 3.1 takes the rest of it from memory. Throws InputError.

@@ -24,7 +24,8 @@ std::string joined(const std::vector<InputFault>& faults) {
 }
 } // namespace
 
-InputError::InputError(std::vector<InputFault> list) : std::runtime_error(joined(list)), faults_(std::move(list)) {}
+InputError::InputError(std::vector<InputFault> list, std::size_t unlisted)
+    : std::runtime_error(joined(list)), faults_(std::move(list)), unlisted_(unlisted) {}
 
 OutputError::OutputError(const std::string& file, const std::string& reason)
     : std::runtime_error(one_line(file + ": cannot write: " + reason)) {}

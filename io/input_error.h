@@ -1,6 +1,7 @@
 #pragma once
 // What is said to a user whose file or argument is wrong.
 
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -23,16 +24,19 @@ struct InputFault {
 /// All faults found in the input, in the order of the file. what() has one line for each. Exit code 3.
 class InputError : public std::runtime_error {
 public:
-  explicit InputError(std::vector<InputFault> list);
+  /// `unlisted`: how many faults the last of the list stands for ("found 400 more faults"); 0 if it is one itself.
+  explicit InputError(std::vector<InputFault> list, std::size_t unlisted = 0);
   explicit InputError(InputFault fault) : InputError(std::vector<InputFault>{std::move(fault)}) {}
   InputError(InputFault fault, std::string advice) : InputError(std::move(fault)) { advice_ = std::move(advice); }
   const std::vector<InputFault>& faults() const { return faults_; }
   /// What to do about it: lines to print below what(), each with its line end. Mostly empty.
   const std::string& advice() const { return advice_; }
+  std::size_t unlisted() const { return unlisted_; }
 
 private:
   std::string advice_;
   std::vector<InputFault> faults_;
+  std::size_t unlisted_ = 0;
 };
 
 /// An output file cannot be written: full disk, missing folder, no permission. Exit code 4.

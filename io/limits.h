@@ -35,11 +35,13 @@ inline constexpr Limit glsl_bytes{"a GLSL file", std::uint64_t{1} << 20, "bytes"
                                   "a shader is text that someone wrote"};
 // Images and textures
 inline constexpr Limit image_side{"an image that is read, each side", 65536, "a side", "W x H pixels",
-                                  "what stb_image takes"};
+                                  "what stb_image takes; a JPEG has 65500 at most"};
 inline constexpr Limit image_pixels{"an image that is read", std::uint64_t{1} << 28, "pixels", "W x H pixels",
                                     "16384 x 16384, the largest that is rendered"};
 inline constexpr Limit image_channels{"channels of an EXR image", 64, "channels", "N channels",
                                       "each takes as much as a grey image"};
+inline constexpr Limit jpeg_scans{"scans of a JPEG image", 500, "scans", "N scans",
+                                  "ten are usual, and each, however few bytes it has, goes through the whole image"};
 inline constexpr Limit texture_side{"a texture, each side", 16384, "texels a side", "W x H pixels",
                                     "the most that OpenGL drivers take: `gl` must draw the same"};
 // The scene
@@ -67,10 +69,10 @@ inline constexpr Limit threads{
 } // namespace limit
 
 inline constexpr const Limit* all_limits[] = {
-    &limit::scene_bytes,   &limit::json_depth,       &limit::obj_bytes,      &limit::image_bytes,  &limit::glsl_bytes,
-    &limit::image_side,    &limit::image_pixels,     &limit::image_channels, &limit::texture_side, &limit::objects,
-    &limit::point_lights,  &limit::direction_lights, &limit::vertices,       &limit::triangles,    &limit::frame_side,
-    &limit::frame_samples, &limit::threads};
+    &limit::scene_bytes, &limit::json_depth,    &limit::obj_bytes,        &limit::image_bytes, &limit::glsl_bytes,
+    &limit::image_side,  &limit::image_pixels,  &limit::image_channels,   &limit::jpeg_scans,  &limit::texture_side,
+    &limit::objects,     &limit::point_lights,  &limit::direction_lights, &limit::vertices,    &limit::triangles,
+    &limit::frame_side,  &limit::frame_samples, &limit::threads};
 
 /// What a message says was expected: "at most 65536 pixels a side".
 std::string at_most(const Limit& limit);

@@ -7,8 +7,14 @@
 
 #include <tiny_obj_loader.h>
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <iomanip>
 #include <istream>
+#include <limits>
+#include <locale>
+#include <sstream>
 #include <streambuf>
 
 namespace refraster {
@@ -57,8 +63,8 @@ ObjFaces parse_faces(ObjText& obj) {
   return std::move(collector.faces);
 }
 
-/// Steps that all polygons of a file together may take to be cut, beyond what is in proportion to the file: some five
-/// seconds. Any polygon of 10,000 corners keeps within them.
+/// Steps that all polygons of a file together may take to be cut, and all its edges to be smoothed, beyond what is in
+/// proportion to the file: some five seconds. Any polygon of 10,000 corners keeps within them.
 constexpr std::uint64_t most_steps = std::uint64_t{1} << 29;
 
 InputError too_intricate(const std::string& path, std::size_t face, std::size_t corners) {
@@ -67,26 +73,64 @@ InputError too_intricate(const std::string& path, std::size_t face, std::size_t 
                                "simpler polygons, or triangles"});
 }
 
-} // namespace
-
-Mesh read_obj(const std::string& path) {
-  return mesh_of_obj(path, read_file(path, "an OBJ file", limit::obj_bytes.value));
+bool is_finite(const Float3& a) {
+  return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
+}
+bool is_finite(const Float2& a) {
+  return std::isfinite(a.x) && std::isfinite(a.y);
 }
 
-Mesh mesh_of_obj(const std::string& path, std::string text) {
-  ObjText obj = check_obj(path, std::move(text));
-  ObjFaces faces = parse_faces(obj);
-  obj.text = {};
-  // Before the triangles are made: a polygon of n corners becomes n - 2. There are no more vertices than corners.
-  if (const std::uint64_t triangles = faces.corners.size() - 2 * faces.count(); triangles > limit::triangles.value)
-    throw InputError(InputFault{path, 0, 0, "", found_of(limit::triangles, triangles), at_most(limit::triangles)});
-  add_missing_normals(obj, faces);
+/// A vn or vt that is not finite stands for none; and a face has a vt at all corners, or at none.
+void drop_what_is_missing(const ObjText& obj, ObjFaces& faces) {
+  for (std::size_t f = 0; f < faces.count(); ++f) {
+    const auto corners = faces.face(f);
+    const auto has_vt = [&](const ObjCorner& corner) {
+      return corner.vt >= 0 && is_finite(obj.vt[static_cast<std::size_t>(corner.vt)]);
+    };
+    const bool textured = std::all_of(corners.begin(), corners.end(), has_vt);
+    for (ObjCorner& corner : corners) {
+      if (!textured) corner.vt = -1;
+      if (corner.vn >= 0 && !is_finite(obj.vn[static_cast<std::size_t>(corner.vn)])) corner.vn = -1;
+    }
+  }
+}
 
-  Mesh mesh;
-  TripleIndex vertices(faces.corners.size());
+std::string three_digits(double x) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic()); // whatever the program's own is
+  text << std::setprecision(3) << x;
+  return text.str();
+}
+
+/// Survey coordinates: the mesh is small, and far from the origin.
+void note_rounding(const std::string& path, const ObjText& obj, const ObjFaces& faces, NoteList& notes) {
+  if (obj.moved.empty()) return;
+  std::vector<char> used(obj.v.size());
+  Float3 low(std::numeric_limits<float>::infinity()), high = -low;
+  for (const ObjCorner& corner : faces.corners) {
+    const auto v = static_cast<std::size_t>(corner.v);
+    used[v] = 1;
+    low = glm::min(low, obj.v[v]), high = glm::max(high, obj.v[v]);
+  }
+  double moved = 0;
+  for (const MovedVertex& vertex : obj.moved)
+    if (used[static_cast<std::size_t>(vertex.v)]) moved = std::max(moved, static_cast<double>(vertex.by));
+  const auto largest = [](const Double3& a) { return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)}); };
+  const double size = largest(Double3(high) - Double3(low));
+  if (!(moved > size / 1000)) return;
+  const double away = std::max(largest(Double3(low)), largest(Double3(high)));
+  notes.add({path, 0, "",
+             "coordinates as large as " + three_digits(away) +
+                 " are rounded to single precision, which moves them by up to " + three_digits(moved) +
+                 ": more than a thousandth of the mesh's size, " + three_digits(size)});
+}
+
+/// Triangles of all faces, and a vertex for each different (v, vt, vn), in the order in which they appear.
+std::vector<std::array<std::uint32_t, 3>> cut(const std::string& path, const ObjText& obj, const ObjFaces& faces,
+                                              TripleIndex& vertices, std::uint64_t& steps_left) {
+  std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<Float3> polygon;
   std::vector<std::uint32_t> names;
-  std::uint64_t steps_left = most_steps;
   for (std::size_t f = 0; f < faces.count(); ++f) {
     polygon.clear();
     names.clear();
@@ -95,21 +139,66 @@ Mesh mesh_of_obj(const std::string& path, std::string text) {
       names.push_back(static_cast<std::uint32_t>(vertices({corner.v, corner.vt, corner.vn})));
     }
     if (polygon.size() == 3) {
-      mesh.triangles.push_back({names[0], names[1], names[2]});
+      triangles.push_back({names[0], names[1], names[2]});
       continue;
     }
-    const auto triangles = triangulate(polygon, steps_left);
-    if (triangles.empty()) throw too_intricate(path, f, polygon.size());
-    for (const auto& [a, b, c] : triangles) mesh.triangles.push_back({names[a], names[b], names[c]});
+    const auto parts = triangulate(polygon, steps_left);
+    if (parts.empty()) throw too_intricate(path, f, polygon.size());
+    for (const auto& [a, b, c] : parts) triangles.push_back({names[a], names[b], names[c]});
   }
+  return triangles;
+}
+
+/// Numbers those vertices first that have a vt.
+void put_textured_first(std::vector<TripleIndex::Triple>& vertices,
+                        std::vector<std::array<std::uint32_t, 3>>& triangles) {
+  const auto has_vt = [](const TripleIndex::Triple& vertex) { return vertex[1] >= 0; };
+  if (std::is_partitioned(vertices.begin(), vertices.end(), has_vt)) return; // nearly always
+  std::vector<std::uint32_t> place(vertices.size());
+  std::uint32_t textured = 0;
+  auto plain = static_cast<std::uint32_t>(std::count_if(vertices.begin(), vertices.end(), has_vt));
+  for (std::size_t i = 0; i < vertices.size(); ++i) place[i] = has_vt(vertices[i]) ? textured++ : plain++;
+  std::stable_partition(vertices.begin(), vertices.end(), has_vt);
+  for (auto& triangle : triangles)
+    for (std::uint32_t& vertex : triangle) vertex = place[vertex];
+}
+
+} // namespace
+
+Mesh read_obj(const std::string& path, const ObjOptions& options) {
+  return mesh_of_obj(path, read_file(path, "an OBJ file", limit::obj_bytes.value), options);
+}
+
+Mesh mesh_of_obj(const std::string& path, std::string text, const ObjOptions& options) {
+  NoteList notes;
+  ObjText obj = check_obj(path, std::move(text), notes);
+  ObjFaces faces = parse_faces(obj);
+  obj.text = {};
+  // Before the triangles are made: a polygon of n corners becomes n - 2. There are no more vertices than corners.
+  if (const std::uint64_t triangles = faces.corners.size() - 2 * faces.count(); triangles > limit::triangles.value)
+    throw InputError(InputFault{path, 0, 0, "", found_of(limit::triangles, triangles), at_most(limit::triangles)});
+  drop_what_is_missing(obj, faces);
+  note_rounding(path, obj, faces, notes);
+  std::uint64_t steps_left = most_steps;
+  if (!add_missing_normals(obj, faces, options.normals, steps_left))
+    throw InputError(InputFault{path, 0, 0, "", "edges that so many faces share that smoothing takes too long",
+                                "smoothing groups, or normals (vn)"});
+
+  TripleIndex index(faces.corners.size());
+  Mesh mesh;
+  mesh.triangles = cut(path, obj, faces, index, steps_left);
+  std::vector<TripleIndex::Triple> vertices = index.take_triples();
+  put_textured_first(vertices, mesh.triangles);
   mesh.positions.reserve(vertices.size());
   mesh.normals.reserve(vertices.size());
-  if (!obj.vt.empty()) mesh.uvs.reserve(vertices.size());
-  for (const auto& [v, vt, vn] : vertices.triples()) {
+  mesh.uvs.reserve(static_cast<std::size_t>(
+      std::count_if(vertices.begin(), vertices.end(), [](const auto& vertex) { return vertex[1] >= 0; })));
+  for (const auto& [v, vt, vn] : vertices) {
     mesh.positions.push_back(obj.v[static_cast<std::size_t>(v)]);
     mesh.normals.push_back(obj.vn[static_cast<std::size_t>(vn)]);
-    if (!obj.vt.empty()) mesh.uvs.push_back(vt < 0 ? Float2(0.0f) : obj.vt[static_cast<std::size_t>(vt)]);
+    if (vt >= 0) mesh.uvs.push_back(obj.vt[static_cast<std::size_t>(vt)]);
   }
+  if (options.notes) options.notes->add(notes);
   return mesh;
 }
 

@@ -47,9 +47,10 @@ void write_obj(const std::string& path, const Mesh& mesh) {
   for (const Float3& n : mesh.normals) out << "vn " << n.x << " " << n.y << " " << n.z << "\n";
   for (const auto& triangle : mesh.triangles) {
     out << "f";
+    const bool textured = has_uvs(mesh, triangle);
     for (const std::uint32_t vertex : triangle) {
       out << " " << vertex + 1 << "/";
-      if (!mesh.uvs.empty()) out << vertex + 1;
+      if (textured) out << vertex + 1;
       out << "/" << vertex + 1;
     }
     out << "\n";

@@ -7,11 +7,13 @@
 //   keys.object("camera", presence, "meaning", declare)              an object; declare(keys) has its members
 //   keys.list("objects", limit::objects, "meaning", items, declare)  objects; declare(item, keys) has those of each
 //   keys.shape("mesh", shape, "meaning")                             one of the shapes below
+//   keys.normals("normals", normals, "meaning")                      a word, or an object with an angle
 //   keys.check(value)                                                what a single key cannot show
 //   keys.parameters(model, use)                                      what a fragment function declares (fields.h)
 // A value that may be left out keeps what the member is initialised with.
 
 #include "io/limits.h"
+#include "io/mesh_normals.h"
 #include "raster/scene.h"
 
 #include <optional>
@@ -96,11 +98,18 @@ struct KnotShape {
 };
 using Shape = std::variant<SphereShape, CubeShape, PlaneShape, TorusShape, KnotShape>;
 
+/// MeshNormals as an object of JSON.
+void crease_keys(auto& normals, auto&& keys) {
+  keys("crease_degrees", normals.crease_degrees, Range{0, 180},
+       "edges are smooth where two faces enclose at most this angle, sharp where they enclose more", required);
+}
+
 /// An object as the file describes it. What lies in other files is still to be loaded.
 struct ObjectText {
   Object object;
   ModelName fragment_function;
   PathText obj_file, vertex_shader, fragment_shader;
+  MeshNormals normals; // of obj_file
   std::optional<Shape> shape;
   PathText texture_file, brdf_file;
 };
@@ -180,6 +189,10 @@ void object_keys(auto& text, auto&& keys) {
   keys("name", text.object.name, Range{}, "for reports", otherwise("the mesh file's name, or the shape's"));
   keys("obj_file_path", text.obj_file, Range{}, "an OBJ file", otherwise("`mesh`"));
   keys.shape("mesh", text.shape, "a shape instead of a file: exactly one of the two is there");
+  keys.normals(
+      "normals", text.normals,
+      "of an OBJ file: `\"file\"`, as it says; the others, computed from its faces: one normal a vertex, one a "
+      "face, or sharp edges");
   keys("fragment_function", text.fragment_function, Range{}, "which function shades the surface",
        otherwise("the stem of `fragment_shader_file_path`"));
   const Presence shader = text.fragment_function.given ? otherwise("nothing") : required;

@@ -71,6 +71,11 @@ public:
            [](MarkdownKeys& keys) { keys.shapes(static_cast<const Shape*>(nullptr)); });
   }
 
+  void normals(std::string_view key, MeshNormals& normals, std::string_view meaning) {
+    row(key, expected_normals(), code(text_of(normals.from)), meaning);
+    inside(place_ + '/' + std::string(key), [&](MarkdownKeys& keys) { crease_keys(normals, keys); });
+  }
+
   /// The keys of every fragment function, each in a table of its own.
   template <class M>
   void parameters(M& model, Use) {

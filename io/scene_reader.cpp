@@ -125,6 +125,18 @@ void SceneReader::shape(std::string_view key, std::optional<Shape>& shape, std::
   });
 }
 
+void SceneReader::normals(std::string_view key, MeshNormals& normals, std::string_view) {
+  const std::string expected = expected_normals();
+  const JsonIndex found = claim(key, defaulted, expected);
+  if (!found) return;
+  if (document_[found].kind != JsonKind::object) {
+    if (!read_value(document_, document_[found], Range{}, normals.from)) not_expected(found, key, expected);
+    return;
+  }
+  normals.from = NormalsFrom::crease;
+  read_object(found, path_of(key), [&](SceneReader& keys) { crease_keys(normals, keys); });
+}
+
 void SceneReader::check(Camera& camera) {
   if (!sound_) return;
   if (!find("target")) camera.target = camera.position + Double3(0, 0, -1);
@@ -154,6 +166,7 @@ void SceneReader::check(ObjectText& text) {
   const bool has_file = find("obj_file_path"), has_shape = find("mesh");
   if (has_file && has_shape) fault("mesh", "both obj_file_path and mesh", "one of the two");
   if (!has_file && !has_shape) missing("obj_file_path", "the path of a file, or the key mesh");
+  if (has_shape && find("normals")) fault("normals", "normals beside mesh", "obj_file_path: a shape has its own");
   if (!text.fragment_shader.given.empty() && !model_of(text) && !text.fragment_function.given) {
     std::string stems;
     for_each_model([&](auto model, std::size_t) {

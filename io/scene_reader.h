@@ -47,6 +47,7 @@ public:
   }
 
   void shape(std::string_view key, std::optional<Shape>& shape, std::string_view);
+  void normals(std::string_view key, MeshNormals& normals, std::string_view);
 
   template <class M>
   void parameters(M& model, Use use) {

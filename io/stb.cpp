@@ -1,5 +1,5 @@
 // The bodies of stb_image and stb_image_write, which are headers. Their warnings are not ours: they are system headers.
-// Images come from strangers, and stb_image has open faults; cmake/stb.cmake says what else is done about them.
+// stb_image is compiled without the formats that are read by other means; cmake/stb.cmake says with which flags.
 #include <cstdlib>
 #include <new>
 
@@ -11,14 +11,12 @@ void* given(void* memory) {
 }
 } // namespace
 
-// Memory is handed out as zeros. Where a decoder does not fill all of an image, as with blocks that no scan of a JPEG
-// names, it would show what was in memory before: so that is black, and the same each time.
+// Memory is handed out as zeros. If a decoder did not fill all of an image, it would show what was in memory before: so
+// that is black, and the same each time.
 #define STBI_MALLOC(size) std::calloc(1, size)
 #define STBI_REALLOC(memory, size) std::realloc(memory, size)
 #define STBI_FREE(memory) std::free(memory)
 
-#define STBI_ONLY_PNG
-#define STBI_ONLY_JPEG
 #define STBI_ONLY_TGA
 #define STBI_ONLY_BMP
 #define STBI_NO_HDR

@@ -133,8 +133,8 @@ std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const Float3> po
 }
 
 std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const Float3> polygon) {
-  std::uint64_t any_number = std::numeric_limits<std::uint64_t>::max() / 2;
-  return triangulate(polygon, any_number);
+  std::uint64_t any_cut = std::numeric_limits<std::uint64_t>::max() / 2;
+  return triangulate(polygon, any_cut);
 }
 
 } // namespace refraster

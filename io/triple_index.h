@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace refraster {
@@ -28,7 +29,8 @@ public:
     return slots_[slot];
   }
 
-  const std::vector<Triple>& triples() const { return triples_; }
+  /// The triples by their numbers; it has none from then on.
+  std::vector<Triple> take_triples() { return std::move(triples_); }
   std::size_t size() const { return triples_.size(); }
 
 private:

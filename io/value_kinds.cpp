@@ -77,6 +77,10 @@ std::string expected_value(const ModelName&, const Range&) {
   return result;
 }
 
+std::string expected_normals() {
+  return expected_value(NormalsFrom::file, Range{}) + " or an object with crease_degrees";
+}
+
 bool read_value(const JsonDocument&, const JsonNode& node, const Range& range, double& value) {
   if (node.kind != JsonKind::number || !range.contains(node.number)) return false;
   value = node.number;

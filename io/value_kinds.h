@@ -21,6 +21,9 @@ std::string expected_value(const ModelName&, const Range&);
 /// A word as JSON has it: in quotes, but for the literals true and false.
 std::string json_word(std::string_view word);
 
+/// What may stand at the key "normals".
+std::string expected_normals();
+
 template <NamedEnum Enum>
 std::string expected_value(const Enum&, const Range&) {
   std::string result;

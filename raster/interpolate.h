@@ -75,6 +75,9 @@ public:
 
   const Packet<T>& packet() const { return packet_; }
 
+  /// Lanes differ in that: without_uv() says which have none.
+  static constexpr bool may_have_texture_coordinates() { return true; }
+
   /// The triangles' own normals, of any length; 0 where a triangle has none.
   Vec3<T> own_normals(const Scene& scene, const Geometry& geometry) const {
     Vec3<T> own;
@@ -261,6 +264,12 @@ template <class Data, class T = typename Data::Number>
 T interpolated_uv(const Data& data, int c, const PacketBarycentrics<T>& at) {
   const T uv = interpolated(data, Attribute::uv, c, at.at);
   return select(at.inside, minimum(data.row(most_uv_row + c)[3], maximum(data.row(least_uv_row + c)[3], uv)), uv);
+}
+
+/// Where triangles have no texture coordinates: the least is greater than the greatest. No other triangle's is.
+template <class Data, class T = typename Data::Number>
+MaskOf<T> without_uv(const Data& data) {
+  return data.row(least_uv_row)[3] > data.row(most_uv_row)[3];
 }
 
 template <class Data, class T = typename Data::Number>

@@ -107,6 +107,11 @@ public:
     return lines;
   }
 
+  bool may_have_texture_coordinates() const {
+    const Mesh& mesh = *place_.scene.objects[ref_.object].mesh;
+    return has_uvs(mesh, mesh.triangles[ref_.triangle]);
+  }
+
   /// The triangle's own normal, of any length; 0 where it has none.
   Vec3<T> own_normals(const Scene& scene, const Geometry& geometry) const {
     const Mesh& mesh = *scene.objects[ref_.object].mesh;
@@ -140,7 +145,7 @@ private:
       result.inverse_w[k] = as<T>(window[corner_[k]].inverse_w);
       result.uv[k] = Vec2<T>(T(0));
     }
-    if (mesh.uvs.empty()) return result;
+    if (!may_have_texture_coordinates()) return result;
     const auto& indices = mesh.triangles[ref_.triangle];
     for (int c = 0; c < 2; ++c) {
       const UvComponent uv = uv_component(mesh, {indices[corner_[0]], indices[corner_[1]], indices[corner_[2]]}, c);

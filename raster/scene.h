@@ -18,9 +18,16 @@ namespace refraster {
 struct Mesh {
   std::vector<Float3> positions;                       // one entry a unique (position, normal, uv)
   std::vector<Float3> normals;                         // as many as positions; any length
-  std::vector<Float2> uvs;                             // as many as positions, or none: then (0, 0) everywhere
+  std::vector<Float2> uvs;                             // of the first vertices, all or some; the others have none
   std::vector<std::array<std::uint32_t, 3>> triangles; // indices into the above, each < positions.size()
 };
+
+/// Whether a triangle of the mesh has texture coordinates: all its corners do. Without them a texture is not shown on
+/// it, as OBJ has it (statement f): it is white.
+inline bool has_uvs(const Mesh& mesh, const std::array<std::uint32_t, 3>& triangle) {
+  const std::size_t count = mesh.uvs.size();
+  return triangle[0] < count && triangle[1] < count && triangle[2] < count;
+}
 
 /// OpenGL's camera: right-handed, looks down its own -Z. target != position; up not parallel to the line of sight.
 struct Camera {

@@ -33,13 +33,15 @@ Vec3<T> shading_normal(const Scene& scene, const Geometry& geometry, const Data&
   return normalize(select<T>(zero, own, interpolated));
 }
 
+/// The texture's colour; white where the triangle has no texture coordinates. Those are looked for only where some are
+/// not finite, which those are not.
 template <class Data, class T = typename Data::Number>
 Rgb<T> texture_colour(const Material& material, const Data& data, const PacketBarycentrics<T>& at,
                       const UndefinedTally<T>& tally) {
   const auto uv = [&](int c) { return interpolated_uv(data, c, at); };
   const Vec2<T> point(uv(0), uv(1));
   const auto finite = [](const T& x) { return magnitude(x) <= largest_number<T>(); };
-  tally.note(Undefined::bad_uv, !(finite(point.x) & finite(point.y)));
+  const MaskOf<T> bad = !(finite(point.x) & finite(point.y));
   Vec2<T> right(T(0)), down(T(0));
   if (material.texture_filter == TextureFilter::trilinear) {
     const auto change = [&](const Barycentric<T>& by) {
@@ -49,7 +51,12 @@ Rgb<T> texture_colour(const Material& material, const Data& data, const PacketBa
     right = change(at.right);
     down = change(at.down);
   }
-  return sample(*material.texture, material.texture_filter, point, right, down);
+  const Rgb<T> colour = sample(*material.texture, material.texture_filter, point, right, down);
+  if (!any(bad)) [[likely]]
+    return colour;
+  const MaskOf<T> none = without_uv(data);
+  tally.note(Undefined::bad_uv, bad & !none);
+  return select<T>(none, Rgb<T>(T(1)), colour);
 }
 
 template <class Data, class T = typename Data::Number>
@@ -63,7 +70,8 @@ PacketSurface<T> packet_surface(const Scene& scene, const Geometry& geometry, co
   surface.normal = shading_normal(scene, geometry, data, interpolated3(data, Attribute::normal, at.at), tally);
   surface.to_eye = normalize(as<T>(scene.camera.position) - surface.position);
   tally.note(Undefined::eye_at_surface, dot(surface.to_eye, surface.to_eye) <= T(0));
-  surface.texture = material.texture ? texture_colour(material, data, at, tally) : Rgb<T>(T(1));
+  const bool shows_texture = material.texture && data.may_have_texture_coordinates();
+  surface.texture = shows_texture ? texture_colour(material, data, at, tally) : Rgb<T>(T(1));
   return surface;
 }
 

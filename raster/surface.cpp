@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <limits>
 
 namespace refraster {
 
@@ -73,10 +74,14 @@ template <class Real>
 
   const Mesh& mesh = *scene.objects[ref.object].mesh;
   const auto& indices = mesh.triangles[ref.triangle];
+  const bool textured = has_uvs(mesh, indices);
   for (int c = 0; c < 2; ++c) {
     std::array<Real, 4>& row = t.row[static_cast<std::size_t>(Attribute::uv) + static_cast<std::size_t>(c)];
-    row = {};
-    if (mesh.uvs.empty()) continue;
+    if (!textured) {
+      row = {std::numeric_limits<Real>::quiet_NaN(), Real(0), Real(0), Real(1)};
+      t.row[static_cast<std::size_t>(most_uv_row + c)][3] = Real(0);
+      continue;
+    }
     const auto uv = uv_component(mesh, {indices[corner[0]], indices[corner[1]], indices[corner[2]]}, c).value;
     row = {static_cast<Real>(uv[0]), static_cast<Real>(uv[1] - uv[0]), static_cast<Real>(uv[2] - uv[0]),
            static_cast<Real>(std::min({uv[0], uv[1], uv[2]}))};
@@ -163,8 +168,8 @@ template void set_up_surfaces(const Scene&, const Geometry&, const Bins&, std::s
 std::array<double, 2> whole_repeats(const Scene& scene, const Geometry& geometry, std::uint32_t number) {
   const TriangleRef ref = triangle_ref(scene, geometry, number);
   const Mesh& mesh = *scene.objects[ref.object].mesh;
-  if (mesh.uvs.empty()) return {};
   const auto& vertices = mesh.triangles[ref.triangle];
+  if (!has_uvs(mesh, vertices)) return {};
   return {uv_component(mesh, vertices, 0).whole, uv_component(mesh, vertices, 1).whole};
 }
 

@@ -52,7 +52,8 @@ struct SurfaceTriangle {
   std::array<WrappedLine, 3> line;
   /// Row r: the component at the anchor, its differences to the other two corners; and one number more: in rows 0 to 2
   /// the weights of perspective, see SnappedTriangle (1 if projective); in rows 6 and 7 the least, in rows 4 and 5 the
-  /// greatest u and v of the three corners.
+  /// greatest u and v of the three corners. Without texture coordinates the anchor's is NaN, so that every one that is
+  /// interpolated is, and the least is 1 and the greatest 0, so that it is known for what it is.
   std::array<std::array<Real, 4>, 8> row;
   const LargeLines* large = nullptr;
   const ProjectiveLines* projective = nullptr;
@@ -81,7 +82,7 @@ extern template void set_up_surfaces(const Scene&, const Geometry&, const Bins&,
                                      std::span<SurfaceTriangle<float>>, UncommonLines&);
 
 /// Whole repeats that are taken off a triangle's texture coordinates before they are interpolated, so that their
-/// fractions keep their digits.
+/// fractions keep their digits. 0 for a triangle without texture coordinates.
 std::array<double, 2> whole_repeats(const Scene& scene, const Geometry& geometry, std::uint32_t number);
 
 /// The triangle's own normal in world space, from its winding: for places where the mesh gives none. May be 0.

@@ -54,7 +54,7 @@ std::map<std::string, std::set<std::string>> documented_rows() {
 } // namespace
 
 TEST_CASE("every row of the catalogue has a test of its name, and docs/extremes.md names it") {
-  const std::pair<char, int> letters[] = {{'V', 15}, {'C', 10}, {'Z', 7}, {'I', 8}, {'N', 7}, {'S', 13}, {'M', 10}};
+  const std::pair<char, int> letters[] = {{'V', 15}, {'C', 10}, {'Z', 7}, {'I', 9}, {'N', 7}, {'S', 13}, {'M', 10}};
   const auto tested = tested_rows(), documented = documented_rows();
   std::size_t rows = 0;
   for (const auto& [letter, count] : letters)

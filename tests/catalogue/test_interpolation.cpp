@@ -334,3 +334,37 @@ TEST_CASE("I8: a texture coordinate that is NaN or infinite gives the colour at 
         }
       }
 }
+
+TEST_CASE("I9: a triangle without texture coordinates is white, and nothing is counted") {
+  const auto texture = index_texture(4, 4);
+  for (const TextureFilter filter : {TextureFilter::nearest, TextureFilter::bilinear, TextureFilter::trilinear})
+    for (const std::string_view rung : {"double", "float", "fast"})
+      for (const std::size_t textured : {0u, 2u, 3u, 5u}) { // vertices; of the triangle on the left it needs three
+        WindowScene window(16);
+        Object& object = window.add({window.place(-8, -8, 1), window.place(-8, 40, 1), window.place(8, 8, 1),
+                                     window.place(24, -8, 1), window.place(24, 40, 1), window.place(8, 8, 1)},
+                                    Double3(1), std::vector<Float2>(textured, Float2(0.375f)));
+        std::get<Phong>(object.material.model).kd = Double3(1); // no light: for the albedo
+        object.material.texture = texture;
+        object.material.texture_filter = filter;
+        RenderOptions options = window.options({Aov::triangle, Aov::uv, Aov::albedo});
+        options.rung = rung;
+        const Frame frame = render(window.scene, options);
+        CHECK(frame.counts.undefined[Undefined::bad_uv] == 0);
+        std::size_t shown = 0;
+        for (int i = 0; i < 256; ++i) {
+          const int x = i % 16, y = i / 16;
+          const float triangle = frame.aovs[0].at(x, y)[0];
+          if (triangle == 0) continue;
+          ++shown;
+          const bool has_uv = triangle == 1 && textured >= 3;
+          const Float3 colour = has_uv ? Float3(1, 1, 0) : Float3(1); // in the middle of texel (1, 1)
+          for (int c = 0; c < 3; ++c) {
+            CHECK(frame.radiance.at(x, y)[c] == colour[c]);
+            CHECK(frame.aovs[2].at(x, y)[c] == colour[c]);
+          }
+          for (int c = 0; c < 2; ++c) CHECK(frame.aovs[1].at(x, y)[c] == (has_uv ? 0.375f : 0.0f));
+        }
+        CHECK(shown > 100);
+      }
+}

@@ -1,5 +1,6 @@
 // The catalogue of extremes (docs/extremes.md), rows N: normals and transforms.
 
+#include "io/obj_file.h"
 #include "raster/primitives.h"
 #include "raster/surface.h"
 #include "tests/catalogue/window_scene.h"
@@ -230,6 +231,31 @@ TEST_CASE("N5: where normals are zero, missing or cancel, the triangle's own nor
   CHECK(frame.aovs[1].at(4, 8)[2] == 1);
   CHECK(frame.aovs[1].at(4, 7)[1] > 0.9f);
   CHECK(frame.aovs[1].at(4, 9)[1] < -0.9f);
+}
+
+TEST_CASE("N5: where the normals of a file's faces cancel, no rounding is taken for one: each triangle has its own") {
+  // Two triangles that enclose some degrees, each once each way round, on shared vertices, in one smoothing group.
+  const std::string sheet = "v -1 -1 0.1\nv 1 -1 0.2\nv 1 1 0.3\nv -1 1 0.4\ns 1\nf 1 2 3\nf 1 3 4\nf 3 2 1\nf 4 3 1\n";
+  WindowScene window(16);
+  Object& object = window.add({});
+  object.mesh = std::make_shared<const Mesh>(mesh_of_obj("sheet.obj", sheet));
+  object.position = {0, 0, -0.75}; // larger than the image
+  object.cull = Cull::back;
+  for (const std::string_view rung : {"double", "float"}) {
+    RenderOptions options = window.options({Aov::triangle, Aov::normal});
+    options.rung = rung;
+    const Frame frame = render(window.scene, options);
+    CHECK(frame.counts.undefined[Undefined::zero_normal] == 256);
+    CHECK(frame.counts.undefined[Undefined::no_normal] == 0);
+    for (int i = 0; i < 256; ++i) {
+      // (2, 0, 0.1) x (2, 2, 0.2) and (2, 2, 0.2) x (0, 2, 0.3), that is.
+      const bool first = frame.aovs[0].at(i % 16, i / 16)[0] == 1;
+      const Double3 expected = first ? normalize(Double3(-0.2, -0.2, 4)) : normalize(Double3(0.2, -0.6, 4));
+      // The corners are floats: each edge is off by 2^-25 at most.
+      for (int c = 0; c < 3; ++c)
+        CHECK(std::abs(static_cast<double>(frame.aovs[1].at(i % 16, i / 16)[c]) - expected[c]) <= 0x1p-23);
+    }
+  }
 }
 
 TEST_CASE("N6: scales of 1e20 and 1e-20 together, and up to the ends of double, cost a normal nothing") {

@@ -4,6 +4,7 @@
 #include "io/input_file.h"
 #include "io/limits.h"
 #include "program.h"
+#include "tests/io/jpeg_bytes.h"
 #include "tests/io/png_bytes.h"
 
 #include <doctest/doctest.h>
@@ -51,12 +52,18 @@ std::string triangle_soup(std::size_t triangles) {
   return text;
 }
 
-/// Grey, of one pixel a side, but for what its header says.
+/// Grey, and pixels for one only.
 std::string png_of(std::uint32_t width, std::uint32_t height) {
-  std::string bytes = test::png_bytes(1, 1, 1, 8, {0});
-  for (const auto& [at, value] : {std::pair{16u, width}, std::pair{20u, height}})
-    for (std::size_t i = 0; i < 4; ++i) bytes[at + i] = static_cast<char>(value >> (24 - 8 * i) & 255);
-  return bytes;
+  return test::png_signature + test::png_header(width, height, 8, 0) +
+         test::png_chunk("IDAT", test::zlib_stored(std::string(2, '\0'))) + test::png_chunk("IEND", "");
+}
+
+/// Progressive, of one pixel, whose only scan is there so many times.
+std::string jpeg_of(std::size_t scans) {
+  test::JpegBytes jpeg;
+  jpeg.frame = 0xc2;
+  jpeg.scans = std::vector<test::JpegScan>(scans, {{0}, {{128}}});
+  return test::jpeg_bytes(jpeg);
 }
 
 /// A file of one pixel with so many channels.
@@ -98,6 +105,8 @@ std::vector<Beyond> beyond_each() {
       "i.png: found 16384 x 16385 pixels, expected at most 268435456 pixels");
   add(limit::image_channels, {{"i.exr", exr_of(65)}}, {"compare", "i.exr", "i.exr"},
       "i.exr: found 65 channels, expected at most 64 channels");
+  add(limit::jpeg_scans, {{"i.jpg", jpeg_of(501)}}, {"compare", "i.jpg", "i.jpg"},
+      "i.jpg: found 501 scans, expected at most 500 scans");
   add_scene(limit::texture_side,
             scene_of("", "", object_of(R"("mesh": {"cube": {}})", ", " + with_file("texture_file_path", "t.png"))),
             "t.png: found 16385 x 1 pixels, expected at most 16384 texels a side", {{"t.png", png_of(16385, 1)}});

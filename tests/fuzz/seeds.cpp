@@ -6,6 +6,7 @@
 #include "io/merl_file.h"
 #include "io/obj_file.h"
 #include "raster/primitives.h"
+#include "tests/io/image_clauses.h"
 #include "tests/io/malformed_inputs.h"
 #include "tests/io/png_bytes.h"
 
@@ -48,7 +49,8 @@ void add_malformed(Seeds& seeds) {
       if (file.name.ends_with(".json")) seeds.add("scene", name, file.content);
       else if (file.name.ends_with(".obj")) seeds.add("obj", name, file.content);
       else if (input.reader == Reader::merl) seeds.add("merl", name, file.content);
-      else if (file.name.ends_with(".png")) seeds.add("image", name, file.content);
+      else if (file.name.ends_with(".png") || file.name.ends_with(".bmp") || file.name.ends_with(".tga"))
+        seeds.add("image", name, file.content);
       else seeds.add("float_image", name, file.content);
     }
 }
@@ -96,6 +98,16 @@ void add_meshes(Seeds& seeds) {
   add("concave", "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 2 1 0\nv 0 4 0\nf 1 2 3 4 5\nf 5 4 3 2 1\n");
   add("hole", "v 0 0 0\nv 9 0 0\nv 9 9 0\nv 0 9 0\nv 3 3 0\nv 3 6 0\nv 6 6 0\nv 6 3 0\nf 1 2 3 4 1 5 6 7 8 5\n");
   add("crossed", "v 0 0 0\nv 1 1 0\nv 1 0 0\nv 0 1 0\nv 1 1 1\nf 1 2 3 4\nf 1 1 1 1\nf 1 2 1 2 5\n");
+  add("unusual", square + "s\nvn nan nan nan\nvt -1.#IND 0\nv inf 0 0\nv 9 9 9 1 0 0\nfo 1// 2// 3//\ns -2147483648\n"
+                          "f 1/1/ 3/1/ 4/1/\ns 18446744073709551615\nf 1//1 2 3\nfoo\ncurv 0 1 1 2\ncall a.obj\n");
+  add("two_sided", square + "f 1 2 3\nf 1 3 4\nf 3 2 1\nf 4 3 1\n");
+  add("box",
+      square +
+          "v 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\nf 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
+  add("pages", square + "v 1 0 1\nv 1 0 2\nf 1 2 3\nf 1 2 4\nf 1 2 5\nf 1 2 6\nf 2 1 6\n");
+  add("poles", square + "v 0 0 0\nf 1 5 2 3\nf 1 1 3 4\nf 2 2 2 2\n");
+  add("survey", "v 5000000.3 1 0\nv 5000000.8 1 0\nv 5000000.3 2 0\nv 0 0 0\nf 1 2 3\n");
+  add("part_textured", square + "vt 0 1\nf 1 2 3\nf 1/1 3/1 4/1\nf 1/1 2 4/1\n");
   std::string comb, face = "f";
   for (int i = 0; i < 40; ++i) {
     comb += "v " + std::to_string(i) + " " + std::to_string(i % 2 * 8) + " 0\n";
@@ -105,6 +117,9 @@ void add_meshes(Seeds& seeds) {
 }
 
 void add_images(Seeds& seeds) {
+  int number = 0;
+  for (const test::ImageClause& clause : test::all_image_clauses())
+    seeds.add("image", "clause_" + std::to_string(number++), clause.bytes);
   for (int channels = 1; channels <= 4; ++channels)
     for (const int bits : {8, 16}) {
       std::vector<std::uint16_t> samples;

@@ -69,7 +69,7 @@ ColourBound::Setup ColourBound::set_up(std::size_t object, std::uint32_t triangl
     setup.clipped |= (geometry_.window[v].outcode != 0);
     Varyings& corner = setup.corner[i];
     corner = {geometry_.world[v].position, geometry_.world[v].normal, Double2(0)};
-    if (!mesh.uvs.empty()) corner.uv = Double2(mesh.uvs[indices[i]]);
+    if (indices[i] < mesh.uvs.size()) corner.uv = Double2(mesh.uvs[indices[i]]);
     for (int row = 0; row < 3; ++row) {
       error.position[row] = std::max(error.position[row], product_error(matrices.world_from_object, row, p, 3,
                                                                         std::abs(matrices.world_from_object[3][row])));
@@ -341,7 +341,10 @@ AllowedColour ColourBound::at(std::size_t object, std::uint32_t triangle, int pi
       altitude = std::min(altitude, 1 / setup.w_clip[i] / std::hypot(setup.planes.l[i].x, setup.planes.l[i].y));
   const double snapped_detail = std::log2(1 + std::numbers::sqrt2 * step / altitude);
 
-  const IdealShader shader{scene_, scene_.objects[object].material, Double2(0), Double2(0)};
+  const Mesh& mesh = *scene_.objects[object].mesh;
+  Material material = scene_.objects[object].material;
+  if (!has_uvs(mesh, mesh.triangles[triangle])) material.texture = nullptr;
+  const IdealShader shader{scene_, material, Double2(0), Double2(0)};
   // Blocks of 2 x 2 pixels begin at OpenGL's row 0, the lowest: in an image of odd height they begin at our odd rows.
   const std::array<int, 2> place_in_block = {pixel_x & 1, (height_ - pixel_y) & 1};
   const PixelBound pixel(shader, driver_, inverse_w, planes, setup.corner_error, shift, place_in_block, snapped_detail);

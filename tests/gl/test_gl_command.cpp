@@ -2,12 +2,15 @@
 
 #include "io/limits.h"
 #include "tests/cli/program.h"
+#include "tests/cli/terminal.h"
 #include "tests/io/malformed_inputs.h"
 
 #include <doctest/doctest.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
 
 using namespace refraster;
 
@@ -16,10 +19,12 @@ namespace {
 /// A variable of the environment, as long as this lives.
 class Environment {
 public:
-  Environment(const char* name, const std::string& value) : name_(name) {
+  /// No value: it is not set.
+  Environment(const char* name, const std::optional<std::string>& value) : name_(name) {
     if (const char* const old = std::getenv(name)) before_ = old;
     had_ = std::getenv(name) != nullptr;
-    setenv(name, value.c_str(), 1);
+    if (value) setenv(name, value->c_str(), 1);
+    else unsetenv(name);
   }
   ~Environment() {
     if (had_) setenv(name_, before_.c_str(), 1);
@@ -232,13 +237,80 @@ TEST_CASE("without an EGL library gl says what to install, and everything else w
   CHECK(run_program(folder.path, {"render", "scene.json", "-o", "ours.png", "--size", "16x12"}).exit_code == 0);
 }
 
-TEST_CASE("without a driver gl says what to install") {
+TEST_CASE("where a variable of the environment keeps the driver from starting, it is named") {
   const TemporaryFolder folder;
   save_text(folder / "scene.json", scene_with(R"("fragment_function": "phong", )" + plastic));
-  const Environment none("__EGL_VENDOR_LIBRARY_DIRS", folder.path); // glvnd finds no vendor there
-  const Finished run = run_program(folder.path, {"gl", "scene.json", "-o", "gl.png"});
+  // What this process has been told by a test.
+  const Environment driver("GALLIUM_DRIVER", std::nullopt), software("LIBGL_ALWAYS_SOFTWARE", std::nullopt);
+  const std::pair<const char*, std::string> variables[] = {
+      {"GALLIUM_DRIVER", "bogus"},
+      {"MESA_GL_VERSION_OVERRIDE", "2.1"},
+      {"MESA_GLSL_VERSION_OVERRIDE", "130"},
+      {"LIBGL_DRIVERS_PATH", folder.path},
+      {"__EGL_VENDOR_LIBRARY_DIRS", folder.path}, // glvnd finds no vendor there
+      {"__EGL_VENDOR_LIBRARY_FILENAMES", folder / "none.json"},
+  };
+  for (const auto& variable : variables) {
+    const std::string name = variable.first, value = variable.second; // clang++ 14 captures no bindings
+    INFO(name);
+    const Environment set(variable.first, value);
+    const Finished run = run_program(folder.path, {"gl", "scene.json", "-o", "gl.png", "--size", "8x8"});
+    CHECK(run.exit_code == 5);
+    CHECK_MESSAGE(
+        holds(run.err, "; the environment chooses the driver: try again with this unset: " + name + "=" + value + "\n"),
+        run.err);
+    CHECK_FALSE(holds(run.err, "install"));
+  }
+}
+
+TEST_CASE("a variable that gl itself sets is not blamed") {
+  const TemporaryFolder folder;
+  save_text(folder / "scene.json", scene_with(R"("fragment_function": "phong", )" + plastic));
+  const Environment driver("GALLIUM_DRIVER", "bogus"), version("MESA_GL_VERSION_OVERRIDE", "2.1");
+  const Finished run =
+      run_program(folder.path, {"gl", "scene.json", "-o", "gl.png", "--size", "8x8", "--renderer", "llvmpipe"});
   CHECK(run.exit_code == 5);
-  CHECK_MESSAGE(holds(run.err, "libgl1-mesa-dri"), run.err);
+  CHECK_MESSAGE(holds(run.err, "with this unset: MESA_GL_VERSION_OVERRIDE=2.1\n"), run.err);
+}
+
+TEST_CASE("on a terminal gl says that it is drawing, and with -q nothing") {
+  const TemporaryFolder folder;
+  save_text(folder / "scene.json", scene_with(R"("fragment_function": "phong", )" + plastic));
+  // Far more than a second's work on any machine; it is given up when it has said what it does.
+  const std::vector<std::string> endless = {"gl",       "scene.json", "--renderer", "softpipe",
+                                            "--frames", "1000000",    "-o",         "gl.png"};
+  std::vector<std::string> quiet_run = endless;
+  quiet_run.push_back("-q");
+  const Terminal terminal, quiet_terminal;
+  Running quiet(folder.path, quiet_run, quiet_terminal.path());
+  Running run(folder.path, endless, terminal.path());
+  std::string text;
+  while (!holds(text, "drawing scene.json")) text += terminal.some();
+  for (const Running* process : {&run, &quiet}) process->send(SIGINT);
+  CHECK(run.wait().exit_code == 130);
+  CHECK(quiet.wait().exit_code == 130);
+  CHECK(!holds(quiet_terminal.rest(), "scene.json"));
+}
+
+TEST_CASE("NaN and infinity are counted where only 8 bits are asked for, and in the report") {
+  const TemporaryFolder folder;
+  save_text(folder / "fs.glsl", "#version 330 core\nout vec4 FragColor;\nuniform float zero;\n"
+                                "void main() { FragColor = vec4(0.5, zero / zero, 0.5, 1.0); }\n");
+  save_text(folder / "scene.json",
+            scene_with(R"("cull": "back", "fragment_function": "phong", "fragment_shader_file_path": "fs.glsl", )" +
+                       plastic));
+  const Finished run = run_program(folder.path, {"gl", "scene.json", "-o", "gl.png", "--json", "report.json", "--size",
+                                                 "64x48", "--renderer", "llvmpipe"});
+  CHECK(run.exit_code == 0);
+  const std::string report = text_of(folder / "report.json");
+  const std::size_t begin = report.find("\"samples_passed\": ") + 18;
+  const std::string samples = report.substr(begin, report.find(',', begin) - begin); // one sample a pixel, each once
+  REQUIRE(std::stoi(samples) > 100);
+  CHECK_MESSAGE(holds(report, "\"nan_pixels\": " + samples + ","), report);
+  CHECK(holds(report, "\"infinite_pixels\": 0,"));
+  CHECK_MESSAGE(holds(run.err, "warning: " + samples + " pixels are NaN, the first at "), run.err);
+  const Finished quiet = run_program(folder.path, {"gl", "scene.json", "-q", "--size", "64x48"});
+  CHECK(quiet.err.empty());
 }
 
 TEST_CASE("times of frames and the driver's words are on standard output as JSON, and nothing else is") {

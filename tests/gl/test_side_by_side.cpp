@@ -4,6 +4,7 @@
 #include "raster/primitives.h"
 #include "tests/gl/side_by_side.h"
 #include "tests/gl/small_scenes.h"
+#include "tests/scenes/half_textured.h"
 #include "tests/scenes/listed_scenes.h"
 
 #include <doctest/doctest.h>
@@ -31,9 +32,8 @@ std::string told(const WorstPixel& pixel) {
 }
 
 /// Gives the largest share of its bound that a pixel uses.
-double check_scene(const std::string& path, int width, int height, const DriverProfile& profile) {
-  const std::string name = std::filesystem::path(path).stem();
-  const SideBySide found = side_by_side(listed_scene(path), width, height, profile);
+double check_scene(const std::string& name, const Scene& scene, int width, int height, const DriverProfile& profile) {
+  const SideBySide found = side_by_side(scene, width, height, profile);
   INFO(name << " through " << found.driver << ", " << width << " x " << height << ": " << found.equal
             << " pixels equal, " << found.off_by_one << " off by one level, " << found.off_by_more << " by more, "
             << found.edge_pixels << " on edges");
@@ -42,6 +42,9 @@ double check_scene(const std::string& path, int width, int height, const DriverP
   CHECK(found.over_bound == 0);
   CHECK(found.levels_not_rounded == 0);
   return found.worst_share_of_bound;
+}
+double check_scene(const std::string& path, int width, int height, const DriverProfile& profile) {
+  return check_scene(std::filesystem::path(path).stem(), listed_scene(path), width, height, profile);
 }
 
 void check_gallery(std::string_view profile_name, int width, int height) {
@@ -100,6 +103,11 @@ TEST_CASE("the bound grows with the distance from the lower left corner, where O
   check(upper_left, lower_left);
   check(upper_right, lower_right);
   check(upper_right, upper_left);
+}
+
+TEST_CASE("on triangles without texture coordinates llvmpipe shows no texture either") {
+  for (const TextureFilter filter : {TextureFilter::nearest, TextureFilter::bilinear, TextureFilter::trilinear})
+    check_scene("half_textured", half_textured(filter), 160, 90, profile("llvmpipe"));
 }
 
 TEST_SUITE_BEGIN("slow");

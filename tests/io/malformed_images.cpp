@@ -20,11 +20,12 @@ const std::string truncated = "found a truncated image, expected a whole one";
 
 void add_png(List& list) {
   std::string png = png_bytes(2, 1, 3, 8, {1, 2, 3, 4, 5, 6});
-  png[33] = '\x40'; // the length of its IDAT: 2^30 more, for which stb would take the memory
+  png[33] = '\x40'; // the length of its IDAT: 2^30 more
   add(list, "a PNG with a chunk longer than the file", "i.png", png, truncated);
-  png.replace(33, 8, "\0\0\0\0CgBI"s);
-  add(list, "a PNG of Apple's kind", "i.png", png,
-      "found a chunk \"CgBI\", expected IHDR, PLTE, IDAT, IEND, or one that may be skipped");
+  png = png_bytes(2, 1, 3, 8, {1, 2, 3, 4, 5, 6});
+  png[49] = '\x40'; // a sample
+  add(list, "a PNG of which a byte has changed", "i.png", png,
+      "chunk IDAT: found a checksum that does not fit the pixels, expected their Adler-32: the file is damaged");
 }
 
 void add_bmp(List& list) {
@@ -36,13 +37,9 @@ void add_bmp(List& list) {
       "pixel 2 of stored row 0: found colour 15, expected 0 to 1");
   add(list, "a BMP without its last row", "i.bmp", bmp_bytes(2, -2, 8, two_colours, "\x00\x00\x00\x00"s), truncated);
   add(list, "a BMP without a palette", "i.bmp", bmp_bytes(2, 1, 8, "", "\x00\x00\x00\x00"s),
-      "found pixels that start at byte 54, expected byte 58 to 1078, behind the palette");
+      "found pixels that start at byte 54, expected byte 58 or later, behind the palette");
   add(list, "a BMP larger than its file", "i.bmp", bmp_bytes(60000, 4000, 1, two_colours, "\x00"s),
       "found 60000 x 4000 pixels, expected as many as a file of 63 bytes can hold");
-  const std::string os2 = "BM"s + bytes_of(36u) + bytes_of(0u) + bytes_of(32u) + bytes_of(12u) + "\1\0\1\0\1\0\x08\0"s +
-                          "\1\2\3\4\5\6"s + bytes_of(0u);
-  add(list, "a BMP of OS/2 with a palette", "i.bmp", os2,
-      "found a BMP of OS/2 with a palette, expected one of Windows, or without a palette");
 }
 
 void add_tga(List& list) {

@@ -3,6 +3,7 @@
 #include "io/json.h"
 #include "io/merl_file.h"
 #include "tests/io/malformed_images.h"
+#include "tests/io/png_bytes.h"
 
 #include <bit>
 #include <cstring>
@@ -153,6 +154,23 @@ void add_scenes(List& list) {
       "s.json:6:37: /scene/objects/0/mesh/sphere/segments: found 1e9, expected a whole number from 3 to 4096");
   add("half a ring", "\"rings\": 4", "\"rings\": 4.5",
       "s.json:6:49: /scene/objects/0/mesh/sphere/rings: found 4.5, expected a whole number from 2 to 4096");
+  const std::string mesh = "\"mesh\": {\"sphere\": {\"segments\": 8, \"rings\": 4}}";
+  const std::string wanted = mesh + ", \"normals\": ",
+                    beside = "found normals beside mesh, expected obj_file_path: a shape has its own";
+  add("normals of a shape", mesh + ",", wanted + "\"flat\",", "s.json:6:65: /scene/objects/0/normals: " + beside);
+  add("unknown normals", mesh + ",", wanted + "\"auto\",",
+      "s.json:6:65: /scene/objects/0/normals: found \"auto\", expected \"file\" or \"smooth\" or \"flat\" or an object "
+      "with crease_degrees\n"
+      "s.json:6:65: /scene/objects/0/normals: " +
+          beside);
+  add("an object without a crease", mesh + ",", wanted + "{},",
+      "s.json:6:65: /scene/objects/0/normals/crease_degrees: found nothing, expected a number from 0 to 180\n"
+      "s.json:6:65: /scene/objects/0/normals: " +
+          beside);
+  add("a crease beyond half a turn", mesh + ",", wanted + "{\"crease_degrees\": 181},",
+      "s.json:6:65: /scene/objects/0/normals: " + beside +
+          "\n"
+          "s.json:6:84: /scene/objects/0/normals/crease_degrees: found 181, expected a number from 0 to 180");
   add("an unknown filter", "\"glossiness\": 8", "\"glossiness\": 8, \"texture_filter\": \"cubic\"",
       "s.json:9:104: /scene/objects/0/material/texture_filter: found \"cubic\", expected \"nearest\" or \"bilinear\" "
       "or \"trilinear\"");
@@ -176,17 +194,37 @@ void add_scenes(List& list) {
       "linear, quadratic");
 }
 
+/// ASCII with a zero byte before (1) or behind (0) each character.
+std::string utf_16(const std::string& ascii, std::size_t zeros_before) {
+  std::string bytes(2 * ascii.size(), '\0');
+  for (std::size_t i = 0; i < ascii.size(); ++i) bytes[2 * i + zeros_before] = ascii[i];
+  return bytes;
+}
+
 void add_obj(List& list) {
   const auto add = [&](const std::string& name, const std::string& text, const std::string& expected) {
     list.push_back({name, Reader::obj, "m.obj", {{"m.obj", text}}, expected});
   };
   const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
-  add("no face", square, "m.obj: found no face, expected at least one statement f");
+  const std::string a_face = ", expected at least one face (a statement f)";
+  add("no face", square, "m.obj: found no face, only vertices" + a_face);
+  add("only points", square + "p 1 2 3\np 4\n", "m.obj: found only points: they are not drawn" + a_face);
+  add("only lines", square + "l 1 2 3\n", "m.obj: found only lines: they are not drawn" + a_face);
+  add("only points and lines", square + "l 1 2 3\np 1\n",
+      "m.obj: found only points and lines: they are not drawn" + a_face);
+  add("only a free-form surface", square + "cstype bezier\ndeg 1 1\nsurf 0 1 0 1 1 2 4 3\nend\n",
+      "m.obj: found only free-form curves or surfaces: they are not drawn" + a_face);
+  add("text of another kind", "solid cube\nfacet normal 0 0 1\n", "m.obj: found no statement v or f" + a_face);
   add("two coordinates", "v 0 0 0\nv 1 0\nv 1 1 1\nf 1 2 3\n", "m.obj:2:1: found 2 numbers, expected 3 to 7 numbers");
   add("a coordinate that is a word", "v 0 zero 0\nv 1 0 0\nv 1 1 1\nf 1 2 3\n",
       "m.obj:1:5: found \"zero\", expected a finite number in single precision");
   add("a coordinate that is nan", "v 0 0 0\nv 1 nan 0\nv 1 1 1\nf 1 2 3\n",
       "m.obj:2:5: found \"nan\", expected a finite number in single precision");
+  add("a coordinate that is nan, of a face before it", "f 1 2 -2\nv 0 0 0\nv 1 -1.#IND 0\nf 1 2 2\n",
+      "m.obj:1:7: found v index -2, expected no v index, since none is given\n"
+      "m.obj:3:5: found \"-1.#IND\", expected a finite number in single precision");
+  add("a colour that is a word", "v 0 0 0 red 0 0\nv 1 0 0\nv 1 1 1\nf 1 2 3\n",
+      "m.obj:1:9: found \"red\", expected a finite number in single precision");
   add("a coordinate beyond float", "v 0 0 1e39\nv 1 0 0\nv 1 1 1\nf 1 2 3\n",
       "m.obj:1:7: found \"1e39\", expected a finite number in single precision");
   add("a normal of two numbers", square + "vn 1 0\nf 1 2 3\n", "m.obj:5:1: found 2 numbers, expected 3 numbers");
@@ -205,19 +243,33 @@ void add_obj(List& list) {
   add("a corner that is a word", square + "f 1 2 x\n", "m.obj:5:7: found \"x\", expected v, v/vt, v//vn or v/vt/vn");
   add("a corner of four indices", square + "vt 0 0\nvn 0 0 1\nf 1 2 3/1/1/1\n",
       "m.obj:7:7: found \"3/1/1/1\", expected v, v/vt, v//vn or v/vt/vn");
-  add("a corner that ends in a slash", square + "vt 0 0\nf 1/1 2/1 3/\n",
-      "m.obj:6:11: found \"3/\", expected v, v/vt, v//vn or v/vt/vn");
+  add("a corner that ends in three slashes", square + "vt 0 0\nf 1/1 2/1 3///\n",
+      "m.obj:6:11: found \"3///\", expected v, v/vt, v//vn or v/vt/vn");
+  add("a corner of a slash", square + "f 1 2 /\n", "m.obj:5:7: found \"/\", expected v, v/vt, v//vn or v/vt/vn");
   add("an unknown smoothing group", square + "s smooth\nf 1 2 3\n",
       "m.obj:5:3: found \"smooth\", expected off, or the number of a smoothing group");
+  add("a smoothing group beyond 64 bits", square + "s 18446744073709551616\nf 1 2 3\n",
+      "m.obj:5:3: found \"18446744073709551616\", expected off, or the number of a smoothing group");
+  add("a negative smoothing group beyond 64 bits", square + "s -9223372036854775809\nf 1 2 3\n",
+      "m.obj:5:3: found \"-9223372036854775809\", expected off, or the number of a smoothing group");
   add("a fault behind a continued line", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 \\\n  2 7\n",
       "m.obj:5:5: found v index 7, expected 1 to 3 or -1 to -3");
-  add("a binary file", "v 0 0 \0 0\n"s, "m.obj:1:7: found a zero byte, expected text");
+  add("a text with a zero byte", square + square + "v 0 0 \0 0\n"s, "m.obj:9:7: found a zero byte, expected text");
+  const std::string text = ", expected an OBJ file: text in ASCII or UTF-8";
+  add("a binary file", "glTF\2\0\0\0\x40\3\0\0v 0 0 0\n"s, "m.obj: found a binary file" + text);
+  std::string packed; // as bytes of a compressed file: any of 256, equally often
+  for (int i = 0; i < 1024; ++i) packed += static_cast<char>(i * 167 % 256);
+  add("a compressed file", "\x1f\x8b" + packed, "m.obj: found a binary file" + text);
+  add("UTF-16, little-endian", "\xff\xfe" + utf_16(square, 0), "m.obj: found UTF-16 text" + text);
+  add("UTF-16, big-endian", "\xfe\xff" + utf_16(square, 1), "m.obj: found UTF-16 text" + text);
+  add("UTF-16 without a mark", utf_16(square, 0), "m.obj: found UTF-16 text" + text);
+  add("big-endian UTF-16 without a mark", utf_16(square, 1), "m.obj: found UTF-16 text" + text);
+  add("UTF-32", "\xff\xfe\0\0v\0\0\0"s, "m.obj: found UTF-32 text" + text);
 }
 
-// A PNG's first bytes with a size of its own, 8-bit RGB, and nothing after: only the size counts here.
-std::string png_header(std::uint32_t width, std::uint32_t height) {
-  return "\x89PNG\r\n\x1a\n\0\0\0\rIHDR"s + bytes_of(__builtin_bswap32(width)) + bytes_of(__builtin_bswap32(height)) +
-         "\x08\x02\0\0\0\0\0\0\0"s;
+// A PNG of 8-bit RGB with a size of its own, and no pixels: only the size counts here.
+std::string png_without_pixels(std::uint32_t width, std::uint32_t height) {
+  return png_signature + png_header(width, height, 8, 2) + png_chunk("IDAT", "");
 }
 
 void add_images(List& list) {
@@ -226,12 +278,12 @@ void add_images(List& list) {
     list.push_back({name, Reader::image, input, {{input, bytes}}, expected});
   };
   add("a text for an image", "i.png", "not an image\n",
-      "i.png: found an image that cannot be decoded: unknown image type, expected an image");
-  add("a PNG cut short", "i.png", png_header(4, 4), "i.png: found a truncated image, expected a whole one");
-  add("a PNG of a huge size", "i.png", png_header(60000, 60000),
+      "i.png: found an unknown image type, expected PNG, JPEG, BMP, TGA, Radiance HDR, PFM or OpenEXR");
+  add("a PNG cut short", "i.png", png_without_pixels(4, 4), "i.png: found a truncated image, expected a whole one");
+  add("a PNG of a huge size", "i.png", png_without_pixels(60000, 60000),
       "i.png: found 60000 x 60000 pixels, expected at most 268435456 pixels");
-  add("a PNG larger than its file", "i.png", png_header(16000, 16000),
-      "i.png: found 16000 x 16000 pixels, expected as many as a file of 33 bytes can hold");
+  add("a PNG larger than its file", "i.png", png_without_pixels(16000, 16000),
+      "i.png: found 16000 x 16000 pixels, expected as many as a file of 45 bytes can hold");
   add("a PFM without a size", "i.pfm", "PF\nwide 2\n-1\n", "i.pfm: width: found \"wide\", expected a number of pixels");
   add("a PFM of scale 0", "i.pfm", "PF\n1 1\n0\n", "i.pfm: scale: found \"0\", expected a number that is not 0");
   add("a PFM cut short", "i.pfm", "Pf\n2 2\n-1\n123456789012", "i.pfm: pixels: found 12 bytes, expected 16 bytes");

@@ -3,11 +3,6 @@
 namespace refraster::test {
 namespace {
 
-std::string big_endian(std::uint32_t value) {
-  return {static_cast<char>(value >> 24), static_cast<char>(value >> 16), static_cast<char>(value >> 8),
-          static_cast<char>(value)};
-}
-
 /// PNG specification, annex D.
 std::uint32_t crc32(const std::string& bytes) {
   std::uint32_t crc = 0xffffffffu;
@@ -18,12 +13,25 @@ std::uint32_t crc32(const std::string& bytes) {
   return ~crc;
 }
 
-std::string chunk(const std::string& type, const std::string& data) {
+} // namespace
+
+std::string big_endian(std::uint32_t value) {
+  return {static_cast<char>(value >> 24), static_cast<char>(value >> 16), static_cast<char>(value >> 8),
+          static_cast<char>(value)};
+}
+
+std::string png_chunk(const std::string& type, const std::string& data) {
   return big_endian(static_cast<std::uint32_t>(data.size())) + type + data + big_endian(crc32(type + data));
 }
 
-/// RFC 1950 and 1951: one stored block of less than 64 KiB.
-std::string stored(const std::string& data) {
+std::string png_header(std::uint32_t width, std::uint32_t height, int bits, int colour_type, int interlace) {
+  std::string header = big_endian(width) + big_endian(height);
+  header += {static_cast<char>(bits), static_cast<char>(colour_type), 0, 0, static_cast<char>(interlace)};
+  return png_chunk("IHDR", header);
+}
+
+// RFC 1950 and 1951: one stored block.
+std::string zlib_stored(const std::string& data) {
   const auto size = static_cast<std::uint16_t>(data.size()), complement = static_cast<std::uint16_t>(~size);
   std::uint32_t a = 1, b = 0;
   for (const char c : data) {
@@ -36,13 +44,9 @@ std::string stored(const std::string& data) {
   return block + data + big_endian(b << 16 | a);
 }
 
-} // namespace
-
 std::string png_bytes(std::uint32_t width, std::uint32_t height, int channels, int bits,
                       const std::vector<std::uint16_t>& samples) {
-  constexpr char colour_types[] = {0, 0, 4, 2, 6};
-  std::string header = big_endian(width) + big_endian(height);
-  header += {static_cast<char>(bits), colour_types[channels], 0, 0, 0};
+  constexpr int colour_types[] = {0, 0, 4, 2, 6};
   std::string rows;
   std::size_t next = 0;
   for (std::uint32_t y = 0; y < height; ++y) {
@@ -52,7 +56,8 @@ std::string png_bytes(std::uint32_t width, std::uint32_t height, int channels, i
       rows += static_cast<char>(samples[next] & 255);
     }
   }
-  return "\x89PNG\r\n\x1a\n" + chunk("IHDR", header) + chunk("IDAT", stored(rows)) + chunk("IEND", "");
+  return png_signature + png_header(width, height, bits, colour_types[channels]) +
+         png_chunk("IDAT", zlib_stored(rows)) + png_chunk("IEND", "");
 }
 
 } // namespace refraster::test

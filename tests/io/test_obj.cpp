@@ -61,10 +61,21 @@ TEST_CASE("a vertex is one for each different (v, vt, vn), numbered as they appe
   CHECK(mesh.positions.size() == 6);
 }
 
-TEST_CASE("a corner without vt has uv (0, 0); a file without vt has no uvs") {
-  const Mesh mesh = obj(square + "vt 0.5 0.25\nvn 0 0 1\nf 1//1 2/1/1 3//1\n");
-  CHECK(mesh.uvs == std::vector<Float2>{{0, 0}, {0.5f, 0.25f}, {0, 0}});
+TEST_CASE("a face without vt at all its corners has no uvs, and vertices with uvs come first") {
+  const std::string vt = "vt 0.5 0.25\nvt 1 0\nvn 0 0 1\n";
+  for (const char* const without : {"f 1//1 2//1 3//1\n", "f 1/1/1 2//1 3/2/1\n", "f 1//1 2//1 3/2/1\n"}) {
+    const Mesh mesh = obj(square + vt + without + "f 1/1/1 3/1/1 4/2/1\n" + without);
+    CHECK(mesh.uvs == std::vector<Float2>{{0.5f, 0.25f}, {0.5f, 0.25f}, {1, 0}});
+    CHECK(mesh.positions.size() == 6);
+    CHECK(mesh.triangles == Triangles{{3, 4, 5}, {0, 1, 2}, {3, 4, 5}});
+    CHECK_FALSE(has_uvs(mesh, mesh.triangles[0]));
+    CHECK(has_uvs(mesh, mesh.triangles[1]));
+    CHECK(corners(mesh) ==
+          std::vector<Float3>{
+              {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}});
+  }
   CHECK(obj(square + "f 1 2 3\n").uvs.empty());
+  CHECK(obj(square + "vt 0 0\nf 1 2 3\n").uvs.empty());
 }
 
 TEST_CASE("vt may have one to three numbers, v a weight or a colour") {
@@ -112,8 +123,8 @@ TEST_CASE("a coordinate is the float nearest to its digits, rounded once") {
   CHECK(mesh.positions[2] == Float3(std::numeric_limits<float>::max(), std::numeric_limits<float>::denorm_min(), 0.1f));
 }
 
-TEST_CASE("without s, faces around a vertex share its normal") {
-  const Mesh mesh = obj(corner + floor_face + wall_face);
+TEST_CASE("in a smoothing group, faces around a vertex share its normal") {
+  const Mesh mesh = obj(corner + "s 1\n" + floor_face + wall_face);
   CHECK(mesh.positions.size() == 6);
   // Both angles at vertex 1 are right ones: (0, 1, 0) + (0, 0, 1), normalised, each within half an ulp of float.
   CHECK(mesh.normals[0].x == 0.0f);
@@ -135,7 +146,8 @@ TEST_CASE("s off and s 0 make faces flat, different groups separate, equal ones 
 
 TEST_CASE("a normal is weighted by angle: how a flat face is cut changes nothing") {
   // The wall as one quad, and as two triangles that both meet vertex 1: by area or by count it would weigh twice.
-  const Mesh quad = obj(corner + floor_face + wall_face), cut = obj(corner + floor_face + "f 1 2 3\nf 1 3 4\n");
+  const std::string begin = corner + "s 1\n" + floor_face;
+  const Mesh quad = obj(begin + wall_face), cut = obj(begin + "f 1 2 3\nf 1 3 4\n");
   CHECK(quad.normals[0].y == doctest::Approx(static_cast<double>(cut.normals[0].y))
                                  .epsilon(static_cast<double>(std::numeric_limits<float>::epsilon())));
   CHECK(quad.normals[0].z == doctest::Approx(static_cast<double>(cut.normals[0].z))
@@ -145,7 +157,7 @@ TEST_CASE("a normal is weighted by angle: how a flat face is cut changes nothing
 TEST_CASE("a corner that is concave weighs with its angle beyond half a circle") {
   // An L in the xz plane round the origin, where it takes three quarters of a circle, as one polygon and cut in two;
   // and a wall on the x axis that takes one quarter.
-  const std::string points = "v 0 0 0\nv 1 0 0\nv 1 0 -1\nv -1 0 -1\nv -1 0 1\nv 0 0 1\nv 1 1 0\nv 0 1 0\n",
+  const std::string points = "s 1\nv 0 0 0\nv 1 0 0\nv 1 0 -1\nv -1 0 -1\nv -1 0 1\nv 0 0 1\nv 1 1 0\nv 0 1 0\n",
                     wall = "f 1 2 7 8\n";
   const Float3 whole = obj(points + "f 1 2 3 4 5 6\n" + wall).normals[0];
   const Float3 cut = obj(points + "f 1 2 3 4\nf 1 4 5 6\n" + wall).normals[0];

@@ -42,7 +42,7 @@ Vec trilinear(const Texture& texture, const Seen& at) {
 }
 
 Vec texture_colour(const Material& material, const Seen& at) {
-  if (!material.texture) return {1, 1, 1};
+  if (!material.texture || !at.has_uv) return {1, 1, 1};
   const Texture& texture = *material.texture;
   const TextureLevel& image = texture.levels[0];
   const Real scale = 1 / real(texture.full_scale);

@@ -39,6 +39,7 @@ struct Corner {
   Real factor = 1; // clip = point * factor
   Real x = 0, y = 0, z = 0, w = 0;
   Vec position, normal;
+  bool has_uv = false;
   Real u = 0, v = 0;
 };
 
@@ -84,6 +85,7 @@ public:
     corner.x = front.x * s + back.x * t, corner.y = front.y * s + back.y * t;
     corner.z = front.z * s + back.z * t, corner.w = w;
     corner.position = front.position * s + back.position * t, corner.normal = front.normal * s + back.normal * t;
+    corner.has_uv = front.has_uv && back.has_uv;
     corner.u = front.u * s + back.u * t, corner.v = front.v * s + back.v * t;
     corner.window = window_of(corner);
     return corner;
@@ -108,7 +110,8 @@ std::vector<Corner> corners_of(const Object& object, const Viewer& viewer) {
     Corner& corner = corners[i];
     corner.position = model * vec(mesh.positions[i]) + vec(object.position);
     corner.normal = normals * vec(mesh.normals[i]);
-    if (!mesh.uvs.empty()) corner.u = real(mesh.uvs[i].x), corner.v = real(mesh.uvs[i].y);
+    corner.has_uv = i < mesh.uvs.size();
+    if (corner.has_uv) corner.u = real(mesh.uvs[i].x), corner.v = real(mesh.uvs[i].y);
     viewer.place(corner);
   }
   return corners;
@@ -126,7 +129,8 @@ std::vector<Corner> stored_corners(const Scene& scene, const Geometry& geometry,
     const WindowVertex window = geometry.window[number];
     corner.position = vec(geometry.world[number].position);
     corner.normal = vec(geometry.world[number].normal);
-    if (!mesh.uvs.empty()) corner.u = real(mesh.uvs[i].x), corner.v = real(mesh.uvs[i].y);
+    corner.has_uv = i < mesh.uvs.size();
+    if (corner.has_uv) corner.u = real(mesh.uvs[i].x), corner.v = real(mesh.uvs[i].y);
     corner.x = real(clip.x), corner.y = real(clip.y), corner.z = real(clip.z), corner.w = real(clip.w);
     if (window.outcode & outcode::unsnapped) {
       corner.window = {(corner.x + corner.w) * width / 2, (corner.w - corner.y) * height / 2, corner.w};
@@ -199,6 +203,7 @@ void look(const Object& object, const std::array<const Corner*, 3>& c, const Pla
   seen.object = &object;
   seen.position = mean([](const Corner& corner) { return corner.position; });
   const Vec normal = mean([](const Corner& corner) { return corner.normal; });
+  seen.has_uv = c[0]->has_uv && c[1]->has_uv && c[2]->has_uv;
   seen.u = mean(u), seen.v = mean(v);
   seen.u_right = change(u, mu_right, sum_right), seen.v_right = change(v, mu_right, sum_right);
   seen.u_down = change(u, mu_down, sum_down), seen.v_down = change(v, mu_down, sum_down);

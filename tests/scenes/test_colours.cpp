@@ -1,6 +1,7 @@
 // Every scene against a second renderer that shares no arithmetic with the first: tests/scenes/slow_visibility.h and
 // slow_shading.h.
 
+#include "tests/scenes/half_textured.h"
 #include "tests/scenes/listed_scenes.h"
 #include "tests/scenes/slow_shading.h"
 
@@ -38,45 +39,48 @@ std::optional<int> level_of_value(slow::Real value, slow::Real error) {
   return static_cast<int>(low);
 }
 
-void check_colours(const std::vector<std::string>& paths, int rows_apart) {
+void check_colours(const Scene& scene, int rows_apart) {
   const std::vector<slow::Pixel> pixels = chosen_pixels(rows_apart);
+  RenderOptions options;
+  options.width = width, options.height = height;
+  options.want_radiance = true;
+  options.aovs = {Aov::object, Aov::position, Aov::normal};
+  const Frame frame = render(scene, options);
+
+  const auto seen = slow::seen_at(scene, width, height, pixels);
+  std::size_t judged = 0, on_objects = 0;
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    if (!seen[i]) continue;
+    const int x = pixels[i].x, y = pixels[i].y;
+    CAPTURE(x);
+    CAPTURE(y);
+    const float object = seen[i]->object ? static_cast<float>(seen[i]->object - scene.objects.data() + 1) : 0.0f;
+    CHECK(frame.aovs[0].at(x, y)[0] == object);
+    if (frame.aovs[0].at(x, y)[0] != object) continue;
+
+    const auto shaded = slow::shaded(scene, *seen[i]);
+    if (!shaded) continue;
+    ++judged;
+    if (seen[i]->object) ++on_objects;
+    const std::array<slow::Real, 3> expected = {shaded->radiance.x, shaded->radiance.y, shaded->radiance.z};
+    const std::array<slow::Real, 3> size = {shaded->magnitude.x, shaded->magnitude.y, shaded->magnitude.z};
+    for (std::size_t c = 0; c < 3; ++c) {
+      CAPTURE(c);
+      const slow::Real error = error_share * size[c];
+      CHECK(std::abs(slow::real(frame.radiance.at(x, y)[c]) - expected[c]) <= error);
+      if (const auto level = level_of_value(expected[c], error)) CHECK(int{frame.levels.at(x, y)[c]} == *level);
+    }
+  }
+  // Nearly all are judged: what the slow path leaves out are a few pixels on edges, and one of three panels of the
+  // scene that shows lookups.
+  CHECK(judged * 10 >= pixels.size() * 8);
+  CHECK(on_objects >= 5);
+}
+
+void check_colours(const std::vector<std::string>& paths, int rows_apart) {
   for (const std::string& path : paths) {
     CAPTURE(path);
-    const Scene& scene = listed_scene(path);
-    RenderOptions options;
-    options.width = width, options.height = height;
-    options.want_radiance = true;
-    options.aovs = {Aov::object, Aov::position, Aov::normal};
-    const Frame frame = render(scene, options);
-
-    const auto seen = slow::seen_at(scene, width, height, pixels);
-    std::size_t judged = 0, on_objects = 0;
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-      if (!seen[i]) continue;
-      const int x = pixels[i].x, y = pixels[i].y;
-      CAPTURE(x);
-      CAPTURE(y);
-      const float object = seen[i]->object ? static_cast<float>(seen[i]->object - scene.objects.data() + 1) : 0.0f;
-      CHECK(frame.aovs[0].at(x, y)[0] == object);
-      if (frame.aovs[0].at(x, y)[0] != object) continue;
-
-      const auto shaded = slow::shaded(scene, *seen[i]);
-      if (!shaded) continue;
-      ++judged;
-      if (seen[i]->object) ++on_objects;
-      const std::array<slow::Real, 3> expected = {shaded->radiance.x, shaded->radiance.y, shaded->radiance.z};
-      const std::array<slow::Real, 3> size = {shaded->magnitude.x, shaded->magnitude.y, shaded->magnitude.z};
-      for (std::size_t c = 0; c < 3; ++c) {
-        CAPTURE(c);
-        const slow::Real error = error_share * size[c];
-        CHECK(std::abs(slow::real(frame.radiance.at(x, y)[c]) - expected[c]) <= error);
-        if (const auto level = level_of_value(expected[c], error)) CHECK(int{frame.levels.at(x, y)[c]} == *level);
-      }
-    }
-    // Nearly all are judged: what the slow path leaves out are a few pixels on edges, and one of three panels of the
-    // scene that shows lookups.
-    CHECK(judged * 10 >= pixels.size() * 8);
-    CHECK(on_objects >= 5);
+    check_colours(listed_scene(path), rows_apart);
   }
 }
 
@@ -84,6 +88,11 @@ void check_colours(const std::vector<std::string>& paths, int rows_apart) {
 
 TEST_CASE("at chosen pixels, colours are those of a ray of long doubles and the textbook's formulas") {
   check_colours(quick_scenes(), 38);
+}
+
+TEST_CASE("so they are of a mesh of which only some triangles have texture coordinates") {
+  for (const TextureFilter filter : {TextureFilter::nearest, TextureFilter::bilinear, TextureFilter::trilinear})
+    check_colours(half_textured(filter), 19);
 }
 
 TEST_SUITE("slow") {

@@ -4,6 +4,7 @@
 #include "math/interval_functions.h"
 #include "raster/render_in.h"
 #include "shading/precision_bounds.h"
+#include "tests/scenes/half_textured.h"
 #include "tests/scenes/listed_scenes.h"
 #include "tests/scenes/slow_shading.h"
 
@@ -21,10 +22,8 @@ namespace {
 constexpr slow::Real error_share = 0x1p-41L;
 
 /// How many pixels were compared.
-std::size_t check_against_slow_path(const std::string& path, int rows_apart) {
+std::size_t check_against_slow_path(const Scene& scene, int rows_apart) {
   constexpr int width = 320, height = 180;
-  CAPTURE(path);
-  const Scene& scene = listed_scene(path);
   std::vector<slow::Pixel> pixels;
   for (int y = 3; y < height; y += rows_apart)
     for (int x = 5; x < width; x += 21) pixels.push_back({x, y});
@@ -64,7 +63,10 @@ std::size_t check_against_slow_path(const std::string& path, int rows_apart) {
 
 void check_against_slow_path(const std::vector<std::string>& paths, int rows_apart) {
   std::size_t compared = 0;
-  for (const std::string& path : paths) compared += check_against_slow_path(path, rows_apart);
+  for (const std::string& path : paths) {
+    CAPTURE(path);
+    compared += check_against_slow_path(listed_scene(path), rows_apart);
+  }
   CHECK(compared >= 100);
 }
 
@@ -76,10 +78,8 @@ bool contains(const auto& bounds, const Exact& x) {
 }
 
 /// Every pixel of a small frame. The samples of `exact`, of the bounds and of the rungs are the same.
-void check_frame(const std::string& path, int samples) {
-  CAPTURE(path);
+void check_frame(const Scene& scene, int samples) {
   CAPTURE(samples);
-  const Scene& scene = listed_scene(path);
   RenderOptions options;
   options.width = 64, options.height = 36, options.samples = samples;
   options.want_levels = false, options.want_radiance_double = true;
@@ -114,8 +114,19 @@ TEST_CASE("exact says what the slow path in long double says") {
   check_against_slow_path(quick_scenes(), 34);
 }
 
+TEST_CASE("so it does of a mesh of which only some triangles have texture coordinates, and bounds hold") {
+  for (const TextureFilter filter : {TextureFilter::nearest, TextureFilter::bilinear, TextureFilter::trilinear}) {
+    const Scene scene = half_textured(filter);
+    CHECK(check_against_slow_path(scene, 17) >= 20);
+    check_frame(scene, 1);
+  }
+}
+
 TEST_CASE("double and float lie within their bounds, and double near exact, in every pixel of some scenes") {
-  for (const std::string& path : quick_scenes()) check_frame(path, 1);
+  for (const std::string& path : quick_scenes()) {
+    CAPTURE(path);
+    check_frame(listed_scene(path), 1);
+  }
 }
 
 TEST_SUITE("slow") {
@@ -124,8 +135,10 @@ TEST_SUITE("slow") {
   }
 
   TEST_CASE("double and float lie within their bounds, and double near exact, in every pixel of the gallery") {
-    for (const std::string& path : listed_scenes())
-      for (const int samples : {1, 4}) check_frame(path, samples);
+    for (const std::string& path : listed_scenes()) {
+      CAPTURE(path);
+      for (const int samples : {1, 4}) check_frame(listed_scene(path), samples);
+    }
   }
 }
 

@@ -51,12 +51,13 @@ Mesh loose_triangles(Random& random) {
   };
   Mesh mesh;
   const auto vertices = static_cast<std::uint32_t>(3 + random.below(30));
-  const bool has_uvs = one_in(random, 2);
+  // All have uvs, or the first ones, or none.
+  const auto textured = static_cast<std::uint32_t>(random.below(3) * static_cast<int>(vertices) / 2);
   for (std::uint32_t i = 0; i < vertices; ++i) {
     mesh.positions.push_back(one_in(random, 8) && i > 0 ? mesh.positions.back() : triple());
     mesh.normals.push_back(one_in(random, 8) ? Float3(0) : triple());
     const Float3 uv = triple();
-    if (has_uvs) mesh.uvs.emplace_back(uv.x, uv.y);
+    if (i < textured) mesh.uvs.emplace_back(uv.x, uv.y);
   }
   const auto any = [&] { return static_cast<std::uint32_t>(random.below(static_cast<int>(vertices))); };
   for (std::uint32_t i = 0; i < vertices; ++i) { // each vertex is used

@@ -62,10 +62,10 @@ std::string fault_of(const Mesh& mesh) {
   if (mesh.triangles.empty()) return "mesh: no triangle";
   const std::size_t count = mesh.positions.size();
   if (mesh.normals.size() != count) return "mesh: normals";
-  if (!mesh.uvs.empty() && mesh.uvs.size() != count) return "mesh: uvs";
+  if (mesh.uvs.size() > count) return "mesh: uvs";
   for (std::size_t i = 0; i < count; ++i) {
     const Float3 p = mesh.positions[i], n = mesh.normals[i];
-    const Float2 uv = mesh.uvs.empty() ? Float2(0.0f) : mesh.uvs[i];
+    const Float2 uv = i < mesh.uvs.size() ? mesh.uvs[i] : Float2(0.0f);
     if (!all_finite(std::array{p.x, p.y, p.z, n.x, n.y, n.z, uv.x, uv.y})) return "mesh: a vertex is not finite";
   }
   std::vector<char> used(count);

@@ -104,9 +104,13 @@ std::string scene_json(const Scene& scene, int width, int height) {
   json.key("objects");
   json.begin_array();
   for (const Object& object : scene.objects) {
+    Material material = object.material;
+    if (object.mesh->uvs.empty()) material.texture = nullptr;
+    else if (object.mesh->uvs.size() < object.mesh->positions.size())
+      throw std::runtime_error(object.name + ": the page draws no mesh of which only some triangles have a vt");
     json.begin_object();
     json.member("vertex", own_vertex_glsl(GlslDialect::es_300));
-    json.member("fragment", own_fragment_glsl(scene, object.material, MerlFilter::manual, GlslDialect::es_300));
+    json.member("fragment", own_fragment_glsl(scene, material, MerlFilter::manual, GlslDialect::es_300));
     json.member("positions", packed(object.mesh->positions));
     json.member("normals", packed(object.mesh->normals));
     json.member("uvs", packed(object.mesh->uvs));
@@ -115,7 +119,7 @@ std::string scene_json(const Scene& scene, int width, int height) {
     UniformValues values = scene_uniforms(scene);
     values.merge(object_uniforms(object, clip));
     write_uniforms(json, values);
-    write_texture(json, object.material);
+    write_texture(json, material);
     write_table(json, object.material);
     json.end_object();
   }

@@ -1,5 +1,7 @@
 #include "verify/gl/context.h"
 
+#include "verify/gl/driver_environment.h"
+
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
@@ -9,12 +11,10 @@
 #include <iterator>
 #include <sstream>
 #include <string_view>
+#include <unistd.h>
 
 namespace refraster {
 namespace {
-
-constexpr const char* what_to_install =
-    "install an OpenGL driver: Mesa's software drivers are in the Debian packages libegl1 and libgl1-mesa-dri";
 
 #define REFRASTER_EGL_FUNCTIONS(F)                                                                                     \
   F(BINDAPI, BindAPI)                                                                                                  \
@@ -36,6 +36,8 @@ struct EglApi {
   PFNEGLQUERYDEVICESEXTPROC QueryDevices = nullptr;
   PFNEGLQUERYDEVICESTRINGEXTPROC QueryDeviceString = nullptr;
 };
+
+const std::string what_to_install = advice({});
 
 EglApi load_egl() {
   // Never closed: drivers leave threads and exit handlers behind.
@@ -108,26 +110,34 @@ std::string text(const GlApi& gl, GLenum name) {
 } // namespace
 
 GlContext::GlContext(GlRenderer wanted) {
+  std::vector<std::string> set_here;
+  const auto set = [&](const char* name, std::string_view value) {
+    setenv(name, std::string(value).c_str(), 1);
+    set_here.emplace_back(name);
+  };
+  // A shader that Mesa finds in its cache on disk is not compiled again, and its warnings are not said again.
+  set("MESA_SHADER_CACHE_DISABLE", "true");
+  set("MESA_GLSL_CACHE_DISABLE", "true"); // its name before Mesa 21.1
   if (wanted != GlRenderer::system_default) {
-    const std::string name(name_of(wanted));
-    setenv("GALLIUM_DRIVER", name.c_str(), 1);
-    setenv("LIBGL_ALWAYS_SOFTWARE", "true", 1);
+    set("GALLIUM_DRIVER", name_of(wanted));
+    set("LIBGL_ALWAYS_SOFTWARE", "true");
   }
-  open(wanted);
+  const std::string what_to_do = advice(driver_variables(environ, set_here));
+  open(wanted, what_to_do);
   if (const char* const missing = load(gl_, egl().GetProcAddress)) {
     close();
-    throw NoOpenGl(std::string("this OpenGL has no ") + missing + "; " + what_to_install);
+    throw NoOpenGl(std::string("this OpenGL has no ") + missing + "; " + what_to_do);
   }
   driver_ = {text(gl_, GL_VENDOR), text(gl_, GL_RENDERER), text(gl_, GL_VERSION),
              text(gl_, GL_SHADING_LANGUAGE_VERSION)};
   if (wanted != GlRenderer::system_default && driver_.renderer.find(name_of(wanted)) == std::string::npos) {
     close();
     throw NoOpenGl(std::string(name_of(wanted)) + " was asked for, but this OpenGL draws with " + driver_.renderer +
-                   "; " + what_to_install);
+                   "; " + what_to_do);
   }
 }
 
-void GlContext::open(GlRenderer wanted) {
+void GlContext::open(GlRenderer wanted, const std::string& what_to_do) {
   bool any_display = false;
   for (const Place& place : places(wanted)) {
     display_ = egl().GetPlatformDisplay(place.platform, place.native, nullptr);
@@ -147,7 +157,7 @@ void GlContext::open(GlRenderer wanted) {
     close();
   }
   throw NoOpenGl(std::string(any_display ? "no OpenGL 3.3 core here" : "EGL finds no driver to draw with") + "; " +
-                 what_to_install);
+                 what_to_do);
 }
 
 void GlContext::close() {

@@ -10,7 +10,8 @@ namespace refraster {
 class GlContext {
 public:
   /// Throws NoOpenGl if there is no EGL library, no driver, none as new as 3.3, or not the one asked for. A software
-  /// driver is asked for by GALLIUM_DRIVER and LIBGL_ALWAYS_SOFTWARE, which stay set in this process.
+  /// driver is asked for by GALLIUM_DRIVER and LIBGL_ALWAYS_SOFTWARE, which stay set in this process, as do the
+  /// variables that turn Mesa's cache of shaders off.
   explicit GlContext(GlRenderer wanted);
   ~GlContext();
   GlContext(const GlContext&) = delete;
@@ -20,7 +21,7 @@ public:
   const GlDriver& driver() const { return driver_; }
 
 private:
-  void open(GlRenderer wanted);
+  void open(GlRenderer wanted, const std::string& what_to_do);
   void close();
 
   void *display_ = nullptr, *context_ = nullptr; // EGLDisplay, EGLContext

@@ -1,10 +1,11 @@
 #pragma once
-// The functions of OpenGL 3.3 core that are used here, and no others. Loaded at run time: nothing is linked.
+// The functions of OpenGL that are used here, and no others. Loaded at run time: nothing is linked.
 
 #include <GL/glcorearb.h>
 
 namespace refraster {
 
+/// Of OpenGL 3.3 core.
 #define REFRASTER_GL_FUNCTIONS(F)                                                                                      \
   F(ACTIVETEXTURE, ActiveTexture)                                                                                      \
   F(ATTACHSHADER, AttachShader)                                                                                        \
@@ -19,12 +20,18 @@ namespace refraster {
   F(BUFFERDATA, BufferData)                                                                                            \
   F(CHECKFRAMEBUFFERSTATUS, CheckFramebufferStatus)                                                                    \
   F(CLEAR, Clear)                                                                                                      \
+  F(CLEARBUFFERFV, ClearBufferfv)                                                                                      \
+  F(CLEARBUFFERIV, ClearBufferiv)                                                                                      \
+  F(CLEARBUFFERUIV, ClearBufferuiv)                                                                                    \
   F(CLEARCOLOR, ClearColor)                                                                                            \
   F(CLEARDEPTH, ClearDepth)                                                                                            \
+  F(COLORMASK, ColorMask)                                                                                              \
   F(COMPILESHADER, CompileShader)                                                                                      \
   F(CREATEPROGRAM, CreateProgram)                                                                                      \
   F(CREATESHADER, CreateShader)                                                                                        \
   F(CULLFACE, CullFace)                                                                                                \
+  F(DELETEFRAMEBUFFERS, DeleteFramebuffers)                                                                            \
+  F(DELETEQUERIES, DeleteQueries)                                                                                      \
   F(DEPTHFUNC, DepthFunc)                                                                                              \
   F(DISABLE, Disable)                                                                                                  \
   F(DRAWELEMENTS, DrawElements)                                                                                        \
@@ -33,6 +40,7 @@ namespace refraster {
   F(ENDQUERY, EndQuery)                                                                                                \
   F(FINISH, Finish)                                                                                                    \
   F(FRAMEBUFFERRENDERBUFFER, FramebufferRenderbuffer)                                                                  \
+  F(FRAMEBUFFERTEXTURE, FramebufferTexture)                                                                            \
   F(FRONTFACE, FrontFace)                                                                                              \
   F(GENBUFFERS, GenBuffers)                                                                                            \
   F(GENFRAMEBUFFERS, GenFramebuffers)                                                                                  \
@@ -40,9 +48,12 @@ namespace refraster {
   F(GENRENDERBUFFERS, GenRenderbuffers)                                                                                \
   F(GENTEXTURES, GenTextures)                                                                                          \
   F(GENVERTEXARRAYS, GenVertexArrays)                                                                                  \
+  F(GETACTIVEATTRIB, GetActiveAttrib)                                                                                  \
   F(GETACTIVEUNIFORM, GetActiveUniform)                                                                                \
   F(GETACTIVEUNIFORMBLOCKIV, GetActiveUniformBlockiv)                                                                  \
   F(GETACTIVEUNIFORMBLOCKNAME, GetActiveUniformBlockName)                                                              \
+  F(GETACTIVEUNIFORMSIV, GetActiveUniformsiv)                                                                          \
+  F(GETATTRIBLOCATION, GetAttribLocation)                                                                              \
   F(GETERROR, GetError)                                                                                                \
   F(GETINTEGERV, GetIntegerv)                                                                                          \
   F(GETPROGRAMINFOLOG, GetProgramInfoLog)                                                                              \
@@ -51,6 +62,8 @@ namespace refraster {
   F(GETSHADERINFOLOG, GetShaderInfoLog)                                                                                \
   F(GETSHADERIV, GetShaderiv)                                                                                          \
   F(GETSTRING, GetString)                                                                                              \
+  F(GETSTRINGI, GetStringi)                                                                                            \
+  F(GETUNIFORMFV, GetUniformfv)                                                                                        \
   F(GETUNIFORMLOCATION, GetUniformLocation)                                                                            \
   F(LINKPROGRAM, LinkProgram)                                                                                          \
   F(PIXELSTOREI, PixelStorei)                                                                                          \
@@ -58,29 +71,48 @@ namespace refraster {
   F(READPIXELS, ReadPixels)                                                                                            \
   F(RENDERBUFFERSTORAGE, RenderbufferStorage)                                                                          \
   F(SHADERSOURCE, ShaderSource)                                                                                        \
+  F(TEXBUFFER, TexBuffer)                                                                                              \
+  F(TEXIMAGE1D, TexImage1D)                                                                                            \
   F(TEXIMAGE2D, TexImage2D)                                                                                            \
+  F(TEXIMAGE2DMULTISAMPLE, TexImage2DMultisample)                                                                      \
   F(TEXIMAGE3D, TexImage3D)                                                                                            \
+  F(TEXIMAGE3DMULTISAMPLE, TexImage3DMultisample)                                                                      \
   F(TEXPARAMETERI, TexParameteri)                                                                                      \
   F(UNIFORM1F, Uniform1f)                                                                                              \
   F(UNIFORM1I, Uniform1i)                                                                                              \
+  F(UNIFORM1IV, Uniform1iv)                                                                                            \
   F(UNIFORM3FV, Uniform3fv)                                                                                            \
   F(UNIFORMBLOCKBINDING, UniformBlockBinding)                                                                          \
   F(UNIFORMMATRIX3FV, UniformMatrix3fv)                                                                                \
   F(UNIFORMMATRIX4FV, UniformMatrix4fv)                                                                                \
   F(USEPROGRAM, UseProgram)                                                                                            \
+  F(VALIDATEPROGRAM, ValidateProgram)                                                                                  \
+  F(VERTEXATTRIB4F, VertexAttrib4f)                                                                                    \
+  F(VERTEXATTRIBI4I, VertexAttribI4i)                                                                                  \
+  F(VERTEXATTRIBI4UI, VertexAttribI4ui)                                                                                \
   F(VERTEXATTRIBPOINTER, VertexAttribPointer)                                                                          \
   F(VIEWPORT, Viewport)
+
+/// Of later versions or of extensions: null where the driver has neither.
+#define REFRASTER_GL_LATER_FUNCTIONS(F)                                                                                \
+  F(GETPROGRAMINTERFACEIV, GetProgramInterfaceiv)                                                                      \
+  F(GETPROGRAMRESOURCENAME, GetProgramResourceName)                                                                    \
+  F(GETPROGRAMRESOURCEIV, GetProgramResourceiv)                                                                        \
+  F(GETPROGRAMSTAGEIV, GetProgramStageiv)                                                                              \
+  F(UNIFORMSUBROUTINESUIV, UniformSubroutinesuiv)                                                                      \
+  F(VERTEXATTRIBL4D, VertexAttribL4d)
 
 /// gl.Clear(…) is glClear(…). For the context it was loaded from.
 struct GlApi {
 #define REFRASTER_GL_MEMBER(TYPE, name) PFNGL##TYPE##PROC name = nullptr;
   REFRASTER_GL_FUNCTIONS(REFRASTER_GL_MEMBER)
+  REFRASTER_GL_LATER_FUNCTIONS(REFRASTER_GL_MEMBER)
 #undef REFRASTER_GL_MEMBER
 };
 
 using GlFunction = void (*)();
 
-/// Loads all of them; gives the name of the first that is missing, or null.
+/// Loads all of them for the current context; gives the name of the first of OpenGL 3.3 that is missing, or null.
 const char* load(GlApi& gl, GlFunction (*get)(const char* name));
 
 } // namespace refraster

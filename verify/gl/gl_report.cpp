@@ -56,6 +56,8 @@ std::string gl_report_json(const std::string& scene, const GlOptions& options, c
   json.member("shaders", frame.shaders);
   json.member("warnings", frame.warnings);
   json.member("samples_passed", frame.samples_passed);
+  json.member("nan_pixels", frame.non_finite.nan);
+  json.member("infinite_pixels", frame.non_finite.infinite);
   json.member("frames", frame.times.wall_ms.size());
   json.key("frame_ms");
   write_times(json, frame.times.wall_ms);

@@ -16,9 +16,8 @@ struct GlSession::State {
   State(const Scene& scene, const GlOptions& options) : context(options.renderer) {
     make_target(context.gl(), GL_RGBA8, options);
     drawing.emplace(context.gl(), scene, options);
-    draw();
-    if (const GLenum error = context.gl().GetError(); error != GL_NO_ERROR)
-      throw std::runtime_error("OpenGL reports error " + std::to_string(error));
+    drawing->draw_checked();
+    context.gl().Finish();
   }
 
   void draw() const {

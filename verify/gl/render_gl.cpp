@@ -3,9 +3,12 @@
 #include "verify/gl/context.h"
 #include "verify/gl/drawing.h"
 #include "verify/gl/frame_timer.h"
+#include "verify/gl/gl_errors.h"
 #include "verify/gl/target.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace refraster {
 namespace {
@@ -25,14 +28,29 @@ Image<Value> read_pixels(const GlApi& gl, const GlOptions& options, GLenum forma
   return image;
 }
 
-std::uint64_t counted_samples(const GlApi& gl, const GlDrawing& drawing) {
-  GLuint query = 0, passed = 0;
-  gl.GenQueries(1, &query);
-  gl.BeginQuery(GL_SAMPLES_PASSED, query);
-  drawing.draw(GlPass::colour);
-  gl.EndQuery(GL_SAMPLES_PASSED);
-  gl.GetQueryObjectuiv(query, GL_QUERY_RESULT, &passed);
-  return passed;
+NonFinitePixels non_finite_pixels(const Image<float>& image) {
+  NonFinitePixels found;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      const float* const pixel = image.at(x, y);
+      if (std::any_of(pixel, pixel + image.channels, [](float value) { return std::isnan(value); })) {
+        if (found.nan++ == 0) found.nan_x = x, found.nan_y = y;
+      } else if (std::any_of(pixel, pixel + image.channels, [](float value) { return std::isinf(value); })) {
+        if (found.infinite++ == 0) found.infinite_x = x, found.infinite_y = y;
+      }
+    }
+  return found;
+}
+
+void warn_of(const NonFinitePixels& found, std::vector<std::string>& warnings) {
+  const auto warn = [&](std::uint64_t count, const std::string& what, int x, int y, const std::string& effect) {
+    if (count > 0)
+      warnings.push_back((count == 1 ? "1 pixel is " : std::to_string(count) + " pixels are ") + what +
+                         (count == 1 ? ", at " : ", the first at ") + std::to_string(x) + "," + std::to_string(y) +
+                         " from the top left: " + effect);
+  };
+  warn(found.nan, "NaN", found.nan_x, found.nan_y, "what 8 bits show there is the driver's choice");
+  warn(found.infinite, "infinite", found.infinite_x, found.infinite_y, "8 bits show the end of their range there");
 }
 
 } // namespace
@@ -44,10 +62,10 @@ GlFrame render_gl(const Scene& scene, const GlOptions& options) {
   frame.driver = context.driver();
 
   make_target(gl, GL_RGBA8, options);
-  const GlDrawing drawing(gl, scene, options);
+  GlDrawing drawing(gl, scene, options);
   frame.shaders = drawing.shaders();
+  frame.samples_passed = drawing.draw_checked(); // and what drivers put off until the first frame is done
   frame.warnings = drawing.warnings();
-  frame.samples_passed = counted_samples(gl, drawing); // and what drivers put off until the first frame is done
   if (options.want_levels) frame.levels = read_pixels<std::uint8_t>(gl, options, GL_RGB, 3);
   if (options.want_depth) frame.depth = read_pixels<float>(gl, options, GL_DEPTH_COMPONENT, 1);
   gl.Finish();
@@ -56,17 +74,17 @@ GlFrame render_gl(const Scene& scene, const GlOptions& options) {
     gl.Finish();
   });
 
-  if (options.want_radiance || options.want_ids) make_target(gl, GL_RGBA32F, options);
-  if (options.want_radiance) {
-    drawing.draw(GlPass::colour);
-    frame.radiance = read_pixels<float>(gl, options, GL_RGB, 3);
-  }
+  make_target(gl, GL_RGBA32F, options);
+  drawing.draw(GlPass::colour);
+  Image<float> radiance = read_pixels<float>(gl, options, GL_RGB, 3);
+  frame.non_finite = non_finite_pixels(radiance);
+  warn_of(frame.non_finite, frame.warnings);
+  if (options.want_radiance) frame.radiance = std::move(radiance);
   if (options.want_ids) {
     drawing.draw(GlPass::ids);
     frame.ids = read_pixels<float>(gl, options, GL_RG, 2);
   }
-  if (const GLenum error = gl.GetError(); error != GL_NO_ERROR)
-    throw std::runtime_error("OpenGL reports error " + std::to_string(error));
+  throw_if_error(gl, "drawing and reading back");
   return frame;
 }
 

@@ -40,6 +40,12 @@ struct GlTimes {
   std::vector<double> wall_ms, cpu_ms;
 };
 
+/// Pixels with a channel that is NaN, and those without but with an infinite one; the first of either, row by row.
+struct NonFinitePixels {
+  std::uint64_t nan = 0, infinite = 0;
+  int nan_x = 0, nan_y = 0, infinite_x = 0, infinite_y = 0;
+};
+
 struct GlFrame {
   Image<std::uint8_t> levels; // 3 channels, from an RGBA8 target
   Image<float> radiance;      // 3 channels, from an RGBA32F target
@@ -49,14 +55,15 @@ struct GlFrame {
   GlTimes times;
   std::uint64_t samples_passed = 0;  // the depth test, in one frame
   std::vector<std::string> shaders;  // one line for each object: whose GLSL draws it, and why
-  std::vector<std::string> warnings; // of shader compilers, and uniforms that nobody sets
+  std::vector<std::string> warnings; // of compilers, of what shaders ask for in vain, and of what is wrong in the image
+  NonFinitePixels non_finite;        // as in `radiance`, whether that is wanted or not
 };
 
 /// Draws the scene with the GLSL that it names where those files exist, else with our own GLSL of the same formulas.
 /// docs/glsl-interface.md says what a shader is given. Drawn as an application draws, y up in the window, so that
 /// gl_FragCoord, dFdy, gl_FrontFacing and ties on edges are OpenGL's own; but row 0 of each image is the top. Throws
-/// NoOpenGl; std::runtime_error if the driver reports an error; InputError for GLSL that does not compile or link. Not
-/// to be called from two threads at once: a driver is chosen by the environment of the process.
+/// NoOpenGl; InputError for GLSL that does not compile, link or draw. Not to be called from two threads at once: a
+/// driver is chosen by the environment of the process.
 GlFrame render_gl(const Scene& scene, const GlOptions& options);
 
 } // namespace refraster

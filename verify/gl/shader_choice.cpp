@@ -29,6 +29,9 @@ std::pair<ShaderText, std::string> choose(const std::string& path, std::string o
   if (!std::filesystem::exists(path, ignored))
     return {{own_name, std::move(own_text)}, "ours (there is no " + path + ")"};
   std::string text = read_file(path, "a GLSL file", limit::glsl_bytes.value);
+  if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3); // a byte order mark, which compilers take for GLSL
+  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
+    throw InputError({path, 0, 0, "", "UTF-16 text", "a GLSL file, which is ASCII or UTF-8"});
   const std::string lowered = lower_version(text, newest_version);
   return {{path, std::move(text)}, path + lowered};
 }
@@ -49,7 +52,8 @@ ShaderChoice choose_shaders(const Scene& scene, const Object& object, MerlFilter
              "our fragment shader of " + std::string(model), newest_version);
   return {vertex, fragment,
           object.name + ": vertex shader " + vertex_from + ", fragment shader of " + std::string(model) + " " +
-              fragment_from};
+              fragment_from,
+          vertex.file == object.vertex_shader_path, fragment.file == object.fragment_shader_path};
 }
 
 } // namespace refraster

@@ -9,6 +9,7 @@ namespace refraster {
 struct ShaderChoice {
   ShaderText vertex, fragment;
   std::string why; // one line for people
+  bool vertex_of_scene = false, fragment_of_scene = false;
 };
 
 /// The files that the object names where they exist, each for itself; else ours. Throws InputError if one is there and

@@ -2,10 +2,12 @@
 // What a shader is given by name: docs/glsl-interface.md.
 
 #include "raster/transform.h"
+#include "verify/gl/dummy_textures.h"
 #include "verify/gl/gl_api.h"
 
 #include <map>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -17,7 +19,7 @@ using UniformValue = std::variant<float, int, Float3, Float3x3, Float4x4>;
 using UniformValues = std::map<std::string, UniformValue>;
 
 /// The texture units that samplers are set to.
-inline constexpr int texture_unit = 0, merl_unit = 1;
+inline constexpr int texture_unit = 0, merl_unit = 1, first_dummy_unit = 2;
 
 /// The std140 block Matrices.
 struct MatricesBlock {
@@ -41,8 +43,10 @@ struct UniformSetting {
 
 /// What to set of `values` before each draw. A uniform that the program lacks is left out. A warning is appended for
 /// one that it declares and nobody sets, for one of another type, and for an array of lights that is too short; the
-/// count of lights is then cut to its length.
+/// count of lights is then cut to its length. Samplers that nobody sets are set here, once and for all, to units of
+/// `dummies`. `function` names the fragment function that `values` are of.
 std::vector<UniformSetting> settings(const GlApi& gl, GLuint program, const UniformValues& values,
+                                     std::string_view function, DummyTextures& dummies,
                                      std::vector<std::string>& warnings);
 
 /// For the program in use.

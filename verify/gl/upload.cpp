@@ -1,7 +1,10 @@
 #include "verify/gl/upload.h"
 
+#include "verify/gl/render_gl.h"
+
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace refraster {
 namespace {
@@ -45,18 +48,32 @@ void add_level(const GlApi& gl, GLint level, const TextureLevel& image, GLenum f
 
 } // namespace
 
-GLuint upload_mesh(const GlApi& gl, const Mesh& mesh) {
+GLuint upload_mesh(const GlApi& gl, const Mesh& mesh, unsigned attributes) {
   GLuint vertices = 0;
   gl.GenVertexArrays(1, &vertices);
   gl.BindVertexArray(vertices);
-  add_attribute<3>(gl, 0, mesh.positions);
-  add_attribute<3>(gl, 1, mesh.normals);
-  if (!mesh.uvs.empty()) add_attribute<2>(gl, 2, mesh.uvs); // else GL's initial value: (0, 0)
+  if ((attributes & 1) != 0) add_attribute<3>(gl, 0, mesh.positions);
+  if ((attributes & 2) != 0) add_attribute<3>(gl, 1, mesh.normals);
+  if ((attributes & 4) != 0) {
+    if (mesh.uvs.size() == mesh.positions.size()) add_attribute<2>(gl, 2, mesh.uvs);
+    else if (!mesh.uvs.empty()) { // where there are none at all, GL's initial value is (0, 0)
+      std::vector<Float2> uvs = mesh.uvs;
+      uvs.resize(mesh.positions.size(), Float2(0.0f));
+      add_attribute<2>(gl, 2, uvs);
+    }
+  }
   fill_buffer(gl, GL_ELEMENT_ARRAY_BUFFER, mesh.triangles);
   return vertices;
 }
 
 GLuint upload_texture(const GlApi& gl, const Texture& texture, TextureFilter filter) {
+  GLint most = 0;
+  gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+  const TextureLevel& image = texture.levels.front();
+  if (image.width > most || image.height > most)
+    throw NoOpenGl("a texture of " + std::to_string(image.width) + " x " + std::to_string(image.height) +
+                   " texels is too large for this OpenGL, whose textures have at most " + std::to_string(most) +
+                   " a side");
   const GLuint name = new_texture(gl, GL_TEXTURE_2D);
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   const std::size_t levels = filter == TextureFilter::trilinear ? texture.levels.size() : 1;

@@ -6,11 +6,12 @@
 
 namespace refraster {
 
-/// A vertex array with positions, normals and, if the mesh has any, texture coordinates at 0, 1, 2, and its indices.
-GLuint upload_mesh(const GlApi& gl, const Mesh& mesh);
+/// A vertex array with positions, normals and, if the mesh has any, texture coordinates at 0, 1, 2, and its indices. Of
+/// the three those whose bit is set in `attributes`. Vertices without texture coordinates have (0, 0).
+GLuint upload_mesh(const GlApi& gl, const Mesh& mesh, unsigned attributes);
 
 /// In RGB8 or RGB16, whichever holds the image's values exactly; repeating; with the mip levels that it has, rounded to
-/// that format.
+/// that format. Throws NoOpenGl for one that is larger than this OpenGL's.
 GLuint upload_texture(const GlApi& gl, const Texture& texture, TextureFilter filter);
 
 /// One white texel: what a shader samples of an object without a texture.
