@@ -1,8 +1,8 @@
 #pragma once
 // Words of the command line that are more than a number or a name.
 
-#include "io/limits.h"
-#include "io/scene_file.h"
+#include "io/file/limits.h"
+#include "io/scene/scene_file.h"
 #include "raster/render.h"
 #include "shading/fields.h"
 

@@ -1,6 +1,6 @@
 #include "app/command.h"
 
-#include "io/report.h"
+#include "io/file/build_info.h"
 
 namespace refraster {
 

@@ -1,6 +1,6 @@
 #include "app/interrupt.h"
 
-#include "io/atomic_file.h"
+#include "io/file/atomic_file.h"
 
 #include <cerrno>
 #include <csignal>

@@ -3,7 +3,7 @@
 #include "app/command.h"
 #include "app/interrupt.h"
 #include "app/memory_limit.h"
-#include "io/input_error.h"
+#include "io/file/input_error.h"
 
 #include <cstdio>
 #include <iostream>

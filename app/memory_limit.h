@@ -1,7 +1,7 @@
 #pragma once
 // --max-memory.
 
-#include "raster/memory_budget.h"
+#include "scene/memory_budget.h"
 
 #include <CLI/CLI.hpp>
 

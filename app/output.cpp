@@ -1,11 +1,11 @@
 #include "app/output.h"
 
 #include "app/interrupt.h"
-#include "io/atomic_file.h"
-#include "io/image_file.h"
-#include "io/input_error.h"
-#include "io/input_file.h"
-#include "io/mesh_cache.h"
+#include "io/file/atomic_file.h"
+#include "io/file/input_error.h"
+#include "io/file/input_file.h"
+#include "io/image/image_file.h"
+#include "io/mesh/mesh_cache.h"
 
 #include <CLI/CLI.hpp>
 

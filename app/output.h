@@ -1,7 +1,7 @@
 #pragma once
 // Where results go.
 
-#include "raster/image.h"
+#include "scene/image.h"
 
 #include <optional>
 #include <string>

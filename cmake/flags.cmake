@@ -2,7 +2,7 @@
 
 # Strict floating point: the same source gives the same bits in every lane count, optimisation level and compiler.
 #   -ffp-contract=off         a*b+c is two roundings everywhere, not one where the machine has FMA
-#   -fno-tree-slp-vectorize   GCC 12 drops double > float > double roundings in that pass (tests/math: "narrowing is kept")
+#   -fno-tree-slp-vectorize   GCC 12 drops double > float > double roundings in that pass (tests/unit/math: "narrowing is kept")
 #   -fno-math-errno, -fno-trapping-math   change no value; sqrt becomes one instruction, selects become blends
 #   -Wno-psabi                vectors wider than the baseline's registers have no stable ABI; none crosses a library border
 add_library(refraster_strict_fp INTERFACE)

@@ -1,5 +1,5 @@
-# stb_image reads TGA and BMP from strangers, behind headers that io/tga_file.cpp and io/bmp_file.cpp make. Its faults in
-# other formats do not reach us; these flags meet what a fault in those two could do:
+# stb_image reads TGA and BMP from strangers, behind headers that io/image/tga_file.cpp and io/image/bmp_file.cpp make.
+# Its faults in other formats do not reach us; these flags meet what a fault in those two could do:
 #   -fwrapv                       an overflow is defined
 #   -ftrivial-auto-var-init=zero  a palette on the stack that is not filled (nothings/stb issue 1929) shows no memory
 # clang before 16 wants to be told twice.

@@ -1,7 +1,7 @@
 #pragma once
 // IEEE half precision, for storage only: tables of half the size of float.
 
-#include "math/rows.h"
+#include "math/lanes/rows.h"
 
 namespace refraster {
 

@@ -2,9 +2,9 @@
 // The vocabulary of a formula. A fragment function is written once, over a Number T, and runs as
 //   double          the reference          (math/scalar.h)
 //   float           GPU-like arithmetic    (math/scalar.h)
-//   Wide<F, N>      N lanes of either      (math/wide.h)
+//   Wide<F, N>      N lanes of either      (math/lanes/wide.h)
 //   Exact           60 digits, the truth   (math/exact.h)
-//   Interval        bounds, the proof      (math/interval.h)
+//   Interval        bounds, the proof      (math/bounds/interval.h)
 // and as any number type of one's own that has them: docs/number.md.
 // Only the operations below may be used on a Number, so that every one of these types can follow:
 // there is no `if` on a value, and the mask of a bounds type has no conversion to bool.
@@ -18,7 +18,7 @@ namespace refraster {
 
 /// Beside these, every Number has (each total, and of lanes branch-free and the same bits in a lane as alone):
 ///   exp2(x), log2(x), power(x, s), atan2(y, x)       math/elementary.h; required by ElementaryNumber
-///   cosine_power(a, b, s), length(a), normalize(a)   math/cosine_power.h, math/vec.h
+///   cosine_power(a, b, s), length(a), normalize(a)   math/elementary/cosine_power.h, math/vec.h
 ///   read_grid(place, axes, read)                     math/read_grid.h
 template <class T>
 concept Number = requires(T x, T y, MaskOf<T> m, IndexOf<T> i) {
@@ -73,7 +73,7 @@ constexpr double within_range(double parameter) {
   return parameter;
 }
 
-/// Whether T trades last bits for speed; see math/wide.h.
+/// Whether T trades last bits for speed; see math/lanes/wide.h.
 template <class T>
 inline constexpr bool is_quick = false;
 

@@ -2,7 +2,7 @@
 // The list of precision rungs. A rung is a number type for attribute interpolation and shading; which triangle a
 // sample sees is decided before, once, for all of them.
 
-#include "math/wide.h"
+#include "math/lanes/wide.h"
 
 #include <string_view>
 #include <tuple>

@@ -2,7 +2,7 @@
 
 #include "math/rungs.h"
 #include "raster/parallel.h"
-#include "raster/shade.h"
+#include "raster/shade/shade.h"
 
 #include <algorithm>
 #include <atomic>

@@ -2,12 +2,12 @@
 // A frame in any Number without lanes: the same formulas as every rung, its colours as they are. For verification and
 // measuring; compiles all of shading for the number.
 
-#include "raster/sample_data.h"
-#include "raster/shade_tile.h"
+#include "raster/shade/sample_data.h"
+#include "raster/shade/shade_tile.h"
 
 namespace refraster {
 
-extern template class TileShaderOf<Exact>; // raster/rungs/exact.cpp
+extern template class TileShaderOf<Exact>; // raster/shade/precisions/exact.cpp
 
 /// Shades the pixels that `request` wants in T, and gives each that shows a surface to request.take. Of `options`, the
 /// images wanted and the rung are not read. Returns the frame's counts.

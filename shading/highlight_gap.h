@@ -6,8 +6,8 @@
 // its peak: little for a glossiness s of 10, but 500 units in the last place for a million. Computed in one go from
 // what was given, each component of a - b has an error of a few u of |a - b|, however short that is.
 
-#include "math/cosine_power.h"
-#include "math/twofold.h"
+#include "math/elementary/cosine_power.h"
+#include "math/elementary/twofold.h"
 
 namespace refraster {
 

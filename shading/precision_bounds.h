@@ -1,8 +1,8 @@
 #pragma once
 // How far the fragment functions may be from exact arithmetic on the same inputs. docs/precision.md says what is
-// measured, on what, and how; tests/precision measures again and compares.
+// measured, on what, and how; tests/system/precision measures again and compares.
 
-#include "math/ulp_bound.h"
+#include "math/elementary/ulp_bound.h"
 
 #include <string_view>
 
@@ -17,9 +17,9 @@ struct PrecisionBound {
   double float_from_double; // largest |difference| of the two rungs' radiance, for a light of radiance 1
 };
 
-/// A pixel of a frame in `double` is off by at most so many units of 2^-53, of 1 or of the pixel if that is brighter, from
-/// the same frame in `exact`: interpolation, textures, lights and all. For scenes like those of the gallery: the bound is a
-/// quarter more than what showed there.
+/// A pixel of a frame in `double` is off by at most so many units of 2^-53, of 1 or of the pixel if that is brighter,
+/// from the same frame in `exact`: interpolation, textures, lights and all. For scenes like those of the gallery: the
+/// bound is a quarter more than what showed there.
 inline constexpr double frame_error_units = 320;
 
 inline constexpr PrecisionBound precision_bounds[] = {
@@ -163,7 +163,7 @@ template <class F>
 inline constexpr UlpBound dot_error = {3, 1.3};
 
 /// How far the rung fast may be from double on ordinary directions and highlights, for a light of radiance 1: of the
-/// radiance where that is above 1. A quarter more than 40,000 inputs showed (tests/shading/test_fast.cpp); the
+/// radiance where that is above 1. A quarter more than 40,000 inputs showed (tests/unit/shading/test_fast.cpp); the
 /// exponents are 1 to 1000, the table is nylon-like.
 struct FastBound {
   std::string_view model;

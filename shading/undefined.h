@@ -2,7 +2,7 @@
 // What the mathematics leaves undefined, a fragment function defines and counts, so that a run report can say how
 // often a pixel rests on a convention instead of a formula.
 
-#include "math/wide.h"
+#include "math/lanes/wide.h"
 
 #include <array>
 #include <cstdint>

@@ -37,7 +37,7 @@ MerlFacts merl_facts(const MerlTable& table);
 ///
 /// It is taken over the half vector h, with d omega_o = 4 (o.h) d omega_h, and theta_h spaced as the table spaces it
 /// (by the square root): a highlight that fills one bin is seen by as many points as a wide one. Midpoint rule, 720 x
-/// 360 points; within 1e-3 for a table without a jump inside the hemisphere (tests/verify/test_merl_facts.cpp).
+/// 360 points; within 1e-3 for a table without a jump inside the hemisphere (tests/unit/verify/test_merl_facts.cpp).
 Rgb<double> directional_albedo(const MerlTable& table, double degrees);
 
 } // namespace refraster

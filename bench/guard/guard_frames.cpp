@@ -1,10 +1,10 @@
 // guard_frames SCENES_FOLDER: small frames of the workloads of bench/scenes, each on every rung, one after the other in
 // one thread. bench/guard/run counts their instructions. Prints "scene rung" for each, in order.
 
-#include "io/scene_file.h"
+#include "io/scene/scene_file.h"
 #include "math/rungs.h"
 #include "raster/render.h"
-#include "scenes/tools/waves.h"
+#include "scenes/synthesis/waves.h"
 
 #include <exception>
 #include <iostream>

@@ -2,7 +2,7 @@
 // The steps of the ladder.
 
 #include "bench/merl_ladder/readers.h"
-#include "shading/merl_synthesis.h"
+#include "scenes/synthesis/merl_synthesis.h"
 
 #include <string>
 

@@ -3,7 +3,7 @@
 
 #include "math/rungs.h"
 #include "shading/merl_lookup.h"
-#include "tests/shading/directions.h"
+#include "tests/support/shading/directions.h"
 
 #include <string_view>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "shading/merl_synthesis.h"
+#include "scenes/synthesis/merl_synthesis.h"
 
 #include <memory>
 

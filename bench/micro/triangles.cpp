@@ -1,9 +1,9 @@
 // From triangles to fragments: set-up, visibility, and interpolation, on one tile of 64 x 64 pixels.
 
 #include "bench/micro/micro.h"
-#include "raster/shade_packet.h"
-#include "raster/visibility.h"
-#include "scenes/tools/waves.h"
+#include "raster/shade/shade_packet.h"
+#include "raster/visibility/visibility.h"
+#include "scenes/synthesis/waves.h"
 
 #include <memory>
 

@@ -1,7 +1,7 @@
 #include "bench/precision/inputs.h"
 
 #include "bench/precision/errors.h"
-#include "tests/shading/directions.h"
+#include "tests/support/shading/directions.h"
 
 #include <cassert>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include "bench/precision/exact_shading.h"
 #include "bench/precision/measure.h"
 
-#include "tests/shading/directions.h"
+#include "tests/support/shading/directions.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #include "bench/precision/exact_shading.h"
 #include "bench/precision/measure.h"
 
-#include "shading/merl_synthesis.h"
+#include "scenes/synthesis/merl_synthesis.h"
 #include "shading/models.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 // A function's stated error bound against what is measured.
 
-#include "math/ulp_bound.h"
+#include "math/elementary/ulp_bound.h"
 #include "tests/support/for_all.h"
 #include "tests/support/ulp.h"
 

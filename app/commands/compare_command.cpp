@@ -1,0 +1,226 @@
+// refraster compare A B
+
+#include "app/arguments.h"
+#include "app/command.h"
+#include "app/diagnostics.h"
+#include "app/memory_limit.h"
+#include "app/output.h"
+#include "app/progress_line.h"
+#include "io/file/input_error.h"
+#include "io/image/image_file.h"
+#include "verify/compare/compare_report.h"
+#include "verify/compare/flip.h"
+#include "verify/compare/heat_legend.h"
+#include "verify/compare/limits_file.h"
+#include "verify/images/image_pair.h"
+
+#include <algorithm>
+#include <array>
+#include <iostream>
+#include <memory>
+
+namespace refraster {
+namespace {
+
+struct CompareArguments {
+  std::string a, b, diff, json, limits_file, unit = "levels", premultiplied;
+  CompareLimits limits;
+  PairRequest pair;
+  std::optional<double> heat_max; // levels
+  Diagnostics diagnostics;
+  std::uint64_t max_memory = 0;
+  enum class Flip { no, yes } flip = Flip::no;
+
+  CompareUnit compare_unit() const { return unit == "levels" ? CompareUnit::levels : CompareUnit::values; }
+};
+
+/// What --alpha says.
+struct AlphaChoice {
+  AlphaUse use;
+  std::array<double, 3> background{};
+};
+std::optional<AlphaChoice> alpha_from(std::string_view text) {
+  if (text == "ignore") return AlphaChoice{AlphaUse::ignored};
+  if (text == "compare") return AlphaChoice{AlphaUse::compared};
+  constexpr std::string_view over = "over:";
+  if (!text.starts_with(over)) return std::nullopt;
+  text.remove_prefix(over.size());
+  AlphaChoice choice{AlphaUse::composited};
+  for (std::size_t c = 0; c < 3; ++c) {
+    const std::size_t comma = c < 2 ? text.find(',') : text.size();
+    if (comma == std::string_view::npos) return std::nullopt;
+    const std::optional<double> value = distance_from(text.substr(0, comma));
+    if (!value) return std::nullopt;
+    choice.background[c] = *value;
+    text.remove_prefix(std::min(comma + 1, text.size()));
+  }
+  return choice;
+}
+
+/// A number of levels above 0.
+std::optional<double> heat_max_from(std::string_view text) {
+  const std::optional<double> levels = distance_from(text);
+  return levels && *levels > 0 ? levels : std::nullopt;
+}
+
+StoredImage stored_a(const ImagePair& images) {
+  return {images.a, images.full_scale, images.precision_a};
+}
+StoredImage stored_b(const ImagePair& images) {
+  return {images.b, images.full_scale, images.precision_b};
+}
+
+/// As a screen shows it, 0 to 255 in three channels.
+Image<float> as_shown(const Image<float>& image, double full_scale) {
+  Image<float> shown(image.width, image.height, 3);
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      for (int c = 0; c < 3; ++c)
+        shown.at(x, y)[c] = static_cast<float>(
+            std::min(static_cast<double>(image.at(x, y)[image.channels == 1 ? 0 : c]) / full_scale, 1.0) * 255);
+  return shown;
+}
+
+/// Throws InputError where FLIP is not defined: it takes what a screen shows, and nothing says how that follows from
+/// values without bounds, or from channels that are no colour.
+double flip_of(const ImagePair& images, const CompareArguments& arguments) {
+  const auto refuse = [](const std::string& file, const std::string& found) {
+    throw InputError(InputFault{file, 0, 0, "", found,
+                                "red, green and blue, or grey, of 8 or 16 bits: --flip compares what a screen shows"});
+  };
+  if (images.precision_a.relative > 0) refuse(arguments.a, "values of floating point");
+  if (images.precision_b.relative > 0) refuse(arguments.b, "values of floating point");
+  if (images.a.channels != 1 && images.a.channels != 3)
+    refuse(arguments.a, std::to_string(images.a.channels) + " channels to compare");
+  return mean_flip(as_shown(images.a, images.full_scale), as_shown(images.b, images.full_scale));
+}
+
+/// Those of the file, where the command line does not give them.
+CompareLimits all_limits(const CompareArguments& arguments) {
+  CompareLimits limits = arguments.limits;
+  if (arguments.limits_file.empty()) return limits;
+  const CompareLimits kept = read_limits(arguments.limits_file, arguments.compare_unit());
+  if (!limits.max_abs) limits.max_abs = kept.max_abs;
+  if (!limits.max_rms) limits.max_rms = kept.max_rms;
+  if (!limits.max_count) limits.max_count = kept.max_count;
+  return limits;
+}
+
+/// A limit that no two images of 8 or 16 bits can exceed judges nothing.
+void note_on_limits(const CompareLimits& limits, const ImagePair& images, CompareUnit unit,
+                    const Diagnostics& diagnostics) {
+  const bool bounded = images.precision_a.saturates() && images.precision_b.saturates();
+  if (bounded && limits.max_abs && *limits.max_abs >= full_range(unit))
+    print_note("no two images of 8 or 16 bits differ by more than --max-abs", diagnostics);
+}
+
+ExitCode run(const CompareArguments& arguments) {
+  const MemoryBudget memory = hold_to(arguments.max_memory, 1);
+  check_different({arguments.diff, arguments.json}, {arguments.a, arguments.b, arguments.limits_file});
+  if (!arguments.diff.empty()) check_writable(arguments.diff);
+  if (!arguments.json.empty()) check_writable(arguments.json);
+  const CompareUnit unit = arguments.compare_unit();
+  const CompareLimits limits = all_limits(arguments);
+  const double limit_levels = converted(limits, unit, CompareUnit::levels).max_abs.value_or(0);
+  const bool quiet = arguments.diagnostics.verbosity == Verbosity::quiet;
+  std::unique_ptr<ProgressLine> line;
+  if (!quiet) line = std::make_unique<ProgressLine>("comparing");
+  PairRequest request = arguments.pair;
+  request.limit_levels = limit_levels;
+  const ImagePair images = read_image_pair(arguments.a, arguments.b, request, memory);
+  const PixelScale scale(images.full_scale, unit);
+  ComparisonReport report{arguments.a, arguments.b, limits, compare(images.a, images.b, scale, limits)};
+  report.notes = images.notes;
+  if (arguments.flip == CompareArguments::Flip::yes) report.mean_flip = flip_of(images, arguments);
+  if (!report.found.same) {
+    const StoredImage a = stored_a(images), b = stored_b(images);
+    report.transformation = find_transformation(a, b, images.alpha, limit_levels);
+    if (!report.transformation) report.compressed = find_block_compression(a, b);
+  }
+  if (!arguments.diff.empty()) {
+    std::optional<double> asked = arguments.heat_max;
+    if (asked) *asked *= full_range(unit) / 255;
+    const double end = heat_ramp_end(report.found, asked);
+    write_png(arguments.diff, with_legend(heat_image(images.a, images.b, scale, end), report.found, end));
+  }
+  line.reset(); // before anything is printed
+  print_file_notes(images.notes, arguments.diagnostics);
+  note_on_limits(limits, images, unit, arguments.diagnostics);
+  if (!arguments.json.empty()) write_text(arguments.json, comparison_json(report));
+  if (arguments.json != standard_output && !quiet) std::cout << comparison_text(report);
+  return report.found.same ? ExitCode::ok : ExitCode::differ;
+}
+
+} // namespace
+
+void add_compare(CLI::App& program, Action& chosen) {
+  CLI::App& command = add_sub_command(program, "compare", "How far two images are apart, and where");
+  const auto arguments = std::make_shared<CompareArguments>();
+  CompareArguments& a = *arguments;
+  command.add_option("a", a.a, "image, .png .hdr .pfm or .exr")->required()->type_name("A");
+  command.add_option("b", a.b, "image of the same size; differences are b - a")->required()->type_name("B");
+  command
+      .add_option("--diff", a.diff,
+                  "write a heat image: black where equal, the lighter the more different; with a legend below")
+      ->type_name("FILE.png");
+  command.add_option("--json", a.json, "write the numbers as JSON; - is standard output")->type_name("FILE");
+  add_parsed_option(command, "--max-abs", a.limits.max_abs, distance_from, "X", "a number >= 0",
+                    "largest difference of a value that is allowed, in --unit");
+  add_parsed_option(command, "--max-rms", a.limits.max_rms, distance_from, "X", "a number >= 0",
+                    "largest root mean square difference that is allowed, in --unit");
+  add_parsed_option(command, "--max-count", a.limits.max_count, count_from, "N", "a whole number >= 0",
+                    "so many pixels may differ by more than --max-abs, or at all");
+  add_choice_option<std::string>(
+      command, "--unit", a.unit, {"levels", "values"},
+      "of limits and report: levels of 1/255, whatever the files hold; or values, 1 being white");
+  command
+      .add_option("--limits", a.limits_file,
+                  "JSON file with max_abs, max_rms, max_count, unit; options above it go first")
+      ->type_name("FILE");
+  command
+      .add_option_function<std::string>(
+          "--alpha",
+          [&a](const std::string& text) {
+            const std::optional<AlphaChoice> choice = alpha_from(text);
+            if (!choice)
+              throw CLI::ValidationError("--alpha",
+                                         "found \"" + text +
+                                             "\", expected ignore, compare or over:R,G,B (numbers >= 0; 1 is "
+                                             "white)");
+            a.pair.alpha = choice->use;
+            a.pair.background = choice->background;
+          },
+          "what to do with an alpha that is not 1 everywhere: leave it out, compare it too, or compare colours over "
+          "this "
+          "background")
+      ->type_name("ignore|compare|over:R,G,B");
+  add_choice_option<std::string>(
+      command, "--premultiplied", a.premultiplied, {"yes", "no"},
+      "whether colours are stored multiplied by alpha; by default those of .exr files are, others not");
+  command.add_option("--layer", a.pair.layer, "of .exr files: the layer whose R, G and B are compared")
+      ->type_name("NAME");
+  command.add_flag_callback(
+      "--flip", [&a] { a.flip = CompareArguments::Flip::yes; },
+      "also say how different two images of 8 or 16 bits look to a person, 0 to 1 (LDR-FLIP); judges nothing");
+  add_parsed_option(command, "--heat-max", a.heat_max, heat_max_from, "LEVELS", "a number > 0",
+                    "difference at the end of --diff's ramp, so that two heat images can be compared");
+  add_memory_option(command, a.max_memory);
+  command.add_flag_callback(
+      "-q,--quiet", [&a] { a.diagnostics.verbosity = Verbosity::quiet; },
+      "print errors only: no report, progress or notes; the exit code tells");
+  command.footer("Differences and limits are in levels, 1/255, or with --unit values in values.\n"
+                 "Without a limit, all values must be the same. NaN equals nothing.\n"
+                 "Exit code 0: the same within the limits, 1: not, 3: not comparable.");
+  command.final_callback([&chosen, arguments] {
+    if (!arguments->diff.empty() && image_format(arguments->diff) != ImageFormat::png)
+      throw CLI::ValidationError("--diff", "found \"" + arguments->diff + "\", expected a name ending in .png");
+    if (arguments->heat_max && arguments->diff.empty())
+      throw CLI::ValidationError("--heat-max", "found no --diff, whose ramp it ends");
+    if (!arguments->premultiplied.empty())
+      arguments->pair.encoding =
+          arguments->premultiplied == "yes" ? AlphaEncoding::premultiplied : AlphaEncoding::straight;
+    chosen = [arguments] { return run(*arguments); };
+  });
+}
+
+} // namespace refraster

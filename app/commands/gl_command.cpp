@@ -1,0 +1,173 @@
+// refraster gl SCENE
+
+#include "app/arguments.h"
+#include "app/command.h"
+#include "app/diagnostics.h"
+#include "app/memory_limit.h"
+#include "app/output.h"
+#include "app/progress_line.h"
+#include "gl/gl_report.h"
+#include "gl/render_gl.h"
+#include "io/image/image_file.h"
+#include "io/scene/scene_file.h"
+#include "raster/explain/explain_dark.h"
+
+#include <iostream>
+#include <memory>
+
+namespace refraster {
+namespace {
+
+struct GlArguments {
+  std::string scene, output, radiance, depth, json;
+  Size size;
+  SceneOptions reading;
+  std::uint64_t max_memory = 0;
+  Diagnostics diagnostics;
+  GlOptions options;
+};
+
+template <NamedEnum Enum>
+std::string names() {
+  std::string list;
+  for (const auto& [value, name] : EnumNames<Enum>::names) list.append(list.empty() ? "" : ", ").append(name);
+  return list;
+}
+
+/// --name WORD for one of an enum's words.
+template <NamedEnum Enum>
+void add_choice(CLI::App& command, const std::string& option, Enum& chosen, const std::string& description) {
+  const auto read = [&chosen, option](const std::string& word) {
+    for (const auto& [value, name] : EnumNames<Enum>::names)
+      if (name == word) {
+        chosen = value;
+        return;
+      }
+    throw CLI::ValidationError(option, "found \"" + word + "\", expected one of " + names<Enum>());
+  };
+  command.add_option_function<std::string>(option, read, description + ": " + names<Enum>())
+      ->type_name("NAME")
+      ->default_str(std::string(name_of(chosen)));
+}
+
+void write_outputs(const GlArguments& a, const GlOptions& options, const GlFrame& frame) {
+  if (!a.output.empty()) write_png(a.output, frame.levels);
+  if (!a.radiance.empty()) write_float_image(a.radiance, frame.radiance);
+  if (!a.depth.empty()) write_float_image(a.depth, frame.depth);
+  if (!a.json.empty()) write_text(a.json, gl_report_json(a.scene, options, frame));
+}
+
+/// Why OpenGL's image shows nothing, where that has a reason in the scene; empty if it shows something.
+std::string why_dark(const Scene& scene, const GlOptions& options, const GlFrame& frame) {
+  if (frame.levels.empty() && frame.radiance.empty()) return {};
+  RenderOptions view;
+  view.width = options.width, view.height = options.height;
+  view.want_levels = !frame.levels.empty();
+  return explain_dark_image(scene, view, {frame.levels, frame.radiance}, std::nullopt);
+}
+
+ExitCode run(const GlArguments& a) {
+  const std::vector<std::string> outputs = {a.output, a.radiance, a.depth, a.json};
+  check_different(outputs, {a.scene});
+  for (const std::string& path : outputs)
+    if (!path.empty()) check_writable(path);
+  prepare_cache(a.reading.mesh_cache);
+  GlOptions options = a.options;
+  options.width = a.size.width;
+  options.height = a.size.height;
+  options.want_levels = !a.output.empty();
+  options.want_radiance = !a.radiance.empty();
+  options.want_depth = !a.depth.empty();
+
+  GlFrame frame;
+  std::string note;
+  try {
+    NoteList notes;
+    SceneOptions reading = a.reading;
+    reading.notes = &notes;
+    auto line = progress_line(a.diagnostics, "reading " + a.scene);
+    const Scene scene = read_scene(a.scene, reading);
+    line.reset(); // before anything is printed
+    print_file_notes(notes, a.diagnostics);
+    line = progress_line(a.diagnostics, "drawing " + a.scene);
+    frame = render_gl(scene, options);
+    note = why_dark(scene, options, frame);
+  } catch (const NoOpenGl& error) {
+    std::cerr << "refraster: " << error.what() << "\n";
+    return ExitCode::no_opengl;
+  }
+  if (a.diagnostics.verbosity == Verbosity::normal) {
+    for (const std::string& line : frame.shaders) std::cerr << line << "\n";
+    for (const std::string& line : frame.warnings) std::cerr << "warning: " << line << "\n";
+  }
+  if (!note.empty()) print_note(note, a.diagnostics);
+  write_outputs(a, options, frame);
+  if (a.json == standard_output) return ExitCode::ok; // which then holds the report and nothing else
+  for (const std::string& path : {a.output, a.radiance, a.depth})
+    if (!path.empty()) std::cout << path << "\n";
+  return ExitCode::ok;
+}
+
+/// What one option alone does not show; and the default output.
+void check_together(GlArguments& a) {
+  if (a.output.empty() && a.radiance.empty() && a.depth.empty() && a.json.empty()) a.output = stem(a.scene) + ".gl.png";
+  if (!a.output.empty() && image_format(a.output) != ImageFormat::png)
+    throw CLI::ValidationError("--output",
+                               "found \"" + a.output + "\", expected a name ending in .png; --float writes the others");
+  const auto check_float = [](const char* option, const std::string& path, bool hdr) {
+    const auto format = path.empty() ? ImageFormat::exr : image_format(path);
+    if (!format || format == ImageFormat::png || (format == ImageFormat::hdr && !hdr))
+      throw CLI::ValidationError(option, "found \"" + path + "\", expected a name ending in .pfm" +
+                                             (hdr ? ", .hdr or .exr" : " or .exr"));
+  };
+  check_float("--float", a.radiance, true);
+  check_float("--depth", a.depth, false);
+}
+
+} // namespace
+
+void add_gl(CLI::App& program, Action& chosen) {
+  CLI::App& command = add_sub_command(program, "gl", "Make the image of a scene with OpenGL");
+  const auto arguments = std::make_shared<GlArguments>();
+  GlArguments& a = *arguments;
+  command.add_option("scene", a.scene, "scene file; docs/scene-format.md")->required()->type_name("SCENE");
+  command.add_option("-o,--output", a.output, "8-bit image to write, read back from an RGBA8 target")
+      ->type_name("FILE.png")
+      ->default_str("SCENE.gl.png in the current directory, if no other file is asked for");
+  command
+      .add_option("--float", a.radiance,
+                  "unclamped image to write, read back from an RGBA32F target: .hdr, .pfm or .exr")
+      ->type_name("FILE");
+  command.add_option("--depth", a.depth, "window depth to write, 1 where nothing was drawn: .pfm or .exr")
+      ->type_name("FILE");
+  add_parsed_option(command, "--size", a.size, size_from, "WxH",
+                    "WIDTHxHEIGHT, each 1 to " + std::to_string(largest_side), "pixels of the image")
+      ->default_str("1280x720");
+  add_choice(command, "--renderer", a.options.renderer, "who draws; the software drivers are Mesa's");
+  add_choice(command, "--merl-filter", a.options.merl_filter,
+             "how our GLSL reads a measured table between its samples");
+  add_number_option(command, "--frames", a.options.timed_frames, Range{0, 1'000'000},
+                    "draw so many more frames and time each; see --json");
+  add_outside_option(command, a.reading.outside);
+  add_memory_option(command, a.max_memory);
+  add_cache_option(command, a.reading.mesh_cache);
+  add_strict_option(command, a.diagnostics);
+  add_quiet_option(command, a.diagnostics);
+  command.add_option("--json", a.json, "write driver, times and counts as JSON; - is standard output")
+      ->type_name("FILE");
+  command.footer(
+      "An object is drawn by the GLSL files that the scene names where they exist, else by our own GLSL of the\n"
+      "same formulas; a line on standard error says which. docs/glsl-interface.md: what a shader is given.\n"
+      "Exit code 3: GLSL that does not compile, link or draw. 5: no OpenGL 3.3, or not the renderer that was asked "
+      "for.");
+  command.final_callback([&chosen, arguments] {
+    check_together(*arguments);
+    chosen = [arguments] {
+      arguments->reading.memory = hold_to(arguments->max_memory, 1);
+      let_go_of_memory_limit(); // drivers do not bear it
+      return run(*arguments);
+    };
+  });
+}
+
+} // namespace refraster

@@ -1,0 +1,235 @@
+// refraster render SCENE
+
+#include "app/arguments.h"
+#include "app/command.h"
+#include "app/diagnostics.h"
+#include "app/interrupt.h"
+#include "app/memory_limit.h"
+#include "app/output.h"
+#include "app/progress_line.h"
+#include "app/run_report.h"
+#include "io/file/input_error.h"
+#include "io/image/image_file.h"
+#include "io/scene/scene_file.h"
+#include "raster/explain/explain_dark.h"
+#include "raster/render.h"
+
+#include <algorithm>
+#include <chrono>
+#include <iostream>
+#include <memory>
+
+namespace refraster {
+namespace {
+
+struct RenderArguments {
+  std::string scene, output, report;
+  Size size;
+  std::vector<Crop> crop;
+  std::vector<Aov> aovs;
+  std::string rung = "double";
+  int samples = 1, threads = 0, tile_size = 64;
+  Transfer transfer = Transfer::linear;
+  SceneOptions reading;
+  std::uint64_t max_memory = 0;
+  Diagnostics diagnostics;
+};
+
+/// Seconds since it was made.
+class Stopwatch {
+public:
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now();
+};
+
+/// Next to "ball.png" stands "ball.depth.pfm", next to "ball.exr" "ball.depth.exr".
+std::string aov_path(const std::string& output, Aov aov) {
+  const std::size_t dot = output.rfind('.');
+  const char* ending = image_format(output) == ImageFormat::exr ? ".exr" : ".pfm";
+  return output.substr(0, dot) + "." + std::string(aov_names[static_cast<std::size_t>(aov)]) + ending;
+}
+
+/// What one option alone does not show.
+void check_together(const RenderArguments& arguments) {
+  for (const Crop& crop : arguments.crop) {
+    if (crop.width <= arguments.size.width - crop.x && crop.height <= arguments.size.height - crop.y) continue;
+    throw CLI::ValidationError("--crop", "reaches out of the image of " + std::to_string(arguments.size.width) + "x" +
+                                             std::to_string(arguments.size.height) + " pixels");
+  }
+  const Crop part =
+      arguments.crop.empty() ? Crop{0, 0, arguments.size.width, arguments.size.height} : arguments.crop.back();
+  check_frame_samples(part.width, part.height, arguments.samples);
+  if (!image_format(arguments.output))
+    throw CLI::ValidationError("--output", "found \"" + arguments.output +
+                                               "\", expected a name ending in .png, .hdr, .pfm or .exr");
+  if (arguments.transfer == Transfer::srgb && image_format(arguments.output) != ImageFormat::png)
+    throw CLI::ValidationError("--srgb", "is for .png; float images hold linear values");
+}
+
+RenderOptions options_from(const RenderArguments& arguments) {
+  RenderOptions options;
+  options.width = arguments.size.width;
+  options.height = arguments.size.height;
+  options.crop = arguments.crop;
+  options.rung = arguments.rung;
+  options.samples = arguments.samples;
+  options.threads = arguments.threads;
+  options.tile_size = arguments.tile_size;
+  options.want_levels = image_format(arguments.output) == ImageFormat::png;
+  options.want_radiance = !options.want_levels;
+  options.transfer = arguments.transfer;
+  options.aovs = arguments.aovs;
+  options.cancel = &interrupted();
+  options.memory = arguments.reading.memory;
+  return options;
+}
+
+/// The scene; the notes on its files are printed, and put into `said`.
+Scene scene_of(const RenderArguments& arguments, std::vector<std::string>& said) {
+  NoteList notes;
+  auto line = progress_line(arguments.diagnostics, "reading " + arguments.scene);
+  SceneOptions reading = arguments.reading;
+  reading.notes = &notes;
+  Scene scene = read_scene(arguments.scene, reading);
+  line.reset(); // before anything is printed
+  print_file_notes(notes, arguments.diagnostics);
+  for (const Note& note : notes.notes()) said.push_back(note.text());
+  return scene;
+}
+
+/// A note on an image that shows nothing, printed and put into `said`.
+void explain(const Scene& scene, const Frame& frame, const RenderArguments& arguments, std::vector<std::string>& said) {
+  const std::string note =
+      explain_dark_image(scene, options_from(arguments), {frame.levels, frame.radiance}, frame.counts.shaded);
+  if (note.empty()) return;
+  print_note(note, arguments.diagnostics);
+  said.push_back(note);
+}
+
+Frame rendered(const Scene& scene, const RenderArguments& arguments) {
+  const auto line = progress_line(arguments.diagnostics, "rendering");
+  RenderOptions options = options_from(arguments);
+  if (line) options.progress = [&line](double share) { line->show(share); };
+  return render(scene, options);
+}
+
+/// Writes what was asked for and gives the paths.
+std::vector<std::string> write_images(const Frame& frame, const RenderArguments& arguments) {
+  const auto line = progress_line(arguments.diagnostics, "writing " + arguments.output);
+  std::vector<std::string> paths = {arguments.output};
+  arguments.reading.memory.need(frame.levels.values.size(), arguments.output); // PNG is made in memory
+  if (frame.radiance.empty()) write_png(arguments.output, frame.levels);
+  else write_values(arguments.output, frame.radiance);
+  for (std::size_t i = 0; i < arguments.aovs.size(); ++i) {
+    paths.push_back(aov_path(arguments.output, arguments.aovs[i]));
+    write_values(paths.back(), frame.aovs[i]);
+  }
+  return paths;
+}
+
+/// Where a number would stand for several triangles, none is written.
+void check_triangle_numbers(const Scene& scene, const RenderArguments& arguments) {
+  if (std::find(arguments.aovs.begin(), arguments.aovs.end(), Aov::triangle) == arguments.aovs.end()) return;
+  for (std::size_t i = 0; i < scene.objects.size(); ++i)
+    if (const std::size_t triangles = scene.objects[i].mesh->triangles.size(); triangles > most_numbered_triangles)
+      throw InputError(InputFault{
+          arguments.scene, 0, 0, "/objects/" + std::to_string(i), std::to_string(triangles) + " triangles",
+          "at most " + std::to_string(most_numbered_triangles) + ", which the floats of --aov triangle can number"});
+}
+
+ExitCode run(const RenderArguments& arguments) {
+  std::vector<std::string> outputs = {arguments.output, arguments.report};
+  for (const Aov aov : arguments.aovs) outputs.push_back(aov_path(arguments.output, aov));
+  check_different(outputs, {arguments.scene});
+  for (const std::string& path : outputs)
+    if (!path.empty()) check_writable(path);
+  prepare_cache(arguments.reading.mesh_cache);
+
+  const Stopwatch reading;
+  std::vector<std::string> notes;
+  const Scene scene = scene_of(arguments, notes);
+  const double read_seconds = reading.seconds();
+  check_triangle_numbers(scene, arguments);
+  if (interrupted()) return ExitCode::interrupted;
+
+  const Frame frame = rendered(scene, arguments);
+  if (frame.cancelled || interrupted()) return ExitCode::interrupted;
+
+  const Stopwatch writing;
+  const std::vector<std::string> paths = write_images(frame, arguments);
+  const double write_seconds = writing.seconds();
+  explain(scene, frame, arguments, notes);
+  if (!arguments.report.empty()) {
+    write_text(arguments.report, report_json({.scene = arguments.scene,
+                                              .outputs = paths,
+                                              .width = arguments.size.width,
+                                              .height = arguments.size.height,
+                                              .crop = arguments.crop,
+                                              .rung = arguments.rung,
+                                              .samples = arguments.samples,
+                                              .tile_size = arguments.tile_size,
+                                              .threads = frame.threads,
+                                              .read_seconds = read_seconds,
+                                              .write_seconds = write_seconds,
+                                              .seconds = frame.seconds,
+                                              .counts = frame.counts,
+                                              .notes = notes}));
+  }
+  if (arguments.report == standard_output) return ExitCode::ok; // which then holds the report and nothing else
+  for (const std::string& path : paths) std::cout << path << "\n";
+  return ExitCode::ok;
+}
+
+} // namespace
+
+void add_render(CLI::App& program, Action& chosen) {
+  CLI::App& command = add_sub_command(program, "render", "Make the image of a scene");
+  const auto arguments = std::make_shared<RenderArguments>();
+  RenderArguments& a = *arguments;
+
+  command.add_option("scene", a.scene, "scene file; docs/scene-format.md")->required()->type_name("SCENE");
+  command
+      .add_option("-o,--output", a.output,
+                  "image to write: .png (8 bit), .hdr, .pfm or .exr (float, unclamped); by default the scene's name "
+                  "with .png, in the current directory")
+      ->type_name("FILE");
+  add_parsed_option(command, "--size", a.size, size_from, "WxH",
+                    "WIDTHxHEIGHT, each 1 to " + std::to_string(largest_side), "pixels of the image")
+      ->default_str("1280x720");
+  add_parsed_option(command, "--crop", a.crop, crop_from, "X,Y,W,H", "x,y,width,height in pixels from the top left",
+                    "make only this part of the image, with the same pixels");
+  add_choice_option(command, "--rung", a.rung, rung_names(), "precision of shading; `refraster list rungs`");
+  add_choice_option(command, "--samples", a.samples, {1, 2, 4, 8, 16},
+                    "samples a pixel, at the standard positions; shaded once a triangle");
+  add_number_option(command, "--threads", a.threads, Range{0, double(limit::threads.value)},
+                    "threads; 0: as many as this machine has");
+  add_choice_option(command, "--tile-size", a.tile_size, {8, 16, 32, 64, 128},
+                    "pixels along a side of the tiles that threads work on");
+  add_parsed_option(command, "--aov", a.aovs, aovs_from, "LIST",
+                    "some of depth,normal,position,uv,albedo,triangle,object, each once",
+                    "more images to write, as NAME.depth.pfm next to NAME.png (.exr next to .exr): depth, normal, "
+                    "position, uv, albedo, triangle, object");
+  add_outside_option(command, a.reading.outside);
+  add_memory_option(command, a.max_memory);
+  add_cache_option(command, a.reading.mesh_cache);
+  command.add_option("--report", a.report, "write a report of the run as JSON; - is standard output")
+      ->type_name("FILE");
+  command.add_flag_callback(
+      "--srgb", [&a] { a.transfer = Transfer::srgb; }, "apply the sRGB curve (.png only)");
+  add_strict_option(command, a.diagnostics);
+  add_quiet_option(command, a.diagnostics);
+
+  command.final_callback([&chosen, arguments] {
+    if (arguments->output.empty()) arguments->output = stem(arguments->scene) + ".png";
+    check_together(*arguments);
+    chosen = [arguments] {
+      arguments->reading.memory = hold_to(arguments->max_memory, arguments->threads);
+      return run(*arguments);
+    };
+  });
+}
+
+} // namespace refraster

@@ -1,0 +1,275 @@
+#include "bench/measure/scene_bench.h"
+
+#include "bench/machine/clocks.h"
+#include "bench/measure/frame_maker.h"
+#include "bench/measure/gl_worker.h"
+#include "raster/samples.h"
+
+#include <algorithm>
+#include <deque>
+
+namespace refraster::bench {
+namespace {
+
+using Frames = std::vector<FrameTimes>; // by round
+
+/// What is drawn in turn, by number. Scenes and memory of frames stay where they are while they are in use.
+class Contenders {
+public:
+  Contenders(const SceneTask& task, const PinnedTeams& teams) : task_(task), teams_(teams) {}
+
+  std::size_t add(const Scene& scene, const std::string& rung, int threads, int samples, FrameMaker& maker) {
+    RenderOptions options;
+    options.width = task_.width, options.height = task_.height;
+    options.rung = rung;
+    options.samples = samples;
+    options.threads = threads;
+    FrameCounts& counts = counts_.emplace_back();
+    contenders_.push_back([this, &scene, options, &maker, &counts] {
+      teams_.pin(options.threads);
+      const double wall = wall_ms(), cpu = process_cpu_ms();
+      const Frame& frame = maker.draw(scene, options);
+      const FrameTimes times{wall_ms() - wall, process_cpu_ms() - cpu, frame.seconds, frame.tile_seconds};
+      counts = frame.counts;
+      return times;
+    });
+    return contenders_.size() - 1;
+  }
+
+  std::size_t add(GlWorker& worker) {
+    counts_.emplace_back();
+    contenders_.push_back([&worker] { return worker.draw(); });
+    return contenders_.size() - 1;
+  }
+
+  const Scene& keep(Scene scene) { return scenes_.emplace_back(std::move(scene)); }
+  FrameMaker& maker() { return makers_.emplace_back(); }
+
+  void run(const Rounds& rounds) { times_ = interleaved(contenders_, rounds); }
+  const Frames& of(std::size_t i) const { return times_[i]; }
+  const FrameCounts& counts(std::size_t i) const { return counts_[i]; }
+
+private:
+  const SceneTask& task_;
+  const PinnedTeams& teams_;
+  std::deque<Scene> scenes_;
+  std::deque<FrameMaker> makers_;
+  std::deque<FrameCounts> counts_;
+  std::vector<Contender> contenders_;
+  std::vector<Frames> times_;
+};
+
+Spread spread(const Frames& frames, double FrameTimes::*time) {
+  std::vector<double> values;
+  for (const FrameTimes& one : frames) values.push_back(one.*time);
+  return spread_of(std::move(values));
+}
+
+/// Of what happened in the same round: changes of the machine's speed from round to round take no part.
+template <class Value>
+Spread paired_difference(const Frames& changed, const Frames& base, const Value& value) {
+  std::vector<double> differences;
+  for (std::size_t r = 0; r < base.size(); ++r) differences.push_back(value(changed[r]) - value(base[r]));
+  return spread_of(std::move(differences));
+}
+
+double wall(const FrameTimes& times) {
+  return times.wall_ms;
+}
+double cpu(const FrameTimes& times) {
+  return times.cpu_ms;
+}
+double thread_shading(const FrameTimes& times) {
+  return times.tiles.shading;
+}
+
+/// In ms of wall time. The tiles' stages are known in thread seconds: they share the tiles' wall time in proportion.
+/// Interpolation and lighting are one stage, told apart by frames without lights.
+Split split_ms(const Frames& lit, const Frames& unlit) {
+  std::vector<double> walls;
+  const auto mean = [&](const Frames& frames, const auto& value) {
+    walls.clear();
+    for (const FrameTimes& one : frames) walls.push_back(one.wall_ms);
+    double sum = 0;
+    const std::vector<std::size_t> kept = middle_half(walls);
+    for (const std::size_t i : kept) sum += value(frames[i]);
+    return sum / static_cast<double>(kept.size());
+  };
+  const auto of_tiles = [&](const Frames& frames, double TileSeconds::*part) {
+    return mean(frames, [&](const FrameTimes& t) {
+      const double sum = t.tiles.sum();
+      return sum > 0 ? 1e3 * t.stages.tiles * t.tiles.*part / sum : 0;
+    });
+  };
+  Split split;
+  split.transform = mean(lit, [](const FrameTimes& t) { return 1e3 * t.stages.transform; });
+  split.bin = mean(lit, [](const FrameTimes& t) { return 1e3 * t.stages.bin; });
+  split.visibility = of_tiles(lit, &TileSeconds::visibility);
+  split.surfaces = of_tiles(lit, &TileSeconds::surfaces);
+  split.interpolation = of_tiles(unlit, &TileSeconds::shading);
+  split.lighting = of_tiles(lit, &TileSeconds::shading) - split.interpolation;
+  split.resolve = of_tiles(lit, &TileSeconds::resolve);
+  double known = 0;
+  for (const auto& [name, part] : split_parts) known += split.*part;
+  split.other = mean(lit, wall) - known;
+  return split;
+}
+
+/// What the tiles' wall time has of shading, in ms.
+double wall_shading_ms(const FrameTimes& times) {
+  const double sum = times.tiles.sum();
+  return sum > 0 ? 1e3 * times.stages.tiles * times.tiles.shading / sum : 0;
+}
+
+/// The numbers of the frames that one rung's figures come from.
+struct RungFrames {
+  struct Ways {
+    int threads;
+    std::size_t lit, unlit;
+  };
+  std::vector<Ways> ways; // by number of threads
+  // With the first number of threads.
+  struct OfFunction {
+    Function function;
+    std::size_t lit, unlit;
+  };
+  std::vector<OfFunction> functions;
+  std::optional<std::size_t> light, other_texture, double_samples;
+};
+
+RungFrames plan(const SceneTask& task, const std::string& rung, Contenders& contenders) {
+  RungFrames frames;
+  const Scene& lit = task.scene;
+  const Scene& unlit = contenders.keep(without_lights(lit));
+  FrameMaker& other_maker = contenders.maker();
+  for (const int threads : task.threads)
+    frames.ways.push_back({threads, contenders.add(lit, rung, threads, task.samples, contenders.maker()),
+                           contenders.add(unlit, rung, threads, task.samples, other_maker)});
+  if (task.marginals == Marginals::left_out) return frames;
+
+  const auto add = [&](Scene scene, int samples) {
+    return contenders.add(contenders.keep(std::move(scene)), rung, task.threads.front(), samples, other_maker);
+  };
+  frames.light = add(with_one_more_light(lit), task.samples);
+  if (has_textures(lit)) frames.other_texture = add(without_textures(lit), task.samples);
+  else if (shows_textures(lit)) frames.other_texture = add(with_textures(lit), task.samples);
+  if (is_sample_count(2 * task.samples)) frames.double_samples = add(lit, 2 * task.samples);
+
+  const std::vector<Function> functions = functions_of(lit);
+  if (lights(lit) == 0) return frames;
+  if (functions.size() == 1) { // no one else's objects to be left out
+    frames.functions.push_back({functions[0], frames.ways[0].lit, frames.ways[0].unlit});
+    return frames;
+  }
+  for (const Function& function : functions) {
+    const Scene part = only(lit, function);
+    const std::size_t of_part = add(part, task.samples);
+    const auto known = std::find_if(frames.functions.begin(), frames.functions.end(),
+                                    [&](const auto& one) { return one.function.model == function.model; });
+    const std::size_t unlit_part =
+        known != frames.functions.end() ? known->unlit : add(without_lights(part), task.samples);
+    frames.functions.push_back({function, of_part, unlit_part});
+  }
+  return frames;
+}
+
+Marginal marginal_of(const RungFrames& frames, const Contenders& contenders, const SceneTask& task, double shaded) {
+  const double ns_per_pixel = 1e6 / shaded;
+  const Frames& base = contenders.of(frames.ways.front().lit);
+  const auto added = [&](std::size_t i) { return paired_difference(contenders.of(i), base, cpu) * ns_per_pixel; };
+  Marginal marginal;
+  marginal.light = added(*frames.light);
+  if (frames.double_samples) marginal.double_samples = added(*frames.double_samples);
+  if (!frames.other_texture) return marginal;
+  if (has_textures(task.scene)) {
+    marginal.texture_change = TextureChange::removed;
+    marginal.texture = paired_difference(base, contenders.of(*frames.other_texture), cpu) * ns_per_pixel;
+  } else {
+    marginal.texture = added(*frames.other_texture);
+  }
+  return marginal;
+}
+
+std::vector<FunctionCost> function_costs(const RungFrames& frames, const Contenders& contenders, std::size_t lights) {
+  std::vector<FunctionCost> costs;
+  for (const auto& [function, lit, unlit] : frames.functions) {
+    const std::uint64_t fragments = contenders.counts(lit).fragments;
+    if (fragments == 0) continue;
+    const double ns = 1e9 / (static_cast<double>(fragments) * static_cast<double>(lights));
+    costs.push_back(
+        {function, fragments, paired_difference(contenders.of(lit), contenders.of(unlit), thread_shading) * ns});
+  }
+  return costs;
+}
+
+/// OpenGL with one number of threads.
+struct GlFrames {
+  std::unique_ptr<GlWorker> worker;
+  std::size_t frames;
+};
+std::vector<GlFrames> plan_opengl(const SceneTask& task, const PinnedTeams& teams, Contenders& contenders) {
+  std::vector<GlFrames> planned;
+  if (!task.opengl) return planned;
+  GlOptions options;
+  options.width = task.width, options.height = task.height;
+  options.renderer = *task.opengl;
+  for (const int threads : task.threads) {
+    auto worker = std::make_unique<GlWorker>(task.scene, options, threads, teams.cpus());
+    const std::size_t frames = contenders.add(*worker);
+    planned.push_back({std::move(worker), frames});
+  }
+  return planned;
+}
+
+/// a / b, round by round.
+Spread paired_ratio(const Frames& a, const Frames& b) {
+  std::vector<double> ratios;
+  for (std::size_t r = 0; r < a.size(); ++r) ratios.push_back(a[r].wall_ms / b[r].wall_ms);
+  return spread_of(std::move(ratios));
+}
+
+} // namespace
+
+SceneResult bench_scene(const SceneTask& task, const Rounds& rounds, const PinnedTeams& teams) {
+  Contenders contenders(task, teams);
+  const std::vector<GlFrames> opengl = plan_opengl(task, teams, contenders);
+  std::vector<RungFrames> planned;
+  for (const std::string& rung : task.rungs) planned.push_back(plan(task, rung, contenders));
+  contenders.run(rounds);
+
+  SceneResult result;
+  result.scene = task.name;
+  result.width = task.width, result.height = task.height, result.samples = task.samples;
+  result.lights = lights(task.scene);
+  if (rounds.stop && rounds.stop->load()) return result;
+  result.counts = contenders.counts(planned.front().ways.front().lit);
+  result.rounds = contenders.of(0).size();
+  for (std::size_t way = 0; way < opengl.size(); ++way) {
+    const GlDriver& driver = opengl[way].worker->driver();
+    const Frames& frames = contenders.of(opengl[way].frames);
+    result.opengl.push_back({task.threads[way], driver.renderer, driver.version, spread(frames, &FrameTimes::wall_ms),
+                             spread(frames, &FrameTimes::cpu_ms)});
+  }
+  for (std::size_t i = 0; i < task.rungs.size(); ++i) {
+    const RungFrames& frames = planned[i];
+    for (std::size_t way = 0; way < frames.ways.size(); ++way) {
+      const auto& [threads, lit, unlit] = frames.ways[way];
+      RungResult& rung = result.rungs.emplace_back();
+      rung.rung = task.rungs[i];
+      rung.threads = threads;
+      if (!opengl.empty()) rung.opengl_ratio = paired_ratio(contenders.of(opengl[way].frames), contenders.of(lit));
+      rung.frame_ms = spread(contenders.of(lit), &FrameTimes::wall_ms);
+      rung.cpu_ms = spread(contenders.of(lit), &FrameTimes::cpu_ms);
+      rung.split_ns = split_ms(contenders.of(lit), contenders.of(unlit));
+      for (const auto& [name, part] : split_parts) rung.split_ns.*part *= 1e6 / result.shaded();
+      rung.lighting_ns =
+          paired_difference(contenders.of(lit), contenders.of(unlit), wall_shading_ms) * (1e6 / result.shaded());
+      if (way > 0 || !frames.light) continue;
+      rung.marginal = marginal_of(frames, contenders, task, result.shaded());
+      rung.functions = function_costs(frames, contenders, result.lights);
+    }
+  }
+  return result;
+}
+
+} // namespace refraster::bench

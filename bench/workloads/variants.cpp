@@ -1,0 +1,97 @@
+#include "bench/workloads/variants.h"
+
+#include <algorithm>
+
+namespace refraster::bench {
+namespace {
+
+bool shows_texture(const Object& object) {
+  return !std::holds_alternative<Merl>(object.material.model);
+}
+
+std::string_view model_name(const Object& object) {
+  return std::visit([]<class M>(const M&) { return M::name; }, object.material.model);
+}
+
+/// 64 x 64 texels in smooth colours, 48 kB: stays in the first caches, so that sampling is paid for and not memory.
+std::shared_ptr<const Texture> small_texture() {
+  constexpr int side = 64;
+  TextureLevel level{side, side, {}};
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x)
+      for (const int value : {4 * x, 4 * y, 255 - 2 * x - 2 * y}) level.rgb.push_back(static_cast<float>(value));
+  return std::make_shared<Texture>(Texture{255, {std::move(level)}});
+}
+
+} // namespace
+
+Scene without_lights(Scene scene) {
+  scene.point_lights.clear();
+  scene.direction_lights.clear();
+  return scene;
+}
+
+Scene with_one_more_light(Scene scene) {
+  if (!scene.direction_lights.empty()) scene.direction_lights.push_back(scene.direction_lights.back());
+  else if (!scene.point_lights.empty()) scene.point_lights.push_back(scene.point_lights.back());
+  else scene.point_lights.push_back({.position = scene.camera.position});
+  return scene;
+}
+
+std::size_t lights(const Scene& scene) {
+  return scene.point_lights.size() + scene.direction_lights.size();
+}
+
+Scene without_textures(Scene scene) {
+  for (Object& object : scene.objects)
+    if (shows_texture(object)) object.material.texture = nullptr;
+  return scene;
+}
+
+Scene with_textures(Scene scene) {
+  const std::shared_ptr<const Texture> texture = small_texture();
+  for (Object& object : scene.objects) {
+    if (!shows_texture(object)) continue;
+    object.material.texture = texture;
+    object.material.texture_filter = TextureFilter::bilinear;
+  }
+  return scene;
+}
+
+bool has_textures(const Scene& scene) {
+  return std::any_of(scene.objects.begin(), scene.objects.end(),
+                     [](const Object& object) { return shows_texture(object) && object.material.texture; });
+}
+
+bool shows_textures(const Scene& scene) {
+  return std::any_of(scene.objects.begin(), scene.objects.end(), shows_texture);
+}
+
+std::string name_of(const Function& function) {
+  std::string name(function.model);
+  if (function.lookup) name.append(" ").append(refraster::name_of(*function.lookup));
+  return name;
+}
+
+std::vector<Function> functions_of(const Scene& scene) {
+  std::vector<Function> functions;
+  const auto add = [&](const Function& function) {
+    if (std::find(functions.begin(), functions.end(), function) == functions.end()) functions.push_back(function);
+  };
+  for (const Object& object : scene.objects) {
+    if (const Merl* const merl = std::get_if<Merl>(&object.material.model))
+      for (const MerlLookup lookup : {merl->lookup, MerlLookup::nearest, MerlLookup::trilinear})
+        add({Merl::name, lookup});
+    else add({model_name(object), std::nullopt});
+  }
+  return functions;
+}
+
+Scene only(Scene scene, const Function& function) {
+  std::erase_if(scene.objects, [&](const Object& object) { return model_name(object) != function.model; });
+  for (Object& object : scene.objects)
+    if (Merl* const merl = std::get_if<Merl>(&object.material.model)) merl->lookup = function.lookup.value();
+  return scene;
+}
+
+} // namespace refraster::bench

@@ -1,0 +1,103 @@
+#pragma once
+// A scene, uploaded and ready to be drawn as often as one likes.
+
+#include "gl/draw/dummy_textures.h"
+#include "gl/draw/uniforms.h"
+#include "gl/program/program_use.h"
+#include "gl/render_gl.h"
+#include "gl/warning_list.h"
+
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <tuple>
+
+namespace refraster {
+
+/// What a pass writes to the colour target.
+enum class GlPass {
+  colour,
+  ids // object and triangle, counted from 1, in red and green
+};
+
+/// Needs its context to live and be current.
+class GlDrawing {
+public:
+  /// Compiles, links and uploads. Throws InputError; NoOpenGl for what is too much for this OpenGL.
+  GlDrawing(const GlApi& gl, const Scene& scene, const GlOptions& options);
+
+  /// Clears the current framebuffer and draws all objects, in the order of the scene.
+  void draw(GlPass pass) const;
+
+  /// The same in colour, with an eye on what may go wrong, object by object: a warning for one of which nothing is seen
+  /// for no other reason than its own shaders. The samples that pass the depth test, of all. Throws InputError for
+  /// shaders that OpenGL refuses to draw with.
+  std::uint64_t draw_checked();
+
+  const std::vector<std::string>& shaders() const { return shaders_; }
+  std::vector<std::string> warnings() const { return warnings_.lines(); }
+
+private:
+  /// Triangles that follow one another and show one texture: white on those without texture coordinates.
+  struct TextureRun {
+    GLuint texture = 0;
+    std::size_t first_triangle = 0, triangles = 0;
+  };
+  static std::vector<TextureRun> texture_runs(const Mesh& mesh, GLuint texture, GLuint white);
+
+  struct Program {
+    ShaderText vertex, fragment;
+    std::size_t function = 0; // the fragment function's place in Model: what is set depends on it
+    GLuint name = 0;
+    AttributeUse attributes;
+    ColourMask mask{GL_TRUE, GL_TRUE, GL_TRUE};
+    std::vector<StorageUse> storage;
+    SubroutineUse subroutines;
+    bool has_position = true; // else where it draws is undefined, and nothing is drawn
+  };
+  struct Part { // of an item, for one pass
+    const Program* program = nullptr;
+    GLuint vertices = 0;
+    std::vector<UniformSetting> uniforms;
+  };
+  struct Item {
+    std::string name;
+    GLuint table = 0;
+    std::vector<TextureRun> runs;
+    Cull cull = Cull::none;
+    bool has_texture_coordinates = true, has_shaders_of_its_own = false;
+    GLint triangle_number = -1; // place of that uniform in the program of ids
+    Part parts[2];              // by pass
+    Part plain;                 // with our shaders, for those that have shaders of their own
+  };
+
+  Item item(const Scene& scene, std::size_t object, const GlOptions& options, const Double4x4& clip_from_world);
+  Part part(const Object& object, const ShaderText& vertex, const ShaderText& fragment, const UniformValues& values,
+            WarningList& warnings);
+  const Program& linked(const ShaderText& vertex, const ShaderText& fragment, const Object& object,
+                        WarningList& warnings);
+  void upload_blocks(const MatricesBlock& matrices);
+  void clear(GlPass pass) const;
+  void prepare(const Item& item, const Part& part) const;
+  void draw_item(const Item& item, GlPass pass) const;
+  void draw_runs(const Item& item) const;
+  void draw_each(const Item& item) const;
+  std::uint64_t samples_alone(const Item& item, const Part& part) const;
+
+  const GlApi& gl_;
+  Double3 background_;
+  std::vector<Item> items_;
+  GLuint white_ = 0;
+  std::vector<std::string> shaders_;
+  WarningList warnings_;
+  DummyTextures dummies_;
+  GLint largest_block_bytes_ = 0;
+  // What several objects share.
+  std::map<std::pair<const Mesh*, unsigned>, GLuint> meshes_; // by the attributes that are fed, too
+  std::map<std::pair<const Texture*, TextureFilter>, GLuint> textures_;
+  std::map<std::pair<const MerlTable*, MerlLookup>, GLuint> tables_;
+  std::deque<Program> programs_;
+  std::map<std::tuple<GLenum, GLuint, GLint>, GLuint> storage_; // buffers, by target, binding and size
+};
+
+} // namespace refraster

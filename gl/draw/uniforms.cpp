@@ -1,0 +1,67 @@
+#include "gl/draw/uniforms.h"
+
+namespace refraster {
+MatricesBlock matrices_block(const Camera& camera, double aspect) {
+  return {Float4x4(view_from_world(camera)), Float4x4(clip_from_view(camera, aspect))};
+}
+
+UniformValues scene_uniforms(const Scene& scene) {
+  UniformValues values;
+  values["viewPos"] = Float3(scene.camera.position);
+  values["pointLightCount"] = static_cast<int>(scene.point_lights.size());
+  for (std::size_t i = 0; i < scene.point_lights.size(); ++i) {
+    const PointLight& light = scene.point_lights[i];
+    const bool attenuated = light.constant > 0 || light.linear > 0 || light.quadratic > 0;
+    const std::string at = "pointLights[" + std::to_string(i) + "].";
+    values[at + "position"] = Float3(light.position);
+    values[at + "radiance"] = Float3(light.radiance);
+    values[at + "constant"] = attenuated ? static_cast<float>(light.constant) : 1.0f; // all 0 means none
+    values[at + "linear"] = static_cast<float>(light.linear);
+    values[at + "quadratic"] = static_cast<float>(light.quadratic);
+  }
+  values["directionLightCount"] = static_cast<int>(scene.direction_lights.size());
+  for (std::size_t i = 0; i < scene.direction_lights.size(); ++i) {
+    const std::string at = "directionLights[" + std::to_string(i) + "].";
+    values[at + "direction"] = Float3(normalize(scene.direction_lights[i].direction));
+    values[at + "radiance"] = Float3(scene.direction_lights[i].radiance);
+  }
+  return values;
+}
+
+UniformValues object_uniforms(const Object& object, const Double4x4& clip_from_world) {
+  const ObjectTransform transform = object_transform(object, clip_from_world);
+  UniformValues values;
+  values["model"] = Float4x4(transform.world_from_object);
+  values["clipFromObject"] = Float4x4(transform.clip_from_object);
+  values["normalMatrix"] = Float3x3(transform.world_from_normal);
+  values["tex"] = texture_unit;
+  std::visit(
+      [&](const auto& model) {
+        if constexpr (std::is_base_of_v<PhongParameters, std::decay_t<decltype(model)>>) {
+          values["ka"] = Float3(model.ka);
+          values["kd"] = Float3(model.kd);
+          values["ks"] = Float3(model.ks);
+          values["glossiness"] = static_cast<float>(model.glossiness);
+          values["specularGate"] = model.specular_gate == SpecularGate::open ? 0 : 1;
+        } else if constexpr (std::is_same_v<Merl, std::decay_t<decltype(model)>>) {
+          values["merlBrdf"] = merl_unit;
+        }
+      },
+      object.material.model);
+  return values;
+}
+
+void set_uniform(const GlApi& gl, const UniformSetting& setting) {
+  struct Set {
+    const GlApi& gl;
+    GLint at;
+    void operator()(float x) const { gl.Uniform1f(at, x); }
+    void operator()(int x) const { gl.Uniform1i(at, x); }
+    void operator()(const Float3& x) const { gl.Uniform3fv(at, 1, &x[0]); }
+    void operator()(const Float3x3& x) const { gl.UniformMatrix3fv(at, 1, GL_FALSE, &x[0][0]); }
+    void operator()(const Float4x4& x) const { gl.UniformMatrix4fv(at, 1, GL_FALSE, &x[0][0]); }
+  };
+  std::visit(Set{gl, setting.location}, setting.value);
+}
+
+} // namespace refraster

@@ -1,0 +1,122 @@
+#include "gl/draw/upload.h"
+
+#include "gl/render_gl.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace refraster {
+namespace {
+
+template <class Item>
+void fill_buffer(const GlApi& gl, GLenum target, const std::vector<Item>& items) {
+  GLuint buffer = 0;
+  gl.GenBuffers(1, &buffer);
+  gl.BindBuffer(target, buffer);
+  gl.BufferData(target, static_cast<GLsizeiptr>(items.size() * sizeof(Item)), items.data(), GL_STATIC_DRAW);
+}
+
+template <int components, class Item>
+void add_attribute(const GlApi& gl, GLuint place, const std::vector<Item>& items) {
+  static_assert(sizeof(Item) == components * sizeof(float));
+  fill_buffer(gl, GL_ARRAY_BUFFER, items);
+  gl.VertexAttribPointer(place, components, GL_FLOAT, GL_FALSE, 0, nullptr);
+  gl.EnableVertexAttribArray(place);
+}
+
+GLuint new_texture(const GlApi& gl, GLenum target) {
+  GLuint texture = 0;
+  gl.GenTextures(1, &texture);
+  gl.BindTexture(target, texture);
+  return texture;
+}
+
+void set(const GlApi& gl, GLenum target, GLenum parameter, GLenum value) {
+  gl.TexParameteri(target, parameter, static_cast<GLint>(value));
+}
+
+/// The stored values as integers: exact for level 0, rounded for the levels that were computed.
+template <class Integer>
+void add_level(const GlApi& gl, GLint level, const TextureLevel& image, GLenum format, GLenum type) {
+  std::vector<Integer> values(image.rgb.size());
+  std::transform(image.rgb.begin(), image.rgb.end(), values.begin(),
+                 [](float value) { return static_cast<Integer>(std::lround(value)); });
+  gl.TexImage2D(GL_TEXTURE_2D, level, static_cast<GLint>(format), image.width, image.height, 0, GL_RGB, type,
+                values.data());
+}
+
+} // namespace
+
+GLuint upload_mesh(const GlApi& gl, const Mesh& mesh, unsigned attributes) {
+  GLuint vertices = 0;
+  gl.GenVertexArrays(1, &vertices);
+  gl.BindVertexArray(vertices);
+  if ((attributes & 1) != 0) add_attribute<3>(gl, 0, mesh.positions);
+  if ((attributes & 2) != 0) add_attribute<3>(gl, 1, mesh.normals);
+  if ((attributes & 4) != 0) {
+    if (mesh.uvs.size() == mesh.positions.size()) add_attribute<2>(gl, 2, mesh.uvs);
+    else if (!mesh.uvs.empty()) { // where there are none at all, GL's initial value is (0, 0)
+      std::vector<Float2> uvs = mesh.uvs;
+      uvs.resize(mesh.positions.size(), Float2(0.0f));
+      add_attribute<2>(gl, 2, uvs);
+    }
+  }
+  fill_buffer(gl, GL_ELEMENT_ARRAY_BUFFER, mesh.triangles);
+  return vertices;
+}
+
+GLuint upload_texture(const GlApi& gl, const Texture& texture, TextureFilter filter) {
+  GLint most = 0;
+  gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+  const TextureLevel& image = texture.levels.front();
+  if (image.width > most || image.height > most)
+    throw NoOpenGl("a texture of " + std::to_string(image.width) + " x " + std::to_string(image.height) +
+                   " texels is too large for this OpenGL, whose textures have at most " + std::to_string(most) +
+                   " a side");
+  const GLuint name = new_texture(gl, GL_TEXTURE_2D);
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  const std::size_t levels = filter == TextureFilter::trilinear ? texture.levels.size() : 1;
+  for (std::size_t level = 0; level < levels; ++level) {
+    const auto place = static_cast<GLint>(level);
+    if (texture.full_scale > 255) add_level<GLushort>(gl, place, texture.levels[level], GL_RGB16, GL_UNSIGNED_SHORT);
+    else add_level<GLubyte>(gl, place, texture.levels[level], GL_RGB8, GL_UNSIGNED_BYTE);
+  }
+  set(gl, GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
+  set(gl, GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);
+  const GLenum within = filter == TextureFilter::nearest ? GL_NEAREST : GL_LINEAR;
+  set(gl, GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, within);
+  set(gl, GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, levels > 1 ? GL_LINEAR_MIPMAP_LINEAR : within);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, static_cast<GLint>(levels) - 1);
+  return name;
+}
+
+GLuint upload_white(const GlApi& gl) {
+  Texture white;
+  white.levels.push_back({1, 1, {255, 255, 255}});
+  return upload_texture(gl, white, TextureFilter::nearest);
+}
+
+GLuint upload_table(const GlApi& gl, const MerlTable& table, TableContent content, MerlLookup lookup) {
+  const float* const rgb = content == TableContent::values ? table.values<float>() : table.log_values<float>();
+  std::vector<float> texels(4 * MerlTable::samples);
+  for (std::size_t i = 0; i < MerlTable::samples; ++i) {
+    const float* const from = rgb + 3 * i;
+    if (std::min({from[0], from[1], from[2]}) < 0) continue; // never measured
+    std::copy_n(from, 3, &texels[4 * i]);
+    texels[4 * i + 3] = 1;
+  }
+  const GLuint name = new_texture(gl, GL_TEXTURE_3D);
+  gl.TexImage3D(GL_TEXTURE_3D, 0, GL_RGBA32F, MerlTable::phi_d_bins, MerlTable::theta_d_bins, MerlTable::theta_h_bins,
+                0, GL_RGBA, GL_FLOAT, texels.data());
+  set(gl, GL_TEXTURE_3D, GL_TEXTURE_WRAP_S, GL_REPEAT); // phi_d is periodic
+  set(gl, GL_TEXTURE_3D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  set(gl, GL_TEXTURE_3D, GL_TEXTURE_WRAP_R, GL_CLAMP_TO_EDGE);
+  const GLenum filter = lookup == MerlLookup::nearest ? GL_NEAREST : GL_LINEAR;
+  set(gl, GL_TEXTURE_3D, GL_TEXTURE_MAG_FILTER, filter);
+  set(gl, GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, filter);
+  gl.TexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAX_LEVEL, 0);
+  return name;
+}
+
+} // namespace refraster

@@ -1,0 +1,28 @@
+#pragma once
+// Meshes, textures and tables become GL objects.
+
+#include "gl/context/gl_api.h"
+#include "scene/scene.h"
+
+namespace refraster {
+
+/// A vertex array with positions, normals and, if the mesh has any, texture coordinates at 0, 1, 2, and its indices. Of
+/// the three those whose bit is set in `attributes`. Vertices without texture coordinates have (0, 0).
+GLuint upload_mesh(const GlApi& gl, const Mesh& mesh, unsigned attributes);
+
+/// In RGB8 or RGB16, whichever holds the image's values exactly; repeating; with the mip levels that it has, rounded to
+/// that format. Throws NoOpenGl for one that is larger than this OpenGL's.
+GLuint upload_texture(const GlApi& gl, const Texture& texture, TextureFilter filter);
+
+/// One white texel: what a shader samples of an object without a texture.
+GLuint upload_white(const GlApi& gl);
+
+enum class TableContent { values, logarithms };
+
+/// A 3D texture of RGBA32F: phi_d along s, theta_d along t, theta_h along r, so that a shader reads
+/// texture(merlBrdf, vec3(z, y, x)) with x, y, z the coordinates of theta_h, theta_d, phi_d in [0, 1]. Repeats along s,
+/// is clamped along t and r. Alpha is 1, and all four are 0 where nothing was measured: a filtered value divided by its
+/// alpha is the weighted mean of what was measured.
+GLuint upload_table(const GlApi& gl, const MerlTable& table, TableContent content, MerlLookup lookup);
+
+} // namespace refraster

@@ -1,0 +1,90 @@
+#include "gl/glsl/own_glsl.h"
+
+#include <algorithm>
+#include <cctype>
+#include <locale>
+#include <sstream>
+
+namespace refraster {
+namespace {
+
+std::string_view version(GlslDialect dialect) {
+  return dialect == GlslDialect::core_330
+             ? "#version 330 core\n"
+             : "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler3D;\n";
+}
+
+/// "trilinear-log" gives LOOKUP_TRILINEAR_LOG.
+std::string constant(std::string_view prefix, std::string_view name) {
+  std::string word(prefix);
+  for (const char c : name) word += c == '-' ? '_' : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return word;
+}
+
+/// Numbers the names of an enum, and says which one holds.
+template <class Enum>
+void define_choice(std::ostream& text, std::string_view what, std::string_view prefix, Enum chosen) {
+  for (const auto& [value, name] : EnumNames<Enum>::names)
+    text << "#define " << constant(prefix, name) << " " << static_cast<int>(value) << "\n";
+  text << "#define " << what << " " << constant(prefix, name_of(chosen)) << "\n";
+}
+
+void define(std::ostream& text, std::string_view name, bool wanted) {
+  if (wanted) text << "#define " << name << "\n";
+}
+
+void define_model(std::ostream& text, const PhongParameters& model, const Material& material, MerlFilter) {
+  define(text, "TEXTURED", material.texture != nullptr);
+  define(text, "SPECULAR", model.ks != Double3(0));
+  define(text, "ZERO_GLOSSINESS", model.glossiness == 0);
+  define(text, "SPECULAR_GATE", model.specular_gate == SpecularGate::cut_below_horizon);
+  define(text, "BLINN", std::holds_alternative<BlinnPhong>(material.model));
+}
+
+void define_model(std::ostream& text, const Merl& model, const Material&, MerlFilter filter) {
+  define_choice(text, "MERL_LOOKUP", "LOOKUP_", model.lookup);
+  define_choice(text, "MERL_ANGLES", "ANGLES_", model.angles);
+  define(text, "MERL_HARDWARE_FILTER", filter == MerlFilter::hardware);
+  text << "#define MERL_LOG_EPSILON " << std::showpoint << MerlTable::log_epsilon << "\n";
+}
+
+/// The part of glsl_text; none of a fragment function that was added since.
+template <class Model>
+std::string_view formulas_of(const Model&) {
+  if constexpr (std::is_same_v<Model, Phong> || std::is_same_v<Model, BlinnPhong>) return glsl_text.phong;
+  if constexpr (std::is_same_v<Model, Merl>) return glsl_text.merl;
+  return {};
+}
+
+} // namespace
+
+bool has_own_glsl(const Material& material) {
+  return std::visit([](const auto& model) { return !formulas_of(model).empty(); }, material.model);
+}
+
+bool reads_logarithms(MerlLookup lookup) {
+  return lookup == MerlLookup::trilinear_log || lookup == MerlLookup::tricubic_log;
+}
+
+std::string own_vertex_glsl(GlslDialect dialect) {
+  return std::string(version(dialect)).append(glsl_text.vertex);
+}
+
+std::string own_fragment_glsl(const Scene& scene, const Material& material, MerlFilter filter, GlslDialect dialect) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic()); // whatever the program's own is
+  text << version(dialect);
+  text << "#define POINT_LIGHTS " << scene.point_lights.size() << "\n";
+  text << "#define DIRECTION_LIGHTS " << scene.direction_lights.size() << "\n";
+  const std::string_view formulas = std::visit(
+      [&](const auto& model) {
+        if constexpr (requires { define_model(text, model, material, filter); })
+          define_model(text, model, material, filter);
+        return formulas_of(model);
+      },
+      material.model);
+  text << glsl_text.surface << formulas << glsl_text.main;
+  return text.str();
+}
+
+} // namespace refraster

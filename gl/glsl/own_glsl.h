@@ -1,0 +1,33 @@
+#pragma once
+// Our GLSL of the formulas in shading/: used where a scene names none.
+
+#include "gl/gl_names.h"
+#include "scene/scene.h"
+
+#include <string>
+#include <string_view>
+
+namespace refraster {
+
+/// The parts in gl/glsl, one string a file.
+struct GlslText {
+  std::string_view vertex, surface, phong, merl, main;
+};
+extern const GlslText glsl_text;
+
+/// OpenGL 3.3, and WebGL 2.
+enum class GlslDialect { core_330, es_300 };
+
+std::string own_vertex_glsl(GlslDialect dialect);
+
+/// Whether there is GLSL of ours for this fragment function.
+bool has_own_glsl(const Material& material);
+
+/// For one object's material under the scene's lights: how many lights there are, whether there is a texture, how a
+/// table is read, is compiled in, so that no pixel pays for what the scene does not use.
+std::string own_fragment_glsl(const Scene& scene, const Material& material, MerlFilter filter, GlslDialect dialect);
+
+/// Whether our GLSL reads the table as logarithms (MerlTable::log_values).
+bool reads_logarithms(MerlLookup lookup);
+
+} // namespace refraster

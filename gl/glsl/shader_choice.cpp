@@ -1,0 +1,59 @@
+#include "gl/glsl/shader_choice.h"
+
+#include "gl/glsl/own_glsl.h"
+#include "io/file/input_error.h"
+#include "io/file/input_file.h"
+#include "io/file/limits.h"
+
+#include <filesystem>
+#include <regex>
+
+namespace refraster {
+namespace {
+
+/// Lowers the number after #version to the newest one; words for people where it did.
+std::string lower_version(std::string& text, int newest) {
+  static const std::regex line(R"((^|\n)[ \t]*#[ \t]*version[ \t]+(\d{3})\b)");
+  std::smatch found;
+  if (!std::regex_search(text, found, line) || std::stoi(found[2]) <= newest) return {};
+  const std::string words = " (#version " + found[2].str() + " taken as " + std::to_string(newest) + ")";
+  text.replace(static_cast<std::size_t>(found.position(2)), 3, std::to_string(newest));
+  return words;
+}
+
+/// A stage's text, and in words where it is from.
+std::pair<ShaderText, std::string> choose(const std::string& path, std::string own_text, const std::string& own_name,
+                                          int newest_version) {
+  std::error_code ignored;
+  if (path.empty()) return {{own_name, std::move(own_text)}, "ours (the scene names none)"};
+  if (!std::filesystem::exists(path, ignored))
+    return {{own_name, std::move(own_text)}, "ours (there is no " + path + ")"};
+  std::string text = read_file(path, "a GLSL file", limit::glsl_bytes.value);
+  if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3); // a byte order mark, which compilers take for GLSL
+  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
+    throw InputError({path, 0, 0, "", "UTF-16 text", "a GLSL file, which is ASCII or UTF-8"});
+  const std::string lowered = lower_version(text, newest_version);
+  return {{path, std::move(text)}, path + lowered};
+}
+
+} // namespace
+
+ShaderChoice choose_shaders(const Scene& scene, const Object& object, MerlFilter filter, int newest_version) {
+  const std::string_view model = std::visit([](const auto& m) { return m.name; }, object.material.model);
+  if (std::error_code ignored;
+      !has_own_glsl(object.material) && !std::filesystem::exists(object.fragment_shader_path, ignored))
+    throw InputError({object.name, 0, 0, "/fragment_shader_file_path",
+                      object.fragment_shader_path.empty() ? "none" : "no file " + object.fragment_shader_path,
+                      "a GLSL file: there is none of ours of " + std::string(model)});
+  const auto [vertex, vertex_from] =
+      choose(object.vertex_shader_path, own_vertex_glsl(GlslDialect::core_330), "our vertex shader", newest_version);
+  const auto [fragment, fragment_from] =
+      choose(object.fragment_shader_path, own_fragment_glsl(scene, object.material, filter, GlslDialect::core_330),
+             "our fragment shader of " + std::string(model), newest_version);
+  return {vertex, fragment,
+          object.name + ": vertex shader " + vertex_from + ", fragment shader of " + std::string(model) + " " +
+              fragment_from,
+          vertex.file == object.vertex_shader_path, fragment.file == object.fragment_shader_path};
+}
+
+} // namespace refraster

@@ -1,0 +1,64 @@
+#include "io/file/sha256.h"
+
+#include "io/file/input_file.h"
+
+#include <openssl/evp.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <new>
+#include <vector>
+
+namespace refraster {
+
+struct Sha256::State {
+  EVP_MD_CTX* context = EVP_MD_CTX_new();
+  ~State() { EVP_MD_CTX_free(context); }
+};
+
+Sha256::Sha256() : state_(std::make_unique<State>()) {
+  if (!state_->context || EVP_DigestInit_ex(state_->context, EVP_sha256(), nullptr) != 1) throw std::bad_alloc();
+}
+Sha256::~Sha256() = default;
+
+void Sha256::add(const void* bytes, std::size_t size_bytes) {
+  EVP_DigestUpdate(state_->context, bytes, size_bytes);
+}
+
+std::array<unsigned char, sha256_bytes> Sha256::result() {
+  std::array<unsigned char, sha256_bytes> digest{};
+  EVP_DigestFinal_ex(state_->context, digest.data(), nullptr);
+  return digest;
+}
+
+namespace {
+
+std::string in_hexadecimal(const std::array<unsigned char, sha256_bytes>& digest) {
+  std::string text;
+  for (const unsigned char byte : digest) text += {"0123456789abcdef"[byte >> 4], "0123456789abcdef"[byte & 15]};
+  return text;
+}
+
+} // namespace
+
+std::string file_sha256(const std::string& path) {
+  constexpr std::uint64_t any_size = std::numeric_limits<std::uint64_t>::max();
+  const InputFile file(path, "a file", any_size);
+  std::vector<char> part(std::size_t{1} << 18); // stays in the second level of cache
+  Sha256 digest;
+  for (std::uint64_t at = 0; at < file.size_bytes(); at += part.size()) {
+    const std::size_t bytes = std::min<std::uint64_t>(part.size(), file.size_bytes() - at);
+    file.read(at, part.data(), bytes);
+    digest.add(part.data(), bytes);
+  }
+  return in_hexadecimal(digest.result());
+}
+
+std::string text_sha256(std::string_view text) {
+  Sha256 digest;
+  digest.add(text.data(), text.size());
+  return in_hexadecimal(digest.result());
+}
+
+} // namespace refraster

@@ -1,0 +1,165 @@
+#include "io/file/atomic_file.h"
+#include "io/file/text.h"
+#include "io/image/image_formats.h"
+
+#include <algorithm>
+#include <cstring>
+#include <exception>
+#include <new>
+#include <stdexcept>
+
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfIO.h>
+#include <ImfInputFile.h>
+#include <ImfOutputFile.h>
+
+namespace refraster {
+namespace {
+
+/// An AtomicFile as OpenEXR wants to write it.
+class ExrStream : public Imf::OStream {
+public:
+  ExrStream(const std::string& path, AtomicFile& file) : Imf::OStream(path.c_str()), file_(file) {}
+  void write(const char bytes[], int size) override {
+    tell([&] { file_.write(bytes, static_cast<std::size_t>(size)); });
+    if (!is_table_) return;
+    for (int i = 0; i + 8 <= size; i += 8) {
+      std::uint64_t offset = 0;
+      std::memcpy(&offset, bytes + i, sizeof offset);
+      if (offset == 0) part_is_missing_ = true;
+    }
+  }
+  std::uint64_t tellp() override { return file_.position(); }
+  void seekp(std::uint64_t position) override {
+    tell([&] { file_.seek(position); });
+    is_table_ = true;
+  }
+
+  /// To be called when OpenEXR has closed the file. It keeps to itself what goes wrong while it closes one, and where
+  /// memory for compression is missing: the block of rows is not written then, and its place in the table of blocks,
+  /// the only thing that is written behind a seek, stays 0.
+  void check(const std::string& path) const {
+    if (error_) std::rethrow_exception(error_);
+    if (part_is_missing_) throw OutputError(path, "OpenEXR has left out a part of the image");
+  }
+
+private:
+  template <class Action>
+  void tell(Action&& action) {
+    try {
+      action();
+    } catch (...) {
+      if (!error_) error_ = std::current_exception();
+      throw;
+    }
+  }
+
+  AtomicFile& file_;
+  std::exception_ptr error_;
+  bool is_table_ = false, part_is_missing_ = false;
+};
+
+/// Bytes in memory as OpenEXR wants to read them: what was checked is what is read.
+class ExrBytes : public Imf::IStream {
+public:
+  ExrBytes(const std::string& path, std::string_view bytes) : Imf::IStream(path.c_str()), bytes_(bytes) {}
+  bool read(char to[], int size) override {
+    if (size < 0 || at_ > bytes_.size() || static_cast<std::size_t>(size) > bytes_.size() - at_)
+      throw std::runtime_error("the file ends early");
+    std::memcpy(to, bytes_.data() + at_, static_cast<std::size_t>(size));
+    at_ += static_cast<std::size_t>(size);
+    return at_ < bytes_.size();
+  }
+  std::uint64_t tellg() override { return at_; }
+  void seekg(std::uint64_t position) override { at_ = static_cast<std::size_t>(position); }
+
+private:
+  std::string_view bytes_;
+  std::size_t at_ = 0;
+};
+
+/// Channel c of an image whose first pixel is (0, 0) of the buffer that OpenEXR addresses.
+Imf::Slice slice(const Image<float>& image, int c, int x_origin, int y_origin) {
+  const std::size_t pixel = sizeof(float) * static_cast<std::size_t>(image.channels);
+  const std::size_t row = pixel * static_cast<std::size_t>(image.width);
+  // OpenEXR takes one type of pointer for reading and writing; a writer only reads.
+  char* const base = reinterpret_cast<char*>(const_cast<float*>(image.values.data() + c));
+  return {Imf::FLOAT,
+          base - static_cast<std::ptrdiff_t>(pixel) * x_origin - static_cast<std::ptrdiff_t>(row) * y_origin, pixel,
+          row};
+}
+
+} // namespace
+
+ImageFile read_exr(const std::string& path, std::string_view bytes, const ImageRequest& request) {
+  check_before_exr(path, bytes, request);
+  try {
+    ExrBytes stream(path, bytes);
+    Imf::InputFile file(stream);
+    const Imath::Box2i window = file.header().dataWindow();
+    ImageFile result;
+    result.bits = 32;
+    result.full_scale = 1;
+    result.names_channels = true;
+    const Imf::ChannelList& list = file.header().channels();
+    for (auto it = list.begin(); it != list.end(); ++it) {
+      result.channels.push_back(it.name());
+      if (it.channel().type == Imf::HALF) result.unit_roundoff = 0x1p-11;
+    }
+    // The file has them in alphabetic order: A B G R. The colour comes first here, as R G B A.
+    std::size_t front = 0;
+    for (const char* const name : {"R", "G", "B", "A"})
+      for (std::size_t i = front; i < result.channels.size(); ++i)
+        if (result.channels[i] == name)
+          std::rotate(result.channels.begin() + static_cast<std::ptrdiff_t>(front++),
+                      result.channels.begin() + static_cast<std::ptrdiff_t>(i),
+                      result.channels.begin() + static_cast<std::ptrdiff_t>(i + 1));
+    const auto pixels = static_cast<std::uint64_t>(window.max.x - window.min.x + 1) *
+                        static_cast<std::uint64_t>(window.max.y - window.min.y + 1);
+    need_image(request, path, pixels, static_cast<int>(result.channels.size()), 0);
+    result.values = Image<float>(window.max.x - window.min.x + 1, window.max.y - window.min.y + 1,
+                                 static_cast<int>(result.channels.size()));
+    Imf::FrameBuffer buffer;
+    for (std::size_t c = 0; c < result.channels.size(); ++c)
+      buffer.insert(result.channels[c], slice(result.values, static_cast<int>(c), window.min.x, window.min.y));
+    file.setFrameBuffer(buffer);
+    file.readPixels(window.min.y, window.max.y);
+    return result;
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) { // whatever OpenEXR has to say about it
+    throw InputError(
+        InputFault{path, 0, 0, "", "an image that cannot be decoded: " + one_line(error.what()), "an OpenEXR image"});
+  }
+}
+
+void write_exr(const std::string& path, const Image<float>& image, const std::vector<std::string>& channels) {
+  AtomicFile file(path);
+  ExrStream stream(path, file);
+  try {
+    Imf::Header header(image.width, image.height);
+    header.compression() = Imf::ZIP_COMPRESSION; // lossless
+    Imf::FrameBuffer buffer;
+    for (int c = 0; c < image.channels; ++c) {
+      const std::string& name = channels[static_cast<std::size_t>(c)];
+      header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+      buffer.insert(name, slice(image, c, 0, 0));
+    }
+    Imf::OutputFile output(stream, header);
+    output.setFrameBuffer(buffer);
+    output.writePixels(image.height);
+  } catch (const OutputError&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    stream.check(path); // why the system refused it
+    throw OutputError(path, error.what());
+  }
+  stream.check(path);
+  file.commit();
+}
+
+} // namespace refraster

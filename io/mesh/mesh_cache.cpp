@@ -1,0 +1,196 @@
+#include "io/mesh/mesh_cache.h"
+
+#include "io/file/atomic_file.h"
+#include "io/file/input_file.h"
+#include "io/file/limits.h"
+#include "io/file/sha256.h"
+#include "io/file/text.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cstring>
+#include <filesystem>
+#include <limits>
+#include <string_view>
+#include <system_error>
+#include <type_traits>
+
+namespace refraster {
+namespace {
+namespace fs = std::filesystem;
+
+// A file: Header, positions, normals, uvs, triangles, notes as text, and the sha256 of what it is found by and all
+// that: under another name it is not believed.
+static_assert(std::endian::native == std::endian::little);
+constexpr std::array<char, 16> magic = {'r', 'e', 'f', 'r', 'a', 's', 't',  'e',
+                                        'r', ' ', 'm', 'e', 's', 'h', '\r', '\n'};
+struct Header {
+  std::array<char, 16> magic;
+  std::uint32_t version, notes_bytes;
+  std::uint64_t vertices, uvs, triangles;
+};
+static_assert(std::has_unique_object_representations_v<Header> && sizeof(Header) == 48);
+
+std::string file_of(const std::string& folder, const std::string& key) {
+  return (fs::path(folder) / (key + "." + std::to_string(mesh_cache_version) + ".mesh")).string();
+}
+
+/// body(array of the mesh) for each that is stored.
+template <class AnyMesh, class Body>
+void for_each_array(AnyMesh& mesh, const Body& body) {
+  body(mesh.positions);
+  body(mesh.normals);
+  body(mesh.uvs);
+  body(mesh.triangles);
+}
+
+template <class Array>
+std::size_t bytes_of(const Array& array) {
+  static_assert(std::is_trivially_copyable_v<typename Array::value_type>);
+  return array.size() * sizeof(typename Array::value_type);
+}
+
+/// Whether a mesh of these counts makes a file of this size.
+bool has_size(const Header& header, std::uint64_t file_bytes) {
+  constexpr std::uint64_t most = std::uint64_t{1} << 32; // the products below stay far from overflow
+  if (header.vertices >= most || header.triangles >= most || header.uvs > header.vertices) return false;
+  const std::uint64_t triangle_bytes = sizeof(std::array<std::uint32_t, 3>);
+  return file_bytes == sizeof header + header.vertices * 2 * sizeof(Float3) + header.uvs * sizeof(Float2) +
+                           header.triangles * triangle_bytes + header.notes_bytes + sha256_bytes;
+}
+
+/// A line a note: its line, its count, what was found, what is done about it, with tabs between.
+std::string notes_text(const NoteList& notes) {
+  std::string text;
+  for (const Note& note : notes.notes())
+    text += std::to_string(note.line) + '\t' + std::to_string(note.count) + '\t' + one_line(note.found) + '\t' +
+            one_line(note.consequence) + '\n';
+  return text;
+}
+
+std::optional<NoteList> notes_of(std::string_view text) {
+  NoteList notes;
+  const auto take = [&text](char end) {
+    const std::size_t size = std::min(text.find(end), text.size());
+    const std::string_view part = text.substr(0, size);
+    text.remove_prefix(std::min(size + 1, text.size()));
+    return part;
+  };
+  const auto number = [](std::string_view part, auto& value) {
+    const auto [stop, error] = std::from_chars(part.data(), part.data() + part.size(), value);
+    return error == std::errc() && stop == part.data() + part.size();
+  };
+  while (!text.empty()) {
+    Note note;
+    if (!number(take('\t'), note.line) || !number(take('\t'), note.count)) return {};
+    note.found = take('\t');
+    note.consequence = take('\n');
+    notes.add(std::move(note));
+  }
+  return notes;
+}
+
+} // namespace
+
+std::string mesh_key(const std::string& sha256, const MeshNormals& normals) {
+  return sha256 + "." + name_of(normals);
+}
+
+std::optional<KeptMesh> kept_mesh(const std::string& folder, const std::string& key) try {
+  const std::string path = file_of(folder, key);
+  constexpr std::uint64_t any_size = std::numeric_limits<std::uint64_t>::max(); // the header says which
+  const InputFile file(path, "a kept mesh", any_size);
+  const std::uint64_t size = file.size_bytes();
+  if (size < sizeof(Header)) return {};
+  Sha256 digest;
+  digest.add(key.data(), key.size());
+  std::uint64_t position = 0;
+  const auto read = [&](void* to, std::size_t bytes) {
+    file.read(position, to, bytes);
+    digest.add(to, bytes);
+    position += bytes;
+  };
+  Header header{};
+  read(&header, sizeof header);
+  if (header.magic != magic || header.version != mesh_cache_version || !has_size(header, size)) return {};
+
+  KeptMesh kept;
+  Mesh& mesh = kept.mesh;
+  mesh.positions.resize(header.vertices);
+  mesh.normals.resize(header.vertices);
+  mesh.uvs.resize(header.uvs);
+  mesh.triangles.resize(header.triangles);
+  for_each_array(mesh, [&](auto& array) { read(array.data(), bytes_of(array)); });
+  std::string text(header.notes_bytes, '\0');
+  read(text.data(), text.size());
+  std::array<unsigned char, sha256_bytes> expected{};
+  file.read(position, expected.data(), sha256_bytes);
+  if (digest.result() != expected) return {};
+  for (const auto& triangle : mesh.triangles)
+    if (*std::max_element(triangle.begin(), triangle.end()) >= header.vertices) return {};
+  std::optional<NoteList> notes = notes_of(text);
+  if (!notes) return {};
+  kept.notes = std::move(*notes);
+  return kept;
+} catch (const InputError&) { // there is none, or it cannot be read
+  return {};
+}
+
+void keep_mesh(const std::string& folder, const std::string& key, const KeptMesh& kept) {
+  const Mesh& mesh = kept.mesh;
+  AtomicFile file(file_of(folder, key));
+  Sha256 digest;
+  digest.add(key.data(), key.size());
+  const auto write = [&](const void* from, std::size_t bytes) {
+    file.write(from, bytes);
+    digest.add(from, bytes);
+  };
+  const std::string notes = notes_text(kept.notes);
+  const Header header{
+      magic,           mesh_cache_version,   static_cast<std::uint32_t>(notes.size()), mesh.positions.size(),
+      mesh.uvs.size(), mesh.triangles.size()};
+  write(&header, sizeof header);
+  for_each_array(mesh, [&](const auto& array) { write(array.data(), bytes_of(array)); });
+  write(notes.data(), notes.size());
+  const auto result = digest.result();
+  file.write(result.data(), result.size());
+  file.commit();
+}
+
+void check_cache_folder(const std::string& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!fs::is_directory(folder, error)) throw OutputError(folder, "it is no folder, and none can be made there");
+  AtomicFile trial((fs::path(folder) / "trial").string()); // leaves nothing
+}
+
+Mesh read_obj_by_cache(const std::string& path, const std::string& folder, const ObjOptions& options,
+                       std::uint64_t least_bytes) {
+  if (file_fault(path, "an OBJ file", limit::obj_bytes.value) || file_size_bytes(path) < least_bytes)
+    return read_obj(path, options);
+  const auto with_notes = [&](KeptMesh kept) {
+    for (Note note : kept.notes.notes()) {
+      note.file = path;
+      if (options.notes) options.notes->add(std::move(note));
+    }
+    return std::move(kept.mesh);
+  };
+  if (std::optional<KeptMesh> kept = kept_mesh(folder, mesh_key(file_sha256(path), options.normals)))
+    return with_notes(std::move(*kept));
+  // Read once more: what is kept is the mesh of the very bytes that it is found by, also if the file changes meanwhile.
+  std::string text = read_file(path, "an OBJ file", limit::obj_bytes.value);
+  const std::string key = mesh_key(text_sha256(text), options.normals);
+  KeptMesh kept;
+  NoteList notes;
+  kept.mesh = mesh_of_obj(path, std::move(text), {options.normals, &notes});
+  for (Note note : notes.notes()) {
+    note.file.clear(); // the same bytes may have another name
+    kept.notes.add(std::move(note));
+  }
+  keep_mesh(folder, key, kept);
+  return with_notes(std::move(kept));
+}
+
+} // namespace refraster

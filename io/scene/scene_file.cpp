@@ -1,0 +1,240 @@
+#include "io/scene/scene_file.h"
+
+#include "io/brdf/merl_file.h"
+#include "io/file/input_file.h"
+#include "io/file/text.h"
+#include "io/image/image_file.h"
+#include "io/mesh/mesh_cache.h"
+#include "io/mesh/obj_file.h"
+#include "io/scene/not_a_scene.h"
+#include "io/scene/scene_reader.h"
+#include "io/scene/shape_mesh.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <set>
+
+namespace refraster {
+namespace {
+namespace fs = std::filesystem;
+
+/// Everything that the objects name, loaded or made. Each file is loaded once, and its faults are told once.
+class Loader {
+public:
+  /// `faults`: of the scene file; `in_files`: of those that it names.
+  Loader(const JsonDocument& document, const SceneOptions& options, FaultList& faults, FaultList& in_files)
+      : document_(document), options_(options), folder_(fs::path(document.file()).parent_path()),
+        real_folder_(identity(folder_.empty() ? "." : folder_.string())), faults_(faults), in_files_(in_files) {}
+
+  /// To be called for every object before the first is loaded: a loaded texture never changes, so it must be known
+  /// whether it needs a mip chain; and shapes that are too many are not made.
+  void note(const ObjectText& text) {
+    if (text.shape) add(mesh_counts(*text.shape));
+    if (!text.texture_file.given.empty() && text.object.material.texture_filter == TextureFilter::trilinear)
+      trilinear_.insert(identity(path_of(text.texture_file)));
+  }
+
+  Object object(const ObjectText& text) {
+    Object result = text.object;
+    for (const PathText* const shader : {&text.vertex_shader, &text.fragment_shader})
+      if (const auto fault = outside_fault(*shader)) faults_.add(*fault);
+    result.vertex_shader_path = path_of(text.vertex_shader);
+    result.fragment_shader_path = path_of(text.fragment_shader);
+    result.mesh = text.shape ? shape(*text.shape) : mesh(text);
+    if (!text.shape && result.mesh) add({result.mesh->positions.size(), result.mesh->triangles.size()});
+    if (result.name.empty())
+      result.name = text.shape ? std::string(std::visit([](auto& s) { return s.name; }, *text.shape))
+                               : fs::path(text.obj_file.given).stem().string();
+    note_what_is_not_read(text);
+    if (Merl* const merl = std::get_if<Merl>(&result.material.model)) {
+      merl->table = load(tables_, text.brdf_file, "a MERL table", [&](const std::string& path) {
+        options_.memory.need(std::min(file_size_bytes(path), merl_file_bytes), path);
+        return read_merl(path);
+      });
+    } else {
+      result.material.texture = load(textures_, text.texture_file, "an image", [&](const std::string& path) {
+        auto texture = std::make_shared<Texture>(read_texture(path, options_.memory, options_.notes));
+        if (trilinear_.contains(identity(path))) {
+          options_.memory.need(texture->levels.front().rgb.size() * sizeof(float) / 3, path); // 1/4 + 1/16 + …
+          build_mip_levels(*texture);
+        }
+        return texture;
+      });
+      if (result.mesh && result.material.texture) note_untextured(text, *result.mesh);
+    }
+    for (const PathText* const path :
+         {&text.obj_file, &text.vertex_shader, &text.fragment_shader, &text.texture_file, &text.brdf_file})
+      note_backslashes(*path);
+    return result;
+  }
+
+private:
+  std::shared_ptr<const Mesh> mesh(const ObjectText& text) {
+    const auto read = [&](const std::string& path) {
+      options_.memory.need(2 * file_size_bytes(path), path); // its text, and no less than as much for what it says
+      // A file that is read once more, for other normals, has the same remarks.
+      const ObjOptions reading{text.normals, noted_.insert(identity(path)).second ? options_.notes : nullptr};
+      const std::string& cache = options_.mesh_cache;
+      return std::make_shared<const Mesh>(cache.empty() ? read_obj(path, reading)
+                                                        : read_obj_by_cache(path, cache, reading));
+    };
+    return load(meshes_, text.obj_file, "an OBJ file", read, name_of(text.normals));
+  }
+
+  void note_untextured(const ObjectText& text, const Mesh& mesh) {
+    if (!options_.notes || mesh.uvs.size() == mesh.positions.size()) return;
+    const auto without = std::count_if(mesh.triangles.begin(), mesh.triangles.end(),
+                                       [&](const auto& triangle) { return !has_uvs(mesh, triangle); });
+    if (without > 0 && untextured_.insert(identity(path_of(text.obj_file))).second)
+      options_.notes->add({path_of(text.obj_file), 0,
+                           counted(static_cast<std::size_t>(without), "triangle") + " without vt",
+                           "on which the texture is not shown"});
+  }
+
+  void note_backslashes(const PathText& text) {
+    if (!options_.notes || text.given.empty()) return;
+    if (path_of(text) == plain_path_of(text) || is_outside(path_of(text))) return;
+    options_.notes->add({document_.file(), document_.fault_at(text.offset, "", "", "").line, in_quotes(text.given),
+                         "read with / for \\"});
+  }
+
+  /// To the sum of all objects; an object counts however many share its mesh.
+  void add(const MeshCounts& counts) {
+    sum_.vertices += counts.vertices;
+    sum_.triangles += counts.triangles;
+    const auto check = [&](const Limit& limit, std::uint64_t count) {
+      if (count > limit.value)
+        throw InputError(InputFault{document_.file(), 0, 0, "/scene/objects", found_of(limit, count), at_most(limit)});
+    };
+    check(limit::vertices, sum_.vertices);
+    check(limit::triangles, sum_.triangles);
+  }
+
+  template <class T>
+  using Files = std::map<std::pair<std::string, std::string>, std::shared_ptr<const T>>; // null: it has a fault
+
+  /// Null if no file is given, or, with a fault, if it cannot be read. Files are known by their identity, and the way
+  /// in which they are read. A file that is not there at all is a fault of the scene, at the key that names it; what is
+  /// in the file, is one of the file.
+  template <class T, class Read>
+  std::shared_ptr<const T> load(Files<T>& files, const PathText& text, std::string_view expected, Read&& read,
+                                const std::string& way = {}) {
+    if (text.given.empty()) return nullptr;
+    const std::string path = path_of(text), file = identity(path);
+    const auto [entry, is_new] = files.try_emplace({file, way});
+    if (!is_new || faulty_.contains(file)) return entry->second;
+    if (const auto fault = outside_fault(text)) {
+      faults_.add(*fault);
+      faulty_.insert(file);
+      return nullptr;
+    }
+    constexpr std::uint64_t any_size = std::numeric_limits<std::uint64_t>::max(); // the reader knows its limit
+    if (const auto fault = file_fault(path, expected, any_size)) {
+      faults_.add(document_.fault_at(text.offset, text.json_path, fault->found + ", " + path, fault->expected));
+      faulty_.insert(file);
+      return nullptr;
+    }
+    try {
+      entry->second = read(path);
+    } catch (const InputError& error) {
+      in_files_.add(error);
+      faulty_.insert(file);
+    }
+    return entry->second;
+  }
+
+  /// Whether a path leads out of the scene's folder. It may name nothing: whether something is there is not told.
+  std::optional<InputFault> outside_fault(const PathText& text) const {
+    if (text.given.empty() || !is_outside(path_of(text))) return {};
+    return document_.fault_at(text.offset, text.json_path, in_quotes(text.given) + ", outside the scene's folder",
+                              "a path within it, or --allow-outside");
+  }
+
+  /// A material may name a file that its own fragment function has no use for: then its picture may surprise.
+  void note_what_is_not_read(const ObjectText& text) const {
+    if (!options_.notes) return;
+    const Model& model = text.object.material.model;
+    const bool measured = std::holds_alternative<Merl>(model);
+    const PathText& path = measured ? text.texture_file : text.brdf_file;
+    if (path.given.empty()) return;
+    const std::string key = measured ? "texture_file_path" : "brdf_file_path";
+    const std::string name(std::visit([](const auto& function) { return function.name; }, model));
+    options_.notes->add(
+        {document_.file(), document_.fault_at(path.offset, "", "", "").line, key + ' ' + in_quotes(path.given),
+         "not read: the fragment function " + name + (measured ? " shows no texture" : " uses no measured table")});
+  }
+
+  std::string plain_path_of(const PathText& text) const {
+    return text.given.empty() ? std::string() : (folder_ / text.given).string();
+  }
+  /// With / for \, where that names a file and the path as it stands does not: it was written under Windows.
+  std::string path_of(const PathText& text) const {
+    const std::string plain = plain_path_of(text);
+    std::error_code none; // what cannot be asked is not there
+    if (text.given.find('\\') == std::string::npos || fs::exists(plain, none)) return plain;
+    std::string given = text.given;
+    std::replace(given.begin(), given.end(), '\\', '/');
+    const std::string path = (folder_ / given).string();
+    // Of a place outside, whether something is there is not told.
+    return is_outside(path) || fs::exists(path, none) ? path : plain;
+  }
+  bool is_outside(const std::string& path) const {
+    if (options_.outside == Outside::allowed) return false;
+    const fs::path real = identity(path);
+    return std::mismatch(real_folder_.begin(), real_folder_.end(), real.begin(), real.end()).first !=
+           real_folder_.end();
+  }
+  std::shared_ptr<const Mesh> shape(const Shape& wanted) {
+    for (const auto& [made, mesh] : shapes_)
+      if (made == wanted) return mesh;
+    const MeshCounts counts = mesh_counts(wanted);
+    options_.memory.need(counts.size_bytes(),
+                         std::to_string(counts.triangles) + " triangles of a " +
+                             std::string(std::visit([](const auto& s) { return s.name; }, wanted)));
+    return shapes_.emplace_back(wanted, make_mesh(wanted)).second;
+  }
+
+  const JsonDocument& document_;
+  const SceneOptions& options_;
+  fs::path folder_, real_folder_;
+  FaultList &faults_, &in_files_;
+  MeshCounts sum_;
+  Files<Mesh> meshes_;
+  Files<Texture> textures_;
+  Files<MerlTable> tables_;
+  std::set<std::string> trilinear_;                   // identities of textures
+  std::set<std::string> faulty_, noted_, untextured_; // identities of files whose faults, or remarks, are told
+  std::vector<std::pair<Shape, std::shared_ptr<const Mesh>>> shapes_;
+};
+
+} // namespace
+
+Scene read_scene(const std::string& path, const SceneOptions& options) {
+  if (auto error = not_a_scene(path)) throw std::move(*error);
+  options.memory.need(2 * std::min<std::uint64_t>(file_size_bytes(path), JsonDocument::max_bytes), path);
+  const JsonDocument document(path, read_file(path, "a scene file", JsonDocument::max_bytes));
+  FaultList faults;
+  Scene scene;
+  std::vector<ObjectText> objects;
+  if (document[0].kind != JsonKind::object)
+    throw InputError(
+        document.fault_at(document[0].begin, "", document.describe(document[0]), "an object with the key scene"));
+  for (JsonIndex i = document[0].first_child; i; i = document[i].next)
+    if (document[i].key == "asset" && document[i].kind == JsonKind::object) throw gltf_is_no_scene(path);
+  SceneReader root(document, 0, "", faults);
+  root.object("scene", required, "", [&](auto& keys) { scene_keys(scene, objects, keys); });
+  root.finish();
+
+  FaultList in_files;
+  Loader loader(document, options, faults, in_files);
+  for (const ObjectText& text : objects) loader.note(text);
+  for (const ObjectText& text : objects) scene.objects.push_back(loader.object(text));
+  faults.sort_by_place();
+  faults.add(in_files);
+  faults.throw_if_any();
+  return scene;
+}
+
+} // namespace refraster

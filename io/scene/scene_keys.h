@@ -1,0 +1,226 @@
+#pragma once
+// The scene file, declared: every key with its type, range, default and meaning, once. The reader (scene_reader.h), its
+// error messages and the table in docs/scene-format.md (scene_markdown.cpp) are three readings of these functions.
+//
+// `keys` is the reading. It is called
+//   keys("fov_y", value, range, "meaning", presence)                 a value; its type says what JSON may stand there
+//   keys.object("camera", presence, "meaning", declare)              an object; declare(keys) has its members
+//   keys.list("objects", limit::objects, "meaning", items, declare)  objects; declare(item, keys) has those of each
+//   keys.shape("mesh", shape, "meaning")                             one of the shapes below
+//   keys.normals("normals", normals, "meaning")                      a word, or an object with an angle
+//   keys.check(value)                                                what a single key cannot show
+//   keys.parameters(model, use)                                      what a fragment function declares (fields.h)
+// A value that may be left out keeps what the member is initialised with.
+
+#include "io/file/limits.h"
+#include "io/mesh/mesh_normals.h"
+#include "scene/scene.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace refraster {
+
+/// Whether a key must be there; and if not, what the documentation says is taken instead ("": the value's own default).
+struct Presence {
+  enum class Need { required, defaulted } need;
+  std::string_view otherwise = {};
+};
+inline constexpr Presence required{Presence::Need::required};
+inline constexpr Presence defaulted{Presence::Need::defaulted};
+constexpr Presence otherwise(std::string_view taken) {
+  return {Presence::Need::defaulted, taken};
+}
+
+/// A path as it stands in the scene file; it is relative to that file's folder. Empty: not given.
+struct PathText {
+  std::string given;
+  std::size_t offset = 0; // where in the scene file, for messages: its byte
+  std::string json_path;  // and its key
+};
+
+/// The name of a fragment function, as an index into Model. Empty when it is not given, or unknown.
+struct ModelName {
+  std::optional<std::size_t> index;
+  bool given = false;
+};
+
+// Shapes that need no file: the words in "mesh". The functions that make them are in scene/shapes.h.
+inline constexpr Range mesh_cuts{3, 4096}; // 4096 x 4096 quads: 33 million triangles, 1 GB
+
+struct SphereShape {
+  static constexpr std::string_view name = "sphere", meaning = "radius 1, poles on the y axis";
+  int segments = 64, rings = 32;
+  static void fields(auto& self, auto&& keys) {
+    keys("segments", self.segments, mesh_cuts, "quads around the axis", defaulted);
+    keys("rings", self.rings, Range{2, mesh_cuts.max}, "quads from pole to pole", defaulted);
+  }
+  bool operator==(const SphereShape&) const = default;
+};
+struct CubeShape {
+  static constexpr std::string_view name = "cube", meaning = "from -1 to 1 on each axis";
+  static void fields(auto&, auto&&) {}
+  bool operator==(const CubeShape&) const = default;
+};
+struct PlaneShape {
+  static constexpr std::string_view name = "plane", meaning = "from -1 to 1 on x and z, facing +y";
+  int segments = 1;
+  static void fields(auto& self, auto&& keys) {
+    keys("segments", self.segments, Range{1, mesh_cuts.max}, "quads along each side", defaulted);
+  }
+  bool operator==(const PlaneShape&) const = default;
+};
+struct TorusShape {
+  static constexpr std::string_view name = "torus", meaning = "radius 1 around the y axis";
+  int segments = 64, rings = 32;
+  double tube_radius = 0.4;
+  static void fields(auto& self, auto&& keys) {
+    keys("segments", self.segments, mesh_cuts, "quads around the axis", defaulted);
+    keys("rings", self.rings, mesh_cuts, "quads around the tube", defaulted);
+    keys("tube_radius", self.tube_radius, Range{0, 1000, Ends::excluded}, "radius of the tube", defaulted);
+  }
+  bool operator==(const TorusShape&) const = default;
+};
+struct KnotShape {
+  static constexpr std::string_view name = "knot", meaning = "a trefoil of radius 1 around the y axis";
+  int segments = 512, rings = 32;
+  double tube_radius = 0.25;
+  static void fields(auto& self, auto&& keys) {
+    keys("segments", self.segments, mesh_cuts, "quads along the knot", defaulted);
+    keys("rings", self.rings, mesh_cuts, "quads around the tube", defaulted);
+    keys("tube_radius", self.tube_radius, Range{0, 1000, Ends::excluded}, "radius of the tube", defaulted);
+  }
+  bool operator==(const KnotShape&) const = default;
+};
+using Shape = std::variant<SphereShape, CubeShape, PlaneShape, TorusShape, KnotShape>;
+
+/// MeshNormals as an object of JSON.
+void crease_keys(auto& normals, auto&& keys) {
+  keys("crease_degrees", normals.crease_degrees, Range{0, 180},
+       "edges are smooth where two faces enclose at most this angle, sharp where they enclose more", required);
+}
+
+/// An object as the file describes it. What lies in other files is still to be loaded.
+struct ObjectText {
+  Object object;
+  ModelName fragment_function;
+  PathText obj_file, vertex_shader, fragment_shader;
+  MeshNormals normals; // of obj_file
+  std::optional<Shape> shape;
+  PathText texture_file, brdf_file;
+};
+
+/// The fragment function of an object: its own key, else the stem of fragment_shader_file_path. Empty: there is none.
+std::optional<std::size_t> model_of(const ObjectText& text);
+
+template <std::size_t... I>
+void for_each_model(auto&& visit, std::index_sequence<I...>) {
+  (visit(std::variant_alternative_t<I, Model>{}, I), ...);
+}
+/// Calls visit(model, index) with a default-constructed object of every fragment function.
+void for_each_model(auto&& visit) {
+  for_each_model(visit, std::make_index_sequence<std::variant_size_v<Model>>{});
+}
+
+/// A material may hold the parameters of every fragment function: those of its own must be there, others may.
+enum class Use { own, other };
+
+/// Keys of the lecture's framework that mean nothing to a still image.
+struct Ignored {
+  double value = 0;
+};
+
+void camera_keys(auto& camera, auto&& keys) {
+  keys("position", camera.position, any_number, "where the eye is, world space", required);
+  keys("target", camera.target, any_number, "the point looked at: not the position",
+       otherwise("position + (0, 0, -1)"));
+  keys("up", camera.up, any_number, "up in the image: not parallel to the line of sight", defaulted);
+  keys("fov_y", camera.fov_y_degrees, Range{0, 180, Ends::excluded}, "vertical field of view, degrees", defaulted);
+  keys("near", camera.near, Range{.ends = Ends::excluded}, "distance of the near plane", defaulted);
+  keys("far", camera.far, Range{.ends = Ends::excluded}, "distance of the far plane: beyond the near one", defaulted);
+  keys("movement_speed", Ignored{}, any_number, "for the lecture's interactive framework; not used",
+       otherwise("nothing"));
+  keys("mouse_sensitivity", Ignored{}, any_number, "for the lecture's interactive framework; not used",
+       otherwise("nothing"));
+  keys.check(camera);
+}
+
+void point_light_keys(auto& light, auto&& keys) {
+  keys("position", light.position, any_number, "world space", required);
+  keys("radiance", light.radiance, Range{}, "red, green, blue", required);
+  keys("constant", light.constant, Range{}, "Kc of the attenuation 1 / (Kc + Kl d + Kq d²); all three 0: none",
+       required);
+  keys("linear", light.linear, Range{}, "Kl", required);
+  keys("quadratic", light.quadratic, Range{}, "Kq", required);
+}
+
+void direction_light_keys(auto& light, auto&& keys) {
+  keys("direction", light.direction, any_number, "where the light travels to, world space; not zero", required);
+  keys("radiance", light.radiance, Range{}, "red, green, blue", required);
+  keys.check(light);
+}
+
+void material_keys(auto& text, auto&& keys) {
+  const std::optional<std::size_t> own = model_of(text);
+  bool needs_table = false;
+  for_each_model([&](auto model, std::size_t index) {
+    if (own != index) return;
+    needs_table = std::is_same_v<decltype(model), Merl>;
+    keys.parameters(model, Use::own);
+    text.object.material.model = model;
+  });
+  for_each_model([&](auto model, std::size_t index) {
+    if (own != index) keys.parameters(model, Use::other);
+  });
+  keys("brdf_file_path", text.brdf_file, Range{},
+       "a MERL `.binary` file: must be there for `merl`, not loaded for others",
+       needs_table ? required : otherwise("nothing"));
+  keys("texture_file_path", text.texture_file, Range{},
+       "a `.png`, `.jpg`, `.tga` or `.bmp` image; not loaded for `merl`", otherwise("white"));
+  keys("texture_filter", text.object.material.texture_filter, Range{}, "how the texture is read between its texels",
+       defaulted);
+}
+
+void object_keys(auto& text, auto&& keys) {
+  keys("name", text.object.name, Range{}, "for reports", otherwise("the mesh file's name, or the shape's"));
+  keys("obj_file_path", text.obj_file, Range{}, "an OBJ file", otherwise("`mesh`"));
+  keys.shape("mesh", text.shape, "a shape instead of a file: exactly one of the two is there");
+  keys.normals(
+      "normals", text.normals,
+      "of an OBJ file: `\"file\"`, as it says; the others, computed from its faces: one normal a vertex, one a "
+      "face, or sharp edges");
+  keys("fragment_function", text.fragment_function, Range{}, "which function shades the surface",
+       otherwise("the stem of `fragment_shader_file_path`"));
+  const Presence shader = text.fragment_function.given ? otherwise("nothing") : required;
+  keys("vertex_shader_file_path", text.vertex_shader, Range{},
+       "GLSL, read by `refraster gl` only; may be left out beside `fragment_function`", shader);
+  keys("fragment_shader_file_path", text.fragment_shader, Range{},
+       "GLSL, read by `refraster gl` only; may be left out beside `fragment_function`", shader);
+  keys("position", text.object.position, any_number, "world space", required);
+  keys("rotate_x", text.object.rotate_degrees.x, any_number, "degrees; world from object is T · Rx · Ry · Rz · S",
+       required);
+  keys("rotate_y", text.object.rotate_degrees.y, any_number, "degrees", required);
+  keys("rotate_z", text.object.rotate_degrees.z, any_number, "degrees", required);
+  keys("scale", text.object.scale, any_number, "negative mirrors, 0 flattens", required);
+  keys("cull", text.object.cull, Range{}, "`\"back\"`: triangles seen from behind are not drawn", defaulted);
+  keys.object("material", required, "what the fragment function needs",
+              [&](auto& inner) { material_keys(text, inner); });
+  keys.check(text);
+}
+
+void scene_keys(auto& scene, std::vector<ObjectText>& objects, auto&& keys) {
+  keys.object("camera", required, "", [&](auto& inner) { camera_keys(scene.camera, inner); });
+  keys("background", scene.background, Range{}, "colour where there is no surface", defaulted);
+  keys.list("point_lights", limit::point_lights, "may be empty", scene.point_lights,
+            [](auto& light, auto& k) { point_light_keys(light, k); });
+  keys.list("direction_lights", limit::direction_lights, "may be empty", scene.direction_lights,
+            [](auto& light, auto& k) { direction_light_keys(light, k); });
+  keys.list("objects", limit::objects, "drawn in this order; may be empty", objects,
+            [](auto& object, auto& k) { object_keys(object, k); });
+}
+
+} // namespace refraster

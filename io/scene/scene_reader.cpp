@@ -1,0 +1,180 @@
+#include "io/scene/scene_reader.h"
+
+#include "io/file/text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+namespace refraster {
+namespace {
+
+template <std::size_t... I>
+void for_each_shape(auto&& visit, std::index_sequence<I...>) {
+  (visit(std::variant_alternative_t<I, Shape>{}), ...);
+}
+void for_each_shape(auto&& visit) {
+  for_each_shape(visit, std::make_index_sequence<std::variant_size_v<Shape>>{});
+}
+
+bool is_zero(const Double3& a) {
+  return a.x == 0 && a.y == 0 && a.z == 0;
+}
+
+} // namespace
+
+std::optional<std::size_t> model_of(const ObjectText& text) {
+  if (text.fragment_function.given) return text.fragment_function.index;
+  const std::string stem = std::filesystem::path(text.fragment_shader.given).stem().string();
+  std::optional<std::size_t> result;
+  for_each_model([&](auto model, std::size_t index) {
+    for (const std::string_view listed : model.shader_stems)
+      if (stem == listed) result = index;
+  });
+  return result;
+}
+
+JsonIndex SceneReader::find(std::string_view key) const {
+  for (JsonIndex i = document_[object_].first_child; i; i = document_[i].next)
+    if (document_[i].key == key) return i;
+  return 0;
+}
+
+JsonIndex SceneReader::claim(std::string_view key, Presence presence, const std::string& expected) {
+  known_.push_back(key);
+  const JsonIndex found = find(key);
+  if (!found) {
+    if (presence.need == Presence::Need::required) missing(key, expected);
+    return 0;
+  }
+  for (JsonIndex i = document_[found].next; i; i = document_[i].next)
+    if (document_[i].key == key)
+      faults_.add_from([&] {
+        return document_.fault_at(document_[i].key_begin, path_of(key), "the key a second time", "each key once");
+      });
+  return found;
+}
+
+bool SceneReader::is_known(std::string_view key) const {
+  return std::find(known_.begin(), known_.end(), key) != known_.end();
+}
+
+std::string SceneReader::path_of(std::string_view key) const {
+  std::string result = path_ + '/';
+  for (const char c : key.substr(0, 60)) { // the escapes of a JSON pointer, RFC 6901
+    if (c == '~') result += "~0";
+    else if (c == '/') result += "~1";
+    else result += static_cast<unsigned char>(c) < 0x20 ? '?' : c;
+  }
+  return result;
+}
+
+void SceneReader::missing(std::string_view key, const std::string& expected) {
+  sound_ = false;
+  faults_.add_from([&] { return document_.fault_at(document_[object_].begin, path_of(key), "nothing", expected); });
+}
+
+void SceneReader::not_expected_at(JsonIndex found, std::string path, const std::string& expected) {
+  faults_.add_from([&] {
+    const JsonNode& node = document_[found];
+    return document_.fault_at(node.begin, std::move(path), document_.describe(node), expected);
+  });
+}
+
+void SceneReader::not_expected(JsonIndex found, std::string_view key, const std::string& expected) {
+  sound_ = false;
+  not_expected_at(found, path_of(key), expected);
+}
+
+void SceneReader::fault(std::string_view key, const std::string& found, const std::string& expected) {
+  const JsonIndex at = find(key);
+  faults_.add_from(
+      [&] { return document_.fault_at(document_[at ? at : object_].begin, path_of(key), found, expected); });
+}
+
+void SceneReader::finish() {
+  for (JsonIndex i = document_[object_].first_child; i; i = document_[i].next) {
+    const JsonNode& node = document_[i];
+    if (is_known(node.key)) continue;
+    faults_.add_from([&] {
+      std::string list;
+      for (const std::string_view known : known_) list += (list.empty() ? "one of " : ", ") + std::string(known);
+      return document_.fault_at(node.key_begin, path_of(node.key), "an unknown key", list);
+    });
+  }
+}
+
+void SceneReader::shape(std::string_view key, std::optional<Shape>& shape, std::string_view) {
+  std::string names;
+  for_each_shape([&](auto s) { names += (names.empty() ? "" : " or ") + std::string(s.name); });
+  const std::string expected = "an object with one key: " + names;
+  const JsonIndex found = claim(key, defaulted, expected);
+  if (!found) return;
+  if (document_[found].kind != JsonKind::object || document_[found].children != 1)
+    return not_expected(found, key, expected);
+  const JsonIndex inner = document_[found].first_child;
+  for_each_shape([&]<class S>(S listed) {
+    if (document_[inner].key != S::name) return;
+    read_object(inner, path_of(key) + '/' + std::string(S::name), [&](SceneReader& keys) { S::fields(listed, keys); });
+    shape = listed;
+  });
+  if (shape) return;
+  faults_.add_from([&] {
+    return document_.fault_at(document_[inner].key_begin, path_of(key), in_quotes(document_[inner].key), expected);
+  });
+}
+
+void SceneReader::normals(std::string_view key, MeshNormals& normals, std::string_view) {
+  const std::string expected = expected_normals();
+  const JsonIndex found = claim(key, defaulted, expected);
+  if (!found) return;
+  if (document_[found].kind != JsonKind::object) {
+    if (!read_value(document_, document_[found], Range{}, normals.from)) not_expected(found, key, expected);
+    return;
+  }
+  normals.from = NormalsFrom::crease;
+  read_object(found, path_of(key), [&](SceneReader& keys) { crease_keys(normals, keys); });
+}
+
+void SceneReader::check(Camera& camera) {
+  if (!sound_) return;
+  if (!find("target")) camera.target = camera.position + Double3(0, 0, -1);
+  if (camera.near >= camera.far)
+    fault(find("far") ? "far" : "near", "a far plane that is not beyond the near one", "near < far");
+
+  const Double3 sight = camera.target - camera.position;
+  const double distance = length(sight);
+  if (!(distance > 0) || !std::isfinite(distance))
+    return fault(find("target") ? "target" : "position",
+                 distance > 0 ? "a line of sight too long for a double" : "the camera's position",
+                 "a target away from the position");
+  if (is_zero(camera.up)) return fault("up", "a vector of length 0", "a direction");
+  // Each unit vector's components are within 3 ulp (scale exact, root, reciprocal and product half an ulp each and a
+  // sum), so the cross product of two that are parallel stays below 2 * 2 * 3 half-ulps of 1. Closer than that to the
+  // line of sight, "up" gives no direction but rounding noise.
+  constexpr double noise = 12 * std::numeric_limits<double>::epsilon();
+  if (!(length(cross(normalize(sight), normalize(camera.up))) > noise))
+    fault(find("up") ? "up" : "target", "an up vector along the line of sight", "up not parallel to target - position");
+}
+
+void SceneReader::check(const DirectionLight& light) {
+  if (sound_ && is_zero(light.direction)) fault("direction", "a vector of length 0", "a direction");
+}
+
+void SceneReader::check(ObjectText& text) {
+  const bool has_file = find("obj_file_path"), has_shape = find("mesh");
+  if (has_file && has_shape) fault("mesh", "both obj_file_path and mesh", "one of the two");
+  if (!has_file && !has_shape) missing("obj_file_path", "the path of a file, or the key mesh");
+  if (has_shape && find("normals")) fault("normals", "normals beside mesh", "obj_file_path: a shape has its own");
+  if (!text.fragment_shader.given.empty() && !model_of(text) && !text.fragment_function.given) {
+    std::string stems;
+    for_each_model([&](auto model, std::size_t) {
+      for (const std::string_view stem : model.shader_stems) stems += (stems.empty() ? "" : ", ") + std::string(stem);
+    });
+    fault("fragment_shader_file_path", in_quotes(text.fragment_shader.given),
+          "a file with the stem " + stems + "; or the key fragment_function");
+  }
+}
+
+} // namespace refraster

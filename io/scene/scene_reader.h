@@ -1,0 +1,100 @@
+#pragma once
+// The reading of scene_keys.h that takes values out of a JSON file.
+
+#include "io/file/fault_list.h"
+#include "io/scene/value_kinds.h"
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace refraster {
+
+/// Reads one object of the file. Whatever is wrong with it becomes a fault, and its value keeps its default.
+/// Call the keys in any order, then finish().
+class SceneReader {
+public:
+  SceneReader(const JsonDocument& document, JsonIndex object, std::string path, FaultList& faults)
+      : document_(document), object_(object), path_(std::move(path)), faults_(faults) {}
+
+  template <class Value>
+  void operator()(std::string_view key, Value&& value, const Range& range, std::string_view, Presence presence) {
+    const std::string expected = expected_value(value, range);
+    const JsonIndex found = claim(key, presence, expected);
+    if (found && !read_value(document_, document_[found], range, value)) not_expected(found, key, expected);
+    if constexpr (std::is_same_v<Value, PathText&>)
+      if (found) value.offset = document_[found].begin, value.json_path = path_of(key);
+  }
+
+  template <class Declare>
+  void object(std::string_view key, Presence presence, std::string_view, Declare&& declare) {
+    const JsonIndex found = claim(key, presence, "an object");
+    if (found) read_object(found, path_of(key), declare);
+  }
+
+  template <class Item, class Declare>
+  void list(std::string_view key, const Limit& most, std::string_view, std::vector<Item>& items, Declare&& declare) {
+    const JsonIndex found = claim(key, required, "an array");
+    if (!found) return;
+    if (document_[found].kind != JsonKind::array) return not_expected(found, key, "an array");
+    if (document_[found].children > most.value) return not_expected(found, key, at_most(most));
+    items.reserve(document_[found].children);
+    int count = 0;
+    for (JsonIndex i = document_[found].first_child; i; i = document_[i].next)
+      read_object(i, path_of(key) + '/' + std::to_string(count++),
+                  [&](SceneReader& keys) { declare(items.emplace_back(), keys); });
+  }
+
+  void shape(std::string_view key, std::optional<Shape>& shape, std::string_view);
+  void normals(std::string_view key, MeshNormals& normals, std::string_view);
+
+  template <class M>
+  void parameters(M& model, Use use) {
+    M::fields(model,
+              [&]<class Value>(std::string_view key, Value& value, const Range& range, std::string_view meaning) {
+                if (use == Use::other && is_known(key)) return; // a parameter of the same name has been read
+                (*this)(key, value, range, meaning, use == Use::own && !NamedEnum<Value> ? required : defaulted);
+              });
+  }
+
+  // Judged only where every key is sound by itself.
+  void check(Camera& camera);
+  void check(const DirectionLight& light);
+  void check(ObjectText& text);
+
+  /// Every key that was not called is a fault.
+  void finish();
+
+private:
+  template <class Declare>
+  void read_object(JsonIndex node, std::string path, Declare&& declare) {
+    if (document_[node].kind != JsonKind::object) return not_expected_at(node, std::move(path), "an object");
+    SceneReader inner(document_, node, std::move(path), faults_);
+    declare(inner);
+    inner.finish();
+  }
+
+  /// The value of a key, which is from now on known; 0 if it is not there, or there twice. Missing and double keys are
+  /// faults.
+  JsonIndex claim(std::string_view key, Presence presence, const std::string& expected);
+  /// The same without a fault: 0 if it is not there.
+  JsonIndex find(std::string_view key) const;
+  bool is_known(std::string_view key) const;
+  std::string path_of(std::string_view key) const;
+
+  void missing(std::string_view key, const std::string& expected);
+  void not_expected(JsonIndex found, std::string_view key, const std::string& expected);
+  void not_expected_at(JsonIndex found, std::string path, const std::string& expected);
+  /// A fault of the value of a key that is there; of its object, if it is not.
+  void fault(std::string_view key, const std::string& found, const std::string& expected);
+
+  const JsonDocument& document_;
+  JsonIndex object_;
+  std::string path_;
+  FaultList& faults_;
+  std::vector<std::string_view> known_;
+  bool sound_ = true; // no key of this object was missing or wrong so far
+};
+
+} // namespace refraster

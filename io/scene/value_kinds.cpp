@@ -1,0 +1,135 @@
+#include "io/scene/value_kinds.h"
+
+#include "io/file/number_text.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace refraster {
+namespace {
+
+/// The shortest text that reads back as x.
+std::string shortest(double x) {
+  std::array<char, 32> text;
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
+}
+
+/// What follows "a number": " >= 0", " from 3 to 4096".
+std::string range_text(const Range& range) {
+  const bool below = range.min > any_number.min, above = range.max < any_number.max;
+  if (range.ends == Ends::excluded) {
+    std::string text = below ? " > " + shortest(range.min) : "";
+    if (above) text += (below ? " and < " : " < ") + shortest(range.max);
+    return text;
+  }
+  if (below && above) return " from " + shortest(range.min) + " to " + shortest(range.max);
+  if (below) return " >= " + shortest(range.min);
+  if (above) return " <= " + shortest(range.max);
+  return "";
+}
+
+/// Three words, each a number in the range, between blanks: "0.0 0.0 6.0".
+bool read_words(std::string_view text, const Range& range, Double3& value) {
+  constexpr std::string_view blanks = " \t\r\n";
+  Double3 read;
+  int count = 0;
+  for (std::size_t begin = text.find_first_not_of(blanks); begin != std::string_view::npos;) {
+    const std::size_t end = std::min(text.find_first_of(blanks, begin), text.size());
+    double number = 0;
+    if (count == 3 || read_number(text.substr(begin, end - begin), number) != NumberText::good) return false;
+    if (!range.contains(number)) return false;
+    read[count++] = number;
+    begin = text.find_first_not_of(blanks, end);
+  }
+  if (count == 3) value = read;
+  return count == 3;
+}
+
+} // namespace
+
+std::string json_word(std::string_view word) {
+  if (word == "true" || word == "false") return std::string(word);
+  return '"' + std::string(word) + '"';
+}
+
+std::string expected_value(const double&, const Range& range) {
+  return "a number" + range_text(range);
+}
+std::string expected_value(const Ignored&, const Range& range) {
+  return "a number" + range_text(range);
+}
+std::string expected_value(const int&, const Range& range) {
+  return "a whole number" + range_text(range);
+}
+std::string expected_value(const Double3&, const Range& range) {
+  return "three numbers" + range_text(range);
+}
+std::string expected_value(const std::string&, const Range&) {
+  return "a string";
+}
+std::string expected_value(const PathText&, const Range&) {
+  return "the path of a file";
+}
+std::string expected_value(const ModelName&, const Range&) {
+  std::string result;
+  for_each_model([&](auto model, std::size_t) { result += (result.empty() ? "" : " or ") + json_word(model.name); });
+  return result;
+}
+
+std::string expected_normals() {
+  return expected_value(NormalsFrom::file, Range{}) + " or an object with crease_degrees";
+}
+
+bool read_value(const JsonDocument&, const JsonNode& node, const Range& range, double& value) {
+  if (node.kind != JsonKind::number || !range.contains(node.number)) return false;
+  value = node.number;
+  return true;
+}
+
+bool read_value(const JsonDocument& document, const JsonNode& node, const Range& range, Ignored& value) {
+  return read_value(document, node, range, value.value);
+}
+
+bool read_value(const JsonDocument&, const JsonNode& node, const Range& range, int& value) {
+  if (node.kind != JsonKind::number || !range.contains(node.number) || node.number != std::floor(node.number))
+    return false;
+  value = static_cast<int>(node.number); // every Range of an int is within int
+  return true;
+}
+
+bool read_value(const JsonDocument& document, const JsonNode& node, const Range& range, Double3& value) {
+  if (node.kind == JsonKind::string) return read_words(node.string, range, value);
+  if (node.kind != JsonKind::array || node.children != 3) return false;
+  Double3 read;
+  JsonIndex child = node.first_child;
+  for (int i = 0; i < 3; ++i, child = document[child].next)
+    if (!read_value(document, document[child], range, read[i])) return false;
+  value = read;
+  return true;
+}
+
+bool read_value(const JsonDocument&, const JsonNode& node, const Range&, std::string& value) {
+  if (node.kind != JsonKind::string) return false;
+  value = node.string;
+  return true;
+}
+
+bool read_value(const JsonDocument&, const JsonNode& node, const Range&, PathText& value) {
+  // A path with a zero byte would name another file than it shows.
+  if (node.kind != JsonKind::string || node.string.empty() || node.string.find('\0') != std::string_view::npos)
+    return false;
+  value.given = node.string;
+  return true;
+}
+
+bool read_value(const JsonDocument&, const JsonNode& node, const Range&, ModelName& value) {
+  value.given = true;
+  if (node.kind != JsonKind::string) return false;
+  for_each_model([&](auto model, std::size_t index) {
+    if (node.string == model.name) value.index = index;
+  });
+  return value.index.has_value();
+}
+
+} // namespace refraster

@@ -1,0 +1,110 @@
+#include "raster/shade/fragments.h"
+
+#include <algorithm>
+
+namespace refraster {
+
+namespace {
+
+void list_single_sample(const TileVisibility& visibility, const Crop& tile, std::vector<FragmentRun>& runs) {
+  for (int y = 0; y < tile.height; ++y) {
+    const std::int32_t* const row = visibility.row(0, y);
+    for (int x = 0; x < tile.width;) {
+      const std::int32_t place = row[x];
+      int end = x + 1;
+      while (end < tile.width && row[end] == place) ++end;
+      if (place != nothing)
+        runs.push_back({place, 0, static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y),
+                        static_cast<std::uint8_t>(end - x), 1});
+      x = end;
+    }
+  }
+}
+
+void list_multisample(const TileVisibility& visibility, const Crop& tile, int samples, std::vector<FragmentRun>& runs) {
+  for (int y = 0; y < tile.height; ++y)
+    for (int x = 0; x < tile.width; ++x) {
+      const std::size_t first = runs.size();
+      for (int s = 0; s < samples; ++s) {
+        const std::int32_t place = visibility.row(s, y)[x];
+        if (place == nothing) continue;
+        const auto same = std::find_if(runs.begin() + static_cast<std::ptrdiff_t>(first), runs.end(),
+                                       [=](const FragmentRun& run) { return run.place == place; });
+        if (same != runs.end()) ++same->samples;
+        else runs.push_back({place, 0, static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y), 1, 1});
+      }
+    }
+}
+
+} // namespace
+
+void list_runs(const TileVisibility& visibility, const Crop& tile, int samples, std::vector<FragmentRun>& runs) {
+  runs.clear();
+  if (samples == 1) list_single_sample(visibility, tile, runs);
+  else list_multisample(visibility, tile, samples, runs);
+}
+
+// Each triangle that is seen, in submission order. Triangles of one object follow one another: an object is a group.
+template <class Real>
+void TileSurfaces<Real>::set_up(const Scene& scene, const Geometry& geometry, const Bins& bins,
+                                std::span<const std::uint32_t> triangles) {
+  groups_.clear();
+  next_.clear();
+  visible_.clear();
+  surface_of_.resize(triangles.size());
+  TriangleCursor cursor(scene, geometry);
+  std::uint32_t runs = 0;
+  for (std::size_t place = 0; place < triangles.size(); ++place) {
+    const Seen seen = seen_[place];
+    if (seen.runs == 0) continue;
+    const TriangleRef ref = cursor.at(triangles[place]);
+    surface_of_[place] = static_cast<std::int32_t>(visible_.size());
+    visible_.push_back({ref, triangles[place]});
+    if (groups_.empty() || groups_.back().object != ref.object) groups_.push_back({ref.object, runs, runs, 0});
+    next_.push_back(runs);
+    runs += seen.runs;
+    groups_.back().end_run = runs;
+    groups_.back().fragments += seen.fragments;
+  }
+
+  uncommon_lines_ = {};
+  surfaces_.resize(visible_.size());
+  set_up_surfaces<Real>(scene, geometry, bins, visible_, surfaces_, uncommon_lines_);
+}
+
+// A counting sort: runs of a triangle stay in the order in which they came.
+template <class Real>
+std::uint32_t TileSurfaces<Real>::sort(std::span<FragmentRun> runs) {
+  sorted_.resize(runs.size());
+  for (FragmentRun& run : runs) {
+    const std::int32_t surface = surface_of_[static_cast<std::size_t>(run.place)];
+    std::uint32_t& next = next_[static_cast<std::size_t>(surface)];
+    run.first_fragment = next; // its place in sorted_, until the fragments are numbered
+    sorted_[next++] = {surface, 0, run.x, run.y, run.length, run.samples};
+  }
+  std::uint32_t fragments = 0;
+  for (FragmentRun& run : sorted_) {
+    run.first_fragment = fragments;
+    fragments += run.length;
+  }
+  for (FragmentRun& run : runs) run.first_fragment = sorted_[run.first_fragment].first_fragment;
+  return fragments;
+}
+
+template <class Real>
+std::uint32_t TileSurfaces<Real>::collect(const Scene& scene, const Geometry& geometry, const Bins& bins,
+                                          std::span<const std::uint32_t> triangles, std::span<FragmentRun> runs) {
+  seen_.assign(triangles.size(), {});
+  for (const FragmentRun& run : runs) {
+    Seen& seen = seen_[static_cast<std::size_t>(run.place)];
+    ++seen.runs;
+    seen.fragments += run.length;
+  }
+  set_up(scene, geometry, bins, triangles);
+  return sort(runs);
+}
+
+template class TileSurfaces<double>;
+template class TileSurfaces<float>;
+
+} // namespace refraster

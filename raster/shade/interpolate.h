@@ -1,0 +1,281 @@
+#pragma once
+// Perspective-correct interpolation. Here the rung begins. The formulas are written over where their data come from: a
+// packet of fragments in lanes (PacketData), or a sample in any Number (raster/shade/sample_data.h).
+
+#include "math/lanes/rows.h"
+#include "raster/shade/fragments.h"
+
+#include <array>
+#include <bit>
+#include <type_traits>
+
+namespace refraster {
+
+/// The lanes of a packet in parts, as many as a register of doubles holds.
+template <class T>
+struct Parts {
+  static constexpr int lanes = std::min(NumberTraits<T>::lanes, NumberTraits<Native<double>>::lanes);
+  static constexpr int count = NumberTraits<T>::lanes / lanes;
+  using Double = Wide<double, lanes>;
+
+  template <int part>
+  static Double widened(const typename Packet<T>::Ints& ints) {
+    return [&]<int... I>(std::integer_sequence<int, I...>) {
+      return Double(
+          __builtin_convertvector(__builtin_shufflevector(ints, ints, (part * lanes + I)...), typename Double::Lanes));
+    }
+    (std::make_integer_sequence<int, lanes>{});
+  }
+  /// Each lane rounded once.
+  static Wide<RealOf<T>, lanes> narrowed(const Double& x) {
+    return __builtin_convertvector(x.v, VectorOf<RealOf<T>, lanes>);
+  }
+};
+
+/// The numbers of a packet's triangles, each in its lane.
+template <class T, Triangles triangles>
+class PacketData {
+public:
+  using Number = T;
+  static constexpr int lanes = NumberTraits<T>::lanes;
+  using Real = RealOf<T>;
+  using Row = std::array<T, 4>;
+  using Ints = typename Packet<T>::Ints;
+
+  explicit PacketData(const Packet<T>& packet) : packet_(packet) {
+    if constexpr (triangles == Triangles::many)
+      for (int lane = 0; lane < lanes; ++lane) at_[static_cast<std::size_t>(lane)] = &packet.triangle(lane);
+    else at_[0] = &packet.triangle(0);
+  }
+
+  /// A row of SurfaceTriangle.
+  Row row(int r) const {
+    const auto place = [&](int lane) {
+      return at_[static_cast<std::size_t>(lane)]->row[static_cast<std::size_t>(r)].data();
+    };
+    if constexpr (triangles == Triangles::many) {
+      const auto numbers = gather_rows<Real, lanes>(place);
+      return {T(numbers[0].v), T(numbers[1].v), T(numbers[2].v), T(numbers[3].v)};
+    } else return {T(place(0)[0]), T(place(0)[1]), T(place(0)[2]), T(place(0)[3])};
+  }
+  /// a, b, c of a wrapped line.
+  std::array<Ints, 3> line(int k) const {
+    const auto place = [&](int lane) {
+      return &at_[static_cast<std::size_t>(lane)]->line[static_cast<std::size_t>(k)];
+    };
+    if constexpr (triangles == Triangles::many) {
+      // Only moved about, never computed with: any bits are good floats.
+      const auto bits =
+          gather_rows<float, lanes>([&](int lane) { return reinterpret_cast<const float*>(place(lane)); });
+      return {std::bit_cast<Ints>(bits[0]), std::bit_cast<Ints>(bits[1]), std::bit_cast<Ints>(bits[2])};
+    } else {
+      return {place(0)->a - Ints{}, place(0)->b - Ints{}, place(0)->c - Ints{}};
+    }
+  }
+
+  const Packet<T>& packet() const { return packet_; }
+
+  /// Lanes differ in that: without_uv() says which have none.
+  static constexpr bool may_have_texture_coordinates() { return true; }
+
+  /// The triangles' own normals, of any length; 0 where a triangle has none.
+  Vec3<T> own_normals(const Scene& scene, const Geometry& geometry) const {
+    Vec3<T> own;
+    for (int lane = 0; lane < lanes; ++lane) {
+      const Double3 n = face_normal(scene, geometry, packet_.triangle(lane).number);
+      const Double3 scaled = n * reciprocal_binade(n);
+      own.x.set(lane, static_cast<Real>(scaled.x));
+      own.y.set(lane, static_cast<Real>(scaled.y));
+      own.z.set(lane, static_cast<Real>(scaled.z));
+    }
+    return own;
+  }
+
+private:
+  const Packet<T>& packet_;
+  std::array<const SurfaceTriangle<Real>*, triangles == Triangles::many ? lanes : 1> at_;
+};
+
+/// Of a large triangle, exact in double.
+template <Lanes D>
+DoubleValues<D> large_values(const LargeLines& lines, const D& x, const D& y) {
+  DoubleValues<D> result;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto a = static_cast<double>(lines.line[k].a), b = static_cast<double>(lines.line[k].b),
+               c = static_cast<double>(lines.line[k].c);
+    result.value[k] = D(a) * x + (D(b) * y + D(c));
+    result.right[k] = D(a * subpixels);
+    result.down[k] = D(b * subpixels);
+  }
+  return result;
+}
+
+/// Wrapped lines in full: c follows from a value that is exact, at (x, y).
+inline LargeLines unwrapped(const std::array<WrappedLine, 3>& lines, std::int32_t x, std::int32_t y) {
+  LargeLines result;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const WrappedLine& l = lines[k];
+    const auto value = static_cast<std::int32_t>(static_cast<std::uint32_t>(l.a) * static_cast<std::uint32_t>(x) +
+                                                 static_cast<std::uint32_t>(l.b) * static_cast<std::uint32_t>(y) +
+                                                 static_cast<std::uint32_t>(l.c));
+    const std::int64_t a = l.a, b = l.b;
+    result.line[k] = {a, b, value - a * x - b * y};
+  }
+  return result;
+}
+
+/// Whether changes by one pixel are asked for.
+enum class Derivatives { no, yes };
+
+/// Of the three lines: the value at the sample, exact and then rounded once; and its change by one pixel to the right
+/// and down. For a projective triangle all are times one factor: only ratios are used.
+template <class T>
+struct LineValues {
+  std::array<T, 3> value, right, down;
+};
+
+template <Derivatives derivatives, class T, Triangles triangles>
+LineValues<T> line_values(const PacketData<T, triangles>& data) {
+  using Ints = typename Packet<T>::Ints;
+  using Unsigned = VectorOf<std::uint32_t, NumberTraits<T>::lanes>; // which may overflow
+  const auto rounded = [](const Unsigned& bits) {
+    return T(__builtin_convertvector(std::bit_cast<Ints>(bits), typename T::Lanes));
+  };
+  LineValues<T> lines;
+  const auto x = std::bit_cast<Unsigned>(data.packet().x), y = std::bit_cast<Unsigned>(data.packet().y);
+  for (int k = 0; k < 3; ++k) {
+    const std::array<Ints, 3> line = data.line(k);
+    const auto a = std::bit_cast<Unsigned>(line[0]), b = std::bit_cast<Unsigned>(line[1]);
+    const auto i = static_cast<std::size_t>(k);
+    lines.value[i] = rounded(a * x + b * y + std::bit_cast<Unsigned>(line[2]));
+    if constexpr (derivatives == Derivatives::yes) {
+      lines.right[i] = rounded(a * subpixels);
+      lines.down[i] = rounded(b * subpixels);
+    }
+  }
+  return lines;
+}
+
+/// The same for a packet that lies in one large or projective triangle: in double.
+template <Derivatives derivatives, class T>
+LineValues<T> uncommon_line_values(const Packet<T>& packet) {
+  using Part = Parts<T>;
+  const auto& triangle = packet.triangle(0);
+  const auto part = [&]<int p>(std::integral_constant<int, p>) {
+    const auto x = Part::template widened<p>(packet.x), y = Part::template widened<p>(packet.y);
+    return triangle.projective ? projective_values(*triangle.projective, x, y) : large_values(*triangle.large, x, y);
+  };
+  const auto rounded = [](const auto& low, const auto& high) -> T {
+    if constexpr (Part::count == 1) return Part::narrowed(low).v;
+    else return joined(Part::narrowed(low), Part::narrowed(high)).v;
+  };
+  const auto low = part(std::integral_constant<int, 0>{}), high = part(std::integral_constant<int, Part::count - 1>{});
+  LineValues<T> lines;
+  for (std::size_t k = 0; k < 3; ++k) {
+    lines.value[k] = rounded(low.value[k], high.value[k]);
+    if constexpr (derivatives == Derivatives::yes) {
+      lines.right[k] = rounded(low.right[k], high.right[k]);
+      lines.down[k] = rounded(low.down[k], high.down[k]);
+    }
+  }
+  return lines;
+}
+
+/// The same for any other packet: lane by lane. Kept out of line: few packets come here.
+template <class T>
+[[gnu::noinline]] LineValues<T> mixed_line_values(const Packet<T>& packet) {
+  LineValues<T> lines;
+  for (int lane = 0; lane < NumberTraits<T>::lanes; ++lane) {
+    const auto& t = packet.triangle(lane);
+    const std::int32_t x = packet.x[lane], y = packet.y[lane];
+    const DoubleValues<double> values = t.projective ? projective_values<double>(*t.projective, x, y)
+                                        : t.large    ? large_values<double>(*t.large, x, y)
+                                                     : large_values<double>(unwrapped(t.line, x, y), x, y);
+    for (std::size_t k = 0; k < 3; ++k) {
+      lines.value[k].set(lane, static_cast<RealOf<T>>(values.value[k]));
+      lines.right[k].set(lane, static_cast<RealOf<T>>(values.right[k]));
+      lines.down[k].set(lane, static_cast<RealOf<T>>(values.down[k]));
+    }
+  }
+  return lines;
+}
+
+/// Weights of the two corners that are not the anchor: perspective-correct, each in [0, 1] inside the triangle.
+template <class T>
+struct Barycentric {
+  T b1, b2;
+};
+
+/// At the sample; and, where asked for, their change by one pixel to the right and down: the derivative of the
+/// quotient, not a difference of neighbours.
+template <class T>
+struct PacketBarycentrics {
+  Barycentric<T> at, right, down;
+  MaskOf<T> inside; // the sample lies in the triangle, by signs that no rounding has touched
+};
+
+template <Derivatives derivatives, class T, Triangles triangles>
+LineValues<T> edge_values(const PacketData<T, triangles>& data) {
+  if (data.packet().lines == LineKind::wrapped) [[likely]]
+    return line_values<derivatives>(data);
+  if (triangles == Triangles::one) return uncommon_line_values<derivatives>(data.packet());
+  return mixed_line_values(data.packet());
+}
+
+template <Derivatives derivatives, class Data, class T = typename Data::Number>
+PacketBarycentrics<T> barycentrics(const Data& data) {
+  const LineValues<T> lines = edge_values<derivatives>(data);
+  const std::array<T, 3> weight{data.row(0)[3], data.row(1)[3], data.row(2)[3]};
+  const auto weighted = [&](const std::array<T, 3>& of, std::size_t k) { return of[k] * weight[k]; };
+  PacketBarycentrics<T> result;
+  const T mu0 = weighted(lines.value, 0), mu1 = weighted(lines.value, 1), mu2 = weighted(lines.value, 2);
+  result.inside = minimum(mu0, minimum(mu1, mu2)) >= T(0);
+  const T reciprocal = T(1) / (mu0 + mu1 + mu2);
+  result.at = {mu1 * reciprocal, mu2 * reciprocal};
+  if constexpr (derivatives == Derivatives::yes) {
+    const auto change = [&](const auto& step) -> Barycentric<T> {
+      const T step1 = weighted(step, 1), step2 = weighted(step, 2);
+      const T step_sum = weighted(step, 0) + step1 + step2;
+      return {(step1 - result.at.b1 * step_sum) * reciprocal, (step2 - result.at.b2 * step_sum) * reciprocal};
+    };
+    result.right = change(lines.right);
+    result.down = change(lines.down);
+  }
+  return result;
+}
+
+/// How a component changes when the weights change by `by`.
+template <class T>
+T changed(const std::array<T, 4>& row, const Barycentric<T>& by) {
+  return by.b1 * row[1] + by.b2 * row[2];
+}
+
+/// Component c of an attribute.
+template <class Data, class T = typename Data::Number>
+T interpolated(const Data& data, Attribute attribute, int c, const Barycentric<T>& at) {
+  const std::array<T, 4> row = data.row(static_cast<int>(attribute) + c);
+  if constexpr (is_quick<T>) return multiply_add(at.b1, row[1], multiply_add(at.b2, row[2], row[0]));
+  else return row[0] + changed(row, at);
+}
+
+/// Texture coordinate c; in the triangle kept within the range of its corners': where an edge has the coordinate 0,
+/// rounding would else show the last texel beside the first. NaN stays NaN.
+template <class Data, class T = typename Data::Number>
+T interpolated_uv(const Data& data, int c, const PacketBarycentrics<T>& at) {
+  const T uv = interpolated(data, Attribute::uv, c, at.at);
+  return select(at.inside, minimum(data.row(most_uv_row + c)[3], maximum(data.row(least_uv_row + c)[3], uv)), uv);
+}
+
+/// Where triangles have no texture coordinates: the least is greater than the greatest. No other triangle's is.
+template <class Data, class T = typename Data::Number>
+MaskOf<T> without_uv(const Data& data) {
+  return data.row(least_uv_row)[3] > data.row(most_uv_row)[3];
+}
+
+template <class Data, class T = typename Data::Number>
+Vec3<T> interpolated3(const Data& data, Attribute attribute, const Barycentric<T>& at) {
+  return {interpolated(data, attribute, 0, at), interpolated(data, attribute, 1, at),
+          interpolated(data, attribute, 2, at)};
+}
+
+} // namespace refraster

@@ -1,0 +1,260 @@
+#pragma once
+// One sample of one triangle in any Number: what raster/shade/interpolate.h reads instead of a packet's lanes. For 60
+// digits and for bounds. The sample may lie anywhere in a range, if the Number has ranges, and so may the vertices'
+// data.
+
+#include "math/bounds/interval_functions.h"
+#include "math/exact.h"
+#include "raster/shade/corner_values.h"
+#include "raster/shade/exact_pieces.h"
+#include "raster/shade/interpolate.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+namespace refraster {
+
+/// How the values of edge functions are computed for T, before they are rounded to it once: from integers, so by a type
+/// that holds those. `rounded` gives what T makes of the result. For a T of one's own: in T itself.
+template <class T>
+struct EdgeArithmetic {
+  using Value = T;
+  static Value whole(Int128 x) { return T(static_cast<double>(x)); }
+  static T rounded(const Value& x) { return x; }
+};
+template <>
+struct EdgeArithmetic<Exact> {
+  using Value = Exact;
+  static Value whole(Int128 x) {
+    constexpr int low_bits = 60;
+    const auto low = static_cast<std::int64_t>(x & ((Int128{1} << low_bits) - 1));
+    return Exact(static_cast<std::int64_t>(x >> low_bits)) * Exact(0x1p60) + Exact(low);
+  }
+  static Exact rounded(const Value& x) { return x; }
+};
+template <class Budget>
+struct EdgeArithmetic<Interval<Budget>> {
+  using Value = Interval<DoubleArithmetic>;
+  static Value whole(Int128 x) {
+    const auto nearest = static_cast<double>(x);
+    if (static_cast<Int128>(nearest) == x) return Value(nearest);
+    return {interval_detail::step_down(nearest), interval_detail::step_up(nearest)};
+  }
+  static Interval<Budget> rounded(const Value& x) { return Interval<Budget>::computed({x.lo, x.hi}); }
+};
+
+/// What the vertex stage stored of a triangle's corners, as numbers of T.
+template <Number T>
+struct SampleCorners {
+  std::array<Vec3<T>, 3> position, normal; // world space; normals of any length
+  std::array<Vec2<T>, 3> uv;               // less whole repeats
+  std::array<T, 3> inverse_w;              // of corners on the lattice
+};
+
+/// Where in a frame a triangle is.
+struct TrianglePlace {
+  const Scene& scene;
+  const Geometry& geometry;
+  const Bins& bins;
+  ImageShape shape;
+  std::uint32_t number; // in the frame
+};
+
+template <Number T>
+class SampleData {
+public:
+  using Number = T;
+  using Edge = EdgeArithmetic<T>;
+  using EdgeValue = typename Edge::Value;
+
+  explicit SampleData(const TrianglePlace& place)
+      : place_(place), ref_(triangle_ref(place.scene, place.geometry, place.number)) {
+    const std::array<WindowVertex, 3> window = window_corners(place.geometry, ref_);
+    if ((window[0].outcode | window[1].outcode | window[2].outcode) & outcode::unsnapped) {
+      projective_ = &place.bins.projective_triangle(place.number);
+      corner_ = projective_->corner;
+      set_up_pieces(window);
+    } else {
+      snapped_ = set_up_snapped(window);
+      corner_ = snapped_->corner;
+    }
+    set_rows(corners(window));
+  }
+
+  /// To the sample at (x, y), in subpixels of the window, and as far from it as dx, dy say.
+  void move_to(std::int32_t x, std::int32_t y, const EdgeValue& dx = EdgeValue(0), const EdgeValue& dy = EdgeValue(0)) {
+    x_ = x, y_ = y;
+    dx_ = dx, dy_ = dy;
+  }
+
+  /// As PacketData's.
+  const std::array<T, 4>& row(int r) const { return row_[static_cast<std::size_t>(r)]; }
+
+  /// Of the three edge functions: the value at the sample, and the change by one pixel to the right and down.
+  LineValues<T> edges() const {
+    std::array<EdgeValue, 3> value, right, down;
+    if (snapped_) {
+      for (std::size_t k = 0; k < 3; ++k) at(snapped_->line[k], value[k], right[k], down[k]);
+    } else {
+      projective_edges(value, right, down);
+    }
+    LineValues<T> lines;
+    for (std::size_t k = 0; k < 3; ++k) {
+      lines.value[k] = Edge::rounded(value[k]);
+      lines.right[k] = Edge::rounded(right[k] * EdgeValue(subpixels));
+      lines.down[k] = Edge::rounded(down[k] * EdgeValue(subpixels));
+    }
+    return lines;
+  }
+
+  bool may_have_texture_coordinates() const {
+    const Mesh& mesh = *place_.scene.objects[ref_.object].mesh;
+    return has_uvs(mesh, mesh.triangles[ref_.triangle]);
+  }
+
+  /// The triangle's own normal, of any length; 0 where it has none.
+  Vec3<T> own_normals(const Scene& scene, const Geometry& geometry) const {
+    const Mesh& mesh = *scene.objects[ref_.object].mesh;
+    const auto corner = [&](std::size_t k) { return as<T>(Double3(mesh.positions[mesh.triangles[ref_.triangle][k]])); };
+    const Vec3<T> n = cross(corner(1) - corner(0), corner(2) - corner(0));
+    const Double3x3& m = geometry.transforms[ref_.object].world_from_normal;
+    return as<T>(m[0]) * n.x + as<T>(m[1]) * n.y + as<T>(m[2]) * n.z;
+  }
+
+private:
+  struct Piece {
+    std::array<EdgeValue, 3> value, a, b;           // of the line of vertex v, at the sample; its slopes
+    std::array<std::array<EdgeValue, 3>, 3> factor; // [v][k]
+  };
+
+  template <class Line>
+  void at(const Line& line, EdgeValue& value, EdgeValue& a, EdgeValue& b) const {
+    a = Edge::whole(line.a), b = Edge::whole(line.b);
+    value = Edge::whole(line.at(x_, y_)) + a * dx_ + b * dy_;
+  }
+
+  SampleCorners<T> corners(const std::array<WindowVertex, 3>& window) const {
+    SampleCorners<T> result;
+    const Mesh& mesh = *place_.scene.objects[ref_.object].mesh;
+    std::array<WorldVertex, 3> world;
+    for (std::size_t k = 0; k < 3; ++k) world[k] = place_.geometry.world[ref_.vertex[corner_[k]]];
+    const double scale = normal_scale(world[0], world[1], world[2]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      result.position[k] = as<T>(world[k].position);
+      result.normal[k] = as<T>(world[k].normal * scale);
+      result.inverse_w[k] = as<T>(window[corner_[k]].inverse_w);
+      result.uv[k] = Vec2<T>(T(0));
+    }
+    if (!may_have_texture_coordinates()) return result;
+    const auto& indices = mesh.triangles[ref_.triangle];
+    for (int c = 0; c < 2; ++c) {
+      const UvComponent uv = uv_component(mesh, {indices[corner_[0]], indices[corner_[1]], indices[corner_[2]]}, c);
+      for (std::size_t k = 0; k < 3; ++k) result.uv[k][c] = as<T>(uv.value[k]);
+    }
+    return result;
+  }
+
+  /// The rows of SurfaceTriangle.
+  void set_rows(const SampleCorners<T>& corner) {
+    const auto set = [this](int r, const T& f0, const T& f1, const T& f2) {
+      row_[static_cast<std::size_t>(r)] = {f0, f1 - f0, f2 - f0, T(0)};
+    };
+    for (int c = 0; c < 3; ++c) {
+      set(static_cast<int>(Attribute::position) + c, corner.position[0][c], corner.position[1][c],
+          corner.position[2][c]);
+      set(static_cast<int>(Attribute::normal) + c, corner.normal[0][c], corner.normal[1][c], corner.normal[2][c]);
+    }
+    for (int c = 0; c < 2; ++c) {
+      const auto& uv = corner.uv;
+      set(static_cast<int>(Attribute::uv) + c, uv[0][c], uv[1][c], uv[2][c]);
+      row_[static_cast<std::size_t>(least_uv_row + c)][3] = minimum(uv[0][c], minimum(uv[1][c], uv[2][c]));
+      row_[static_cast<std::size_t>(most_uv_row + c)][3] = maximum(uv[0][c], maximum(uv[1][c], uv[2][c]));
+    }
+    // perspective_weights; of projective triangles, edges() bring their weights.
+    const T nearest = maximum(corner.inverse_w[0], maximum(corner.inverse_w[1], corner.inverse_w[2]));
+    for (std::size_t k = 0; k < 3; ++k) row_[k][3] = snapped_ ? corner.inverse_w[k] / nearest : T(1);
+  }
+
+  void set_up_pieces(const std::array<WindowVertex, 3>& window) {
+    if constexpr (std::same_as<T, Exact>) {
+      const Mesh& mesh = *place_.scene.objects[ref_.object].mesh;
+      std::array<Double4, 3> clip;
+      for (std::size_t k = 0; k < 3; ++k)
+        clip[k] =
+            clip_position(place_.geometry.transforms[ref_.object], mesh.positions[mesh.triangles[ref_.triangle][k]]);
+      exact_ = exact_pieces(window, clip, place_.shape);
+    }
+  }
+
+  Piece piece(std::size_t p) const {
+    Piece result;
+    if constexpr (std::same_as<T, Exact>) {
+      const EdgeValue x = EdgeValue(x_) + dx_, y = EdgeValue(y_) + dy_;
+      for (std::size_t v = 0; v < 3; ++v) {
+        const ExactPiece::Line& line = exact_[p].line[v];
+        result.a[v] = line.a, result.b[v] = line.b;
+        result.value[v] = line.a * x + line.b * y + line.c;
+        result.factor[v] = exact_[p].factor[v];
+      }
+    } else {
+      const ProjectivePiece& from = projective_->piece[p];
+      for (std::size_t v = 0; v < 3; ++v) {
+        at(from.line[v], result.value[v], result.a[v], result.b[v]);
+        // SplitLine::at rounds its sum of three pieces, and three times within it: four roundings at most.
+        if constexpr (requires { result.value[v].widened(0.0); }) result.value[v] = result.value[v].widened(0x1p-51);
+        for (std::size_t k = 0; k < 3; ++k)
+          result.factor[v][k] = EdgeValue(from.weight[v]) * EdgeValue(from.share[v][k]);
+      }
+    }
+    return result;
+  }
+
+  /// projective_values (raster/shade/projective_lines.h), scaled by a power of two as there.
+  void projective_edges(std::array<EdgeValue, 3>& value, std::array<EdgeValue, 3>& right,
+                        std::array<EdgeValue, 3>& down) const {
+    const auto sums = [&](const Piece& piece, const std::array<EdgeValue, 3>& of, std::array<EdgeValue, 3>& into) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        into[k] = EdgeValue(0);
+        for (std::size_t v = 0; v < 3; ++v) into[k] += of[v] * piece.factor[v][k];
+      }
+    };
+    const Piece first = piece(0);
+    sums(first, first.value, value), sums(first, first.a, right), sums(first, first.b, down);
+    if (projective_->pieces == 2) {
+      const Piece second = piece(1);
+      std::array<EdgeValue, 3> value2, right2, down2;
+      sums(second, second.value, value2), sums(second, second.a, right2), sums(second, second.b, down2);
+      const bool owns_ties = projective_->piece[0].line[1].owns_ties();
+      const EdgeValue& between = first.value[1];
+      const auto in_first = owns_ties ? between >= EdgeValue(0) : between > EdgeValue(0);
+      for (std::size_t k = 0; k < 3; ++k) {
+        value[k] = select(in_first, value[k], value2[k]);
+        right[k] = select(in_first, right[k], right2[k]);
+        down[k] = select(in_first, down[k], down2[k]);
+      }
+    }
+    if constexpr (requires { value[0].hi; }) { // bounds: into the range of float, as lanes are
+      const double largest = std::max({magnitude(value[0]).hi, magnitude(value[1]).hi, magnitude(value[2]).hi});
+      const EdgeValue scale(reciprocal_binade(largest));
+      for (std::size_t k = 0; k < 3; ++k) value[k] *= scale, right[k] *= scale, down[k] *= scale;
+    }
+  }
+
+  TrianglePlace place_;
+  TriangleRef ref_;
+  std::optional<SnappedTriangle> snapped_;
+  const ProjectiveTriangle* projective_ = nullptr;
+  std::vector<ExactPiece> exact_; // of a projective triangle, if T is Exact
+  std::array<std::uint8_t, 3> corner_{};
+  std::array<std::array<T, 4>, 8> row_;
+  std::int32_t x_ = 0, y_ = 0;
+  EdgeValue dx_{}, dy_{};
+};
+
+template <Derivatives, class T>
+LineValues<T> edge_values(const SampleData<T>& data) {
+  return data.edges();
+}
+
+} // namespace refraster

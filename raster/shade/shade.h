@@ -1,0 +1,70 @@
+#pragma once
+// From what a tile sees to its pixels, in the number of a rung.
+
+#include "raster/frame.h"
+#include "raster/shade/fragments.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace refraster {
+
+/// Everything that stays the same through a frame.
+struct FrameContext {
+  const Scene& scene;
+  const Geometry& geometry;
+  const Bins& bins;
+  const RenderOptions& options;
+  Crop region; // pixels of the full image that the frame's images hold
+};
+
+/// What is known of a tile once visibility is decided.
+struct VisibleTile {
+  Crop tile;
+  std::span<const std::uint32_t> triangles;
+  const TileVisibility& visibility;
+};
+
+/// What a thread counts and times, tile after tile.
+struct TileMeasures {
+  FrameCounts& counts;
+  TileSeconds& seconds;
+};
+
+/// Shades tiles one after the other. Holds scratch memory: one for each thread.
+class TileShader {
+public:
+  virtual ~TileShader() = default;
+  /// Shades each fragment of the tile once, resolves the samples, and writes the tile's pixels to the images that
+  /// `frame` holds; adds to `measures`. Values are finite.
+  virtual void shade(const FrameContext& context, const VisibleTile& visible, Frame& frame,
+                     const TileMeasures& measures) = 0;
+};
+
+/// For a rung by its name; null if there is none of that name.
+std::unique_ptr<TileShader> make_tile_shader(std::string_view rung);
+
+// Each defined in a file of its own, raster/shade/precisions/<name>.cpp: a full instantiation of everything above the
+// number.
+std::unique_ptr<TileShader> make_double_shader();
+std::unique_ptr<TileShader> make_float_shader();
+std::unique_ptr<TileShader> make_fast_shader();
+std::unique_ptr<TileShader> make_exact_shader();
+
+/// A single frame by a shader of one's own, of which `make_shader` makes one for each thread; options.rung is not read.
+using MakeShader = std::function<std::unique_ptr<TileShader>()>;
+void render_with(const Scene& scene, const RenderOptions& options, const MakeShader& make_shader, Frame& frame);
+
+/// The pixels that a frame's images hold: those of the crop, or all.
+Crop rendered_region(const RenderOptions& options);
+
+/// Writes the tile's part of an image of `aov`. Computed in double whatever the rung: of the first of each pixel's
+/// `runs`.
+void write_aov(const FrameContext& context, const VisibleTile& visible, std::span<const FragmentRun> runs, Aov aov,
+               Image<float>& image);
+
+} // namespace refraster

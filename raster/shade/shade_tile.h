@@ -1,0 +1,171 @@
+#pragma once
+// The tile shader of one number: included by raster/shade/precisions/*.cpp and, for other numbers, by
+// raster/render_in.h. For a number without lanes raster/shade/sample_data.h must be included too.
+
+#include "raster/shade/fragments.h"
+#include "raster/shade/resolve.h"
+#include "raster/shade/shade.h"
+#include "raster/shade/shade_packet.h"
+
+#include <chrono>
+#include <functional>
+#include <utility>
+#include <variant>
+
+namespace refraster {
+
+template <class T>
+struct EdgeArithmetic;
+template <Number T>
+class SampleData;
+
+/// What is asked for of a number without lanes, beside the frame's images.
+template <class T>
+struct SampleRequest {
+  // Called for each pixel of the full image that shows a surface, with its colour as it is in T: from several threads.
+  std::function<void(int x, int y, const Rgb<T>& radiance)> take = {};
+  std::function<bool(int x, int y)> wanted = {}; // which pixels are shaded: others show the background; all if empty
+  // Where the sample is, counted from the pixel's centre in subpixels: a range, if T has ranges.
+  typename EdgeArithmetic<T>::Value dx{0}, dy{0};
+};
+struct NoRequest {};
+
+/// A full register of fragments at a time; or, for a number without lanes, one by one through the same formulas.
+template <class T>
+class TileShaderOf final : public TileShader {
+  static constexpr bool has_lanes = NumberTraits<T>::has_lanes;
+  template <class U>
+  struct RequestOf {
+    using type = SampleRequest<U>;
+  };
+  template <class U>
+    requires(NumberTraits<U>::has_lanes)
+  struct RequestOf<U> {
+    using type = NoRequest;
+  };
+
+public:
+  using Request = typename RequestOf<T>::type;
+  explicit TileShaderOf(Request request = {}) : request_(std::move(request)) {}
+
+  void shade(const FrameContext& context, const VisibleTile& visible, Frame& frame,
+             const TileMeasures& measures) override {
+    FrameCounts& counts = measures.counts;
+    auto now = std::chrono::steady_clock::now();
+    const auto lap = [&now](double& sum) {
+      const auto before = std::exchange(now, std::chrono::steady_clock::now());
+      sum += std::chrono::duration<double>(now - before).count();
+    };
+    list_runs(visible.visibility, visible.tile, context.options.samples, runs_);
+    if constexpr (!has_lanes) keep_wanted(visible.tile);
+    const std::uint32_t fragments =
+        surfaces_.collect(context.scene, context.geometry, context.bins, visible.triangles, runs_);
+    lap(measures.seconds.surfaces);
+    colours_.resize(fragments);
+    for (const auto& group : surfaces_.groups()) {
+      const Material& material = context.scene.objects[group.object].material;
+      std::visit(
+          [&](const auto& model) { shade_group(context, visible.tile, material, model, group, counts.undefined); },
+          material.model);
+      counts.lane_slots += (group.fragments + lanes - 1) / lanes * lanes;
+    }
+    counts.fragments += fragments;
+    lap(measures.seconds.shading);
+    resolver_.resolve(context, visible.tile, runs_, colours_, frame, counts);
+    if constexpr (!has_lanes)
+      if (request_.take) resolver_.for_each_pixel(visible.tile, request_.take);
+    for (std::size_t i = 0; i < context.options.aovs.size(); ++i)
+      write_aov(context, visible, runs_, context.options.aovs[i], frame.aovs[i]);
+    lap(measures.seconds.resolve);
+  }
+
+private:
+  using Real = RealOf<T>;
+  using Surfaces = TileSurfaces<Real>;
+  using Group = typename Surfaces::Group;
+  static constexpr std::uint32_t lanes = NumberTraits<T>::lanes;
+
+  template <class Model>
+  void shade_group(const FrameContext& context, const Crop& tile, const Material& material, const Model& model,
+                   const Group& group, UndefinedCounts& undefined) {
+    batch_.packets = 0; // of a frame that an exception ended
+    const auto shade_batch = [&] {
+      if constexpr (has_lanes) add_light(context.scene, model, batch_, undefined);
+      else sum_light(context.scene, model, batch_, undefined);
+      for (int i = 0; i < batch_.packets; ++i)
+        colours_.store(batch_.first_fragment + static_cast<std::uint32_t>(i) * lanes,
+                       batch_.sum[static_cast<std::size_t>(i)]);
+      batch_.packets = 0;
+    };
+    // surface_of(tally) interpolates what `in_use` says is there.
+    const auto add = [&](std::uint32_t first, const MaskOf<T>& in_use, const auto& surface_of) {
+      if (batch_.packets == 0) batch_.first_fragment = first;
+      const auto at = static_cast<std::size_t>(batch_.packets++);
+      batch_.in_use[at] = in_use;
+      surface_of(UndefinedTally<T>(undefined, batch_.in_use[at]), batch_.surface[at]);
+      if (batch_.packets == batch_.most) shade_batch();
+    };
+    if constexpr (has_lanes) {
+      for_each_packet<T>(surfaces_, group, tile, [&](const Packet<T>& packet, std::uint32_t first) {
+        add(first, first_lanes<Real, NumberTraits<T>::lanes>(packet.count), [&](const auto& tally, auto& surface) {
+          if (packet.triangles == Triangles::one)
+            interpolate(context, material, PacketData<T, Triangles::one>(packet), tally, surface);
+          else interpolate(context, material, PacketData<T, Triangles::many>(packet), tally, surface);
+        });
+      });
+    } else {
+      for_each_sample(context, group, tile, [&](const SampleData<T>& data, std::uint32_t number) {
+        add(number, T(0) <= T(0), [&](const auto& tally, auto& surface) {
+          surface = packet_surface(context.scene, context.geometry, material, data, tally);
+        });
+      });
+    }
+    if (batch_.packets > 0) shade_batch();
+  }
+
+  /// Calls body(data, number) for each fragment of a group, in order: at pixel centres, as far off as was asked for. A
+  /// tile may take seconds in 60 digits: it ends early where the frame is given up.
+  template <class Body>
+  void for_each_sample(const FrameContext& context, const Group& group, const Crop& tile, const Body& body) const {
+    const ImageShape shape{context.options.width, context.options.height, context.scene.camera.near};
+    for (std::size_t i = group.begin_run; i < group.end_run; ++i) {
+      const FragmentRun& run = surfaces_.sorted()[i];
+      SampleData<T> data(
+          {context.scene, context.geometry, context.bins, shape, surfaces_.surfaces()[run.place].number});
+      for (int k = 0; k < run.length; ++k) {
+        if (context.options.cancel && context.options.cancel->load(std::memory_order_relaxed)) return;
+        data.move_to((tile.x + run.x + k) * subpixels + subpixels / 2, (tile.y + run.y) * subpixels + subpixels / 2,
+                     request_.dx, request_.dy);
+        body(data, run.first_fragment + static_cast<std::uint32_t>(k));
+      }
+    }
+  }
+
+  /// Cuts runs down to the pixels that are wanted.
+  void keep_wanted(const Crop& tile) {
+    if (!request_.wanted) return;
+    std::vector<FragmentRun> kept;
+    for (const FragmentRun& run : runs_)
+      for (int k = 0; k < run.length; ++k)
+        if (request_.wanted(tile.x + run.x + k, tile.y + run.y))
+          kept.push_back({run.place, 0, static_cast<std::uint8_t>(run.x + k), run.y, 1, run.samples});
+    runs_ = std::move(kept);
+  }
+
+  // Everything that a packet's surface needs is inlined here: no call, and no vector in memory, in between.
+  template <Triangles triangles>
+  [[gnu::flatten, gnu::noinline]] static void interpolate(const FrameContext& context, const Material& material,
+                                                          const PacketData<T, triangles>& data,
+                                                          const UndefinedTally<T>& tally, PacketSurface<T>& surface) {
+    surface = packet_surface(context.scene, context.geometry, material, data, tally);
+  }
+
+  [[no_unique_address]] Request request_;
+  std::vector<FragmentRun> runs_;
+  Surfaces surfaces_;
+  PacketBatch<T> batch_;
+  FragmentColours<T> colours_;
+  TileResolver<T> resolver_;
+};
+
+} // namespace refraster

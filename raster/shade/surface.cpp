@@ -1,0 +1,197 @@
+#include "raster/shade/surface.h"
+
+#include "math/elementary/twofold.h"
+#include "math/lanes/rows.h"
+#include "raster/shade/corner_values.h"
+#include "raster/shade/surface_lanes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <limits>
+
+namespace refraster {
+
+namespace {
+
+// A million triangles come through here: what follows is inlined into one piece of code.
+
+// Line values are 0 or lie between 1 and 2^52: from this weight on no product of the two is subnormal, so that scaling
+// by a power of two, as in a packet that holds a projective triangle, changes no digit. A corner that is farther yet
+// counts as this far: where the nearest one has a part, it is none to speak of; and on the edge opposite the nearest
+// one, where that has none, something must be left.
+template <class Real>
+constexpr double least_weight = sizeof(Real) == 4 ? 0x1p-70 : 0x1p-900;
+
+// Position and normal, six numbers one after the other, as four and two lanes.
+static_assert(sizeof(WorldVertex) == 6 * sizeof(double) && offsetof(WorldVertex, normal) == 3 * sizeof(double));
+struct Corner {
+  Wide<double, 4> first; // position, normal.x
+  Wide<double, 2> last;  // normal.y, normal.z
+
+  explicit Corner(const WorldVertex& v)
+      : first(rows::load<double, 4>(&v.position.x)), last(rows::load<double, 2>(&v.normal.y)) {}
+  Corner(const Wide<double, 4>& first_lanes, const Wide<double, 2>& last_lanes)
+      : first(first_lanes), last(last_lanes) {}
+  friend Corner operator-(const Corner& a, const Corner& b) { return {a.first - b.first, a.last - b.last}; }
+};
+
+template <class Real, int N>
+Wide<Real, N> narrowed(const Wide<double, N>& x) {
+  return __builtin_convertvector(x.v, VectorOf<Real, N>);
+}
+
+// Rows 0 to 5: the corners' positions and normals, differences taken in double before they are rounded.
+template <class Real>
+[[gnu::always_inline]] inline void set_rows(const std::array<const WorldVertex*, 3>& world,
+                                            const std::array<double, 3>& weight, SurfaceTriangle<Real>& t) {
+  Corner c0(*world[0]), c1(*world[1]), c2(*world[2]);
+  const double scale = normal_scale(*world[0], *world[1], *world[2]);
+  if (scale != 1) [[unlikely]] {
+    Wide<double, 4> first(1.0);
+    first.set(3, scale);
+    for (Corner* c : {&c0, &c1, &c2}) c->first *= first, c->last *= Wide<double, 2>(scale);
+  }
+  const Corner d1 = c1 - c0, d2 = c2 - c0;
+  Wide<Real, 4> fourth(Real(0));
+  for (int k = 0; k < 3; ++k) fourth.set(k, static_cast<Real>(weight[static_cast<std::size_t>(k)]));
+  const auto first =
+      transposed<Real, 4>({narrowed<Real>(c0.first), narrowed<Real>(d1.first), narrowed<Real>(d2.first), fourth});
+  for (std::size_t r = 0; r < 4; ++r) std::memcpy(t.row[r].data(), &first[r].v, sizeof first[r].v);
+  const auto f0 = narrowed<Real>(c0.last), f1 = narrowed<Real>(d1.last), f2 = narrowed<Real>(d2.last);
+  t.row[4] = {f0[0], f1[0], f2[0], Real(0)};
+  t.row[5] = {f0[1], f1[1], f2[1], Real(0)};
+}
+
+// Everything but the lines. weight: of the corners, in their order.
+template <class Real>
+[[gnu::always_inline]] inline void set_attributes(const Scene& scene, const Geometry& geometry, const TriangleRef& ref,
+                                                  const std::array<std::uint8_t, 3>& corner,
+                                                  const std::array<double, 3>& weight, SurfaceTriangle<Real>& t) {
+  const auto world = [&](std::size_t k) { return &geometry.world[ref.vertex[corner[k]]]; };
+  set_rows<Real>({world(0), world(1), world(2)}, weight, t);
+
+  const Mesh& mesh = *scene.objects[ref.object].mesh;
+  const auto& indices = mesh.triangles[ref.triangle];
+  const bool textured = has_uvs(mesh, indices);
+  for (int c = 0; c < 2; ++c) {
+    std::array<Real, 4>& row = t.row[static_cast<std::size_t>(Attribute::uv) + static_cast<std::size_t>(c)];
+    if (!textured) {
+      row = {std::numeric_limits<Real>::quiet_NaN(), Real(0), Real(0), Real(1)};
+      t.row[static_cast<std::size_t>(most_uv_row + c)][3] = Real(0);
+      continue;
+    }
+    const auto uv = uv_component(mesh, {indices[corner[0]], indices[corner[1]], indices[corner[2]]}, c).value;
+    row = {static_cast<Real>(uv[0]), static_cast<Real>(uv[1] - uv[0]), static_cast<Real>(uv[2] - uv[0]),
+           static_cast<Real>(std::min({uv[0], uv[1], uv[2]}))};
+    t.row[static_cast<std::size_t>(most_uv_row + c)][3] = static_cast<Real>(std::max({uv[0], uv[1], uv[2]}));
+  }
+}
+
+LargeLines large_lines(const Geometry& geometry, const TriangleRef& ref, const std::array<std::uint8_t, 3>& corner) {
+  std::array<WindowVertex, 3> v;
+  for (std::size_t k = 0; k < 3; ++k) v[k] = geometry.window[ref.vertex[corner[k]]];
+  return {set_up_snapped(v).value().line}; // in order already: corners keep their places
+}
+
+} // namespace
+
+template <class Real>
+void set_up_surfaces(const Scene& scene, const Geometry& geometry, const Bins& bins,
+                     std::span<const VisibleTriangle> triangles, std::span<SurfaceTriangle<Real>> surfaces,
+                     UncommonLines& uncommon) {
+  using Row = Native<double>;
+  constexpr int lanes = NumberTraits<Row>::lanes;
+  constexpr std::size_t ahead = 32; // vertices come from far: asked for long before they are needed
+  const std::size_t count = triangles.size();
+  for (std::size_t begin = 0; begin < count; begin += lanes) {
+    const std::size_t here = std::min(count - begin, std::size_t{lanes});
+    for (std::size_t i = begin + ahead; i < std::min(begin + ahead + lanes, count); ++i)
+      for (const std::uint32_t vertex : triangles[i].ref.vertex) {
+        __builtin_prefetch(&geometry.world[vertex]);
+        __builtin_prefetch(&geometry.window.placed[vertex]);
+        __builtin_prefetch(&geometry.window.inverse_w[vertex]);
+      }
+    const auto vertex = [&](int lane, std::size_t k) {
+      return triangles[begin + std::min(static_cast<std::size_t>(lane), here - 1)].ref.vertex[k];
+    };
+    std::array<CornerLanes<lanes>, 3> placed;
+    std::array<Row, 3> inverse_w;
+    for (std::size_t k = 0; k < 3; ++k) {
+      placed[k] = gather_corners<lanes>(
+          [&](int lane) -> const PlacedVertex& { return geometry.window.placed[vertex(lane, k)]; });
+      std::array<double, lanes> of;
+      for (int lane = 0; lane < lanes; ++lane)
+        of[static_cast<std::size_t>(lane)] = geometry.window.inverse_w[vertex(lane, k)];
+      inverse_w[k] = load_lanes<Row>(of.data());
+    }
+    const SurfaceLanes<lanes> set_up = surface_lanes<lanes>(placed, inverse_w);
+    std::array<std::array<double, lanes>, 3> weights;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Row least(least_weight<Real>);
+      weights[k] = listed(maximum(set_up.corner[k].weight, least));
+    }
+
+    for (std::size_t i = 0; i < here; ++i) {
+      const auto lane = static_cast<int>(i);
+      const TriangleRef& ref = triangles[begin + i].ref;
+      const std::uint32_t number = triangles[begin + i].number;
+      SurfaceTriangle<Real>& t = surfaces[begin + i];
+      t.object = ref.object;
+      t.number = number;
+      t.large = nullptr, t.projective = nullptr;
+      const auto state = [&](std::size_t k) { return geometry.window.placed[ref.vertex[k]].outcode(); };
+      if ((state(0) | state(1) | state(2)) & outcode::unsnapped) [[unlikely]] {
+        const ProjectiveTriangle& projective = bins.projective_triangle(number);
+        t.projective = &uncommon.projective.emplace_back(projective);
+        set_attributes<Real>(scene, geometry, ref, projective.corner, {1, 1, 1}, t); // line values bring their weights
+        continue;
+      }
+      const auto corner_at = [&](std::size_t k) { return static_cast<std::uint8_t>(set_up.corner[k].submitted[lane]); };
+      const std::array<std::uint8_t, 3> corner{corner_at(0), corner_at(1), corner_at(2)};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto& line = set_up.corner[k];
+        t.line[k] = {line.a[lane], line.b[lane], line.c[lane]};
+      }
+      if (!set_up.wraps[lane]) t.large = &uncommon.large.emplace_back(large_lines(geometry, ref, corner));
+      set_attributes<Real>(scene, geometry, ref, corner, {weights[0][i], weights[1][i], weights[2][i]}, t);
+    }
+  }
+}
+
+template void set_up_surfaces(const Scene&, const Geometry&, const Bins&, std::span<const VisibleTriangle>,
+                              std::span<SurfaceTriangle<double>>, UncommonLines&);
+template void set_up_surfaces(const Scene&, const Geometry&, const Bins&, std::span<const VisibleTriangle>,
+                              std::span<SurfaceTriangle<float>>, UncommonLines&);
+
+std::array<double, 2> whole_repeats(const Scene& scene, const Geometry& geometry, std::uint32_t number) {
+  const TriangleRef ref = triangle_ref(scene, geometry, number);
+  const Mesh& mesh = *scene.objects[ref.object].mesh;
+  const auto& vertices = mesh.triangles[ref.triangle];
+  if (!has_uvs(mesh, vertices)) return {};
+  return {uv_component(mesh, vertices, 0).whole, uv_component(mesh, vertices, 1).whole};
+}
+
+Double3 face_normal(const Scene& scene, const Geometry& geometry, std::uint32_t number) {
+  const TriangleRef ref = triangle_ref(scene, geometry, number);
+  const Mesh& mesh = *scene.objects[ref.object].mesh;
+  const auto corner = [&](std::size_t k) { return Double3(mesh.positions[mesh.triangles[ref.triangle][k]]); };
+  // Of a needle the edges are nearly parallel: differences and products are carried to twice the precision, so that
+  // what their difference leaves is good. Each edge is brought near unit length first: nothing overflows or vanishes.
+  const Double3 p0 = corner(0), p1 = corner(1), p2 = corner(2);
+  const double scale1 = reciprocal_binade(p1 - p0), scale2 = reciprocal_binade(p2 - p0);
+  const auto edge = [&](const Double3& p, int c, double scale) {
+    const Twofold<double> difference = exact_sum(p[c], -p0[c]);
+    return Twofold<double>{difference.hi * scale, difference.lo * scale};
+  };
+  const auto minor = [&](int i, int j) {
+    const Twofold<double> a = wide_product(edge(p1, i, scale1), edge(p2, j, scale2));
+    const Twofold<double> b = wide_product(edge(p1, j, scale1), edge(p2, i, scale2));
+    const Twofold<double> difference = exact_sum(a.hi, -b.hi);
+    return difference.hi + (difference.lo + (a.lo - b.lo));
+  };
+  return geometry.transforms[ref.object].world_from_normal * Double3(minor(1, 2), minor(2, 0), minor(0, 1));
+}
+
+} // namespace refraster

@@ -1,0 +1,245 @@
+#include "raster/vertex/transform.h"
+
+#include "math/elementary.h"
+#include "math/rungs.h"
+#include "raster/parallel.h"
+#include "raster/vertex/vertex_stage.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <utility>
+
+namespace refraster {
+
+namespace {
+
+// A rotation by `degrees` in the plane of axes i and j, turning i toward j.
+Double3x3 rotation(double degrees, int i, int j) {
+  Double3x3 m(1);
+  const double c = cos_degrees(degrees), s = sin_degrees(degrees);
+  m[i][i] = c, m[i][j] = s; // m[column][row]
+  m[j][i] = -s, m[j][j] = c;
+  return m;
+}
+
+Double3x3 linear_part(const Object& object) {
+  const Double3& r = object.rotate_degrees;
+  const Double3x3 rotated = rotation(r.x, 1, 2) * rotation(r.y, 2, 0) * rotation(r.z, 0, 1);
+  return {rotated[0] * object.scale.x, rotated[1] * object.scale.y, rotated[2] * object.scale.z};
+}
+
+// The inverse transpose is cofactors / determinant; normals need only its direction, so the division, which a flattened
+// scale would make impossible, is left out and the sign kept. det = 0 counts as positive.
+Double3x3 normal_matrix(const Double3x3& m) {
+  // A common factor changes no direction, and a power of two no digit. With columns m_k = u_k / s_k, each u_k of about
+  // unit size, the cofactors (u_i x u_j) / (s_i s_j) are s_k (u_i x u_j) times a common factor: no product leaves the
+  // range of double, whatever the scales.
+  constexpr double below_one = 0.25; // so that s_k (u_i x u_j) stays finite for the largest s_k
+  const auto size = [&](int k) { return below_one * reciprocal_binade(m[k]); };
+  const Double3 u0 = m[0] * size(0), u1 = m[1] * size(1), u2 = m[2] * size(2);
+  const Double3x3 cofactors(cross(u1, u2) * size(0), cross(u2, u0) * size(1), cross(u0, u1) * size(2));
+  const double sign = dot(u0, cofactors[0]) < 0 ? -1 : 1;
+  double most = 0;
+  for (int column = 0; column < 3; ++column)
+    for (int row = 0; row < 3; ++row) most = maximum(magnitude(cofactors[column][row]), most);
+  return cofactors * (sign * reciprocal_binade(most));
+}
+
+} // namespace
+
+Double4x4 view_from_world(const Camera& camera) {
+  const Double3 back = normalize(camera.position - camera.target);
+  const Double3 right = normalize(cross(camera.up, back));
+  const Double3 up = cross(back, right);
+  const Double3& eye = camera.position;
+  Double4x4 view(1);
+  for (int axis = 0; axis < 3; ++axis) {
+    view[axis][0] = right[axis];
+    view[axis][1] = up[axis];
+    view[axis][2] = back[axis];
+  }
+  view[3] = {-dot(right, eye), -dot(up, eye), -dot(back, eye), 1};
+  return view;
+}
+
+Double4x4 clip_from_view(const Camera& camera, double aspect) {
+  const double cotangent = 1 / tan_degrees(camera.fov_y_degrees / 2);
+  const double depth = camera.near - camera.far;
+  Double4x4 projection(0);
+  projection[0][0] = cotangent / aspect;
+  projection[1][1] = cotangent;
+  projection[2][2] = (camera.far + camera.near) / depth;
+  projection[2][3] = -1;
+  projection[3][2] = 2 * camera.near * camera.far / depth;
+  return projection;
+}
+
+Double4x4 clip_from_world(const Camera& camera, double aspect) {
+  return clip_from_view(camera, aspect) * view_from_world(camera);
+}
+
+ObjectTransform object_transform(const Object& object, const Double4x4& clip_from_world) {
+  const Double3x3 linear = linear_part(object);
+  Double4x4 model(linear);
+  model[3] = {object.position.x, object.position.y, object.position.z, 1};
+  return {clip_from_world * model, model, normal_matrix(linear)};
+}
+
+Double4 clip_position(const ObjectTransform& transform, const Float3& position) {
+  return transform.clip_from_object * Double4(position.x, position.y, position.z, 1.0);
+}
+
+WindowVertex window_vertex(const Double4& clip, int width, int height) {
+  const WindowLanes<double> v = window_lanes(clip, width, height);
+  return {static_cast<std::int32_t>(v.x), static_cast<std::int32_t>(v.y), v.z, v.inverse_w,
+          static_cast<std::uint8_t>(v.sides + outcode::not_finite * v.not_finite + outcode::unsnapped * v.unsnapped)};
+}
+
+namespace {
+
+// Mesh data enters lane by lane: lane k is component c of at[k].
+template <class T>
+T component(const Float3* at, int c) {
+  if constexpr (NumberTraits<T>::lanes == 1) {
+    return static_cast<T>((*at)[c]);
+  } else {
+    constexpr int lanes = NumberTraits<T>::lanes;
+    return [&]<int... lane>(std::integer_sequence<int, lane...>) {
+      const VectorOf<float, lanes> narrow{at[lane][c]...};
+      return T(__builtin_convertvector(narrow, VectorOf<double, lanes>));
+    }
+    (std::make_integer_sequence<int, lanes>{});
+  }
+}
+
+// at[stride k], at[stride k + 1] become lane k of a and of b.
+template <class T>
+void store_pairs(double* at, std::size_t stride, const T& a, const T& b) {
+  if constexpr (NumberTraits<T>::lanes == 1) {
+    std::memcpy(at, &a, sizeof a); // at may stand for other members than numbers
+    std::memcpy(at + 1, &b, sizeof b);
+  } else {
+    constexpr int lanes = NumberTraits<T>::lanes;
+    [&]<int... lane>(std::integer_sequence<int, lane...>) {
+      const auto store = [&](std::size_t k, VectorOf<double, 2> pair) {
+        std::memcpy(at + stride * k, &pair, sizeof pair);
+      };
+      (store(lane, __builtin_shufflevector(a.v, b.v, lane, lane + lanes)), ...);
+    }
+    (std::make_integer_sequence<int, lanes>{});
+  }
+}
+
+template <class T>
+void store_lanes(double* at, const T& x) {
+  std::memcpy(at, &x, sizeof x);
+}
+
+// Matrices as T has them, and the image: what an object's vertices have in common.
+template <class T>
+struct VertexStage {
+  const ObjectTransform& matrices;
+  int width, height;
+
+  // The products as GLM adds them up, which the bits of every image depend on.
+  T homogeneous(const Double4x4& m, int row, const Vec3<T>& p) const {
+    const auto times = [&](int column) { return T(m[column][row]) * p[column]; };
+    return (times(0) + times(1)) + (times(2) + T(m[3][row]));
+  }
+  T linear(const Double3x3& m, int row, const Vec3<T>& p) const {
+    const auto times = [&](int column) { return T(m[column][row]) * p[column]; };
+    return times(0) + times(1) + times(2);
+  }
+
+  // As many vertices as T has lanes.
+  void run(const Float3* positions, const Float3* normals, PlacedVertex* placed, double* inverse_w,
+           WorldVertex* world) const {
+    const Vec3<T> p(component<T>(positions, 0), component<T>(positions, 1), component<T>(positions, 2));
+    const Vec3<T> n(component<T>(normals, 0), component<T>(normals, 1), component<T>(normals, 2));
+    const auto clip = [&](int row) { return homogeneous(matrices.clip_from_object, row, p); };
+    const WindowLanes<T> v = window_lanes(Vec4<T>(clip(0), clip(1), clip(2), clip(3)), width, height);
+    // The integers of PlacedVertex, two in the bits of one double.
+    static_assert(std::endian::native == std::endian::little);
+    const LaneBits<T> x_sides = whole_bits(v.x * T(64.0) + v.sides) & 0xffffffff;
+    const LaneBits<T> y_state = whole_bits(v.y * T(64.0) + v.not_finite + v.unsnapped * T(2.0)) << 32;
+    store_pairs(reinterpret_cast<double*>(placed), sizeof *placed / sizeof(double), from_bits<T>(x_sides | y_state),
+                v.z);
+    store_lanes(inverse_w, v.inverse_w);
+
+    const T far(0x1p1022); // the difference of two that lie farther would overflow
+    const auto position = [&](int row) {
+      return minimum(maximum(homogeneous(matrices.world_from_object, row, p), -far), far);
+    };
+    const auto normal = [&](int row) { return linear(matrices.world_from_normal, row, n); };
+    double* const at = &world->position.x;
+    constexpr std::size_t stride = sizeof *world / sizeof(double);
+    store_pairs(at, stride, position(0), position(1));
+    store_pairs(at + 2, stride, position(2), normal(0));
+    store_pairs(at + 4, stride, normal(1), normal(2));
+  }
+};
+
+// Vertices [begin, end) of an object's mesh.
+void transform_vertices(const Mesh& mesh, const ObjectTransform& matrices, int width, int height, std::size_t begin,
+                        std::size_t end, std::size_t first, Geometry& geometry) {
+  using Row = Native<double>;
+  constexpr std::size_t lanes = NumberTraits<Row>::lanes;
+  const auto run = [&](const auto& stage, std::size_t v) {
+    stage.run(&mesh.positions[v], &mesh.normals[v], &geometry.window.placed[first + v],
+              &geometry.window.inverse_w[first + v], &geometry.world[first + v]);
+  };
+  std::size_t v = begin;
+  for (; v + lanes <= end; v += lanes) run(VertexStage<Row>{matrices, width, height}, v);
+  for (; v < end; ++v) run(VertexStage<double>{matrices, width, height}, v);
+}
+
+} // namespace
+
+void transform(const Scene& scene, int width, int height, int threads, Geometry& geometry) {
+  const Double4x4 view_projection = clip_from_world(scene.camera, static_cast<double>(width) / height);
+  geometry.transforms.clear();
+  geometry.first_vertex.assign(1, 0);
+  geometry.first_triangle.assign(1, 0);
+  for (const Object& object : scene.objects) {
+    assert(object.mesh->positions.size() <= INT32_MAX - geometry.first_vertex.back());
+    assert(object.mesh->triangles.size() <= INT32_MAX - geometry.first_triangle.back());
+    geometry.transforms.push_back(object_transform(object, view_projection));
+    geometry.first_vertex.push_back(geometry.first_vertex.back() +
+                                    static_cast<std::uint32_t>(object.mesh->positions.size()));
+    geometry.first_triangle.push_back(geometry.first_triangle.back() +
+                                      static_cast<std::uint32_t>(object.mesh->triangles.size()));
+  }
+  const std::size_t vertices = geometry.first_vertex.back();
+  geometry.window.resize_uninitialized(vertices);
+  geometry.world.resize_uninitialized(vertices);
+  // Pieces of all vertices, whatever the objects are: there may be thousands of these, or one.
+  constexpr std::size_t piece = 2048;
+  parallel_for(threads, (vertices + piece - 1) / piece, [&](std::size_t index, int) {
+    const std::size_t begin = index * piece, end = std::min(vertices, begin + piece);
+    const auto after = std::upper_bound(geometry.first_vertex.begin(), geometry.first_vertex.end(), begin);
+    for (auto o = static_cast<std::size_t>(after - geometry.first_vertex.begin()) - 1;
+         o < scene.objects.size() && geometry.first_vertex[o] < end; ++o) {
+      const std::size_t first = geometry.first_vertex[o], last = geometry.first_vertex[o + 1];
+      transform_vertices(*scene.objects[o].mesh, geometry.transforms[o], width, height, std::max(begin, first) - first,
+                         std::min(end, last) - first, first, geometry);
+    }
+  });
+}
+
+TriangleRef triangle_ref(const Scene& scene, const Geometry& geometry, std::uint32_t triangle) {
+  return TriangleFinder(scene, geometry).at(triangle);
+}
+
+void TriangleFinder::find(std::uint32_t triangle) {
+  const auto after = std::upper_bound(geometry_.first_triangle.begin(), geometry_.first_triangle.end(), triangle);
+  object_ = static_cast<std::uint32_t>(after - geometry_.first_triangle.begin()) - 1;
+  first_ = geometry_.first_triangle[object_], last_ = geometry_.first_triangle[object_ + 1];
+  first_vertex_ = geometry_.first_vertex[object_];
+  triangles_ = scene_.objects[object_].mesh->triangles.data();
+}
+
+} // namespace refraster

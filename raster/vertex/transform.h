@@ -1,0 +1,165 @@
+#pragma once
+// The vertex stage, in double: object space to world space, clip space and window.
+
+#include "raster/buffer.h"
+#include "raster/vertex/subpixel.h"
+#include "scene/scene.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace refraster {
+
+/// The matrices of the lecture's vertex shader for one object.
+struct ObjectTransform {
+  Double4x4 clip_from_object;  // projection . view . model
+  Double4x4 world_from_object; // model = T . Rx . Ry . Rz . S
+  Double3x3
+      world_from_normal; // cofactors of the model's 3x3 part, times the sign of its determinant, times a power of two
+};
+
+/// The camera's own space: x to the right, y up, z toward the viewer.
+Double4x4 view_from_world(const Camera& camera);
+
+/// The projection to OpenGL's clip space, -w <= x, y, z <= w inside. `aspect` is width / height.
+Double4x4 clip_from_view(const Camera& camera, double aspect);
+
+/// projection . view.
+Double4x4 clip_from_world(const Camera& camera, double aspect);
+
+/// Defined for every scale: a mirrored one keeps outward normals outward, a flattened one gives the plane's normal.
+ObjectTransform object_transform(const Object& object, const Double4x4& clip_from_world);
+
+/// Which of the six clip half-spaces a vertex lies outside of, and two states. Comparisons of exact doubles.
+namespace outcode {
+inline constexpr std::uint8_t left = 1, right = 2, bottom = 4, top = 8, near = 16, far = 32;
+inline constexpr std::uint8_t sides = 63;
+inline constexpr std::uint8_t not_finite = 64; // a clip coordinate is NaN or infinite
+inline constexpr std::uint8_t unsnapped = 128; // w <= 0, or beyond the guard band: has no place on the lattice
+} // namespace outcode
+
+/// A vertex as the rasterizer sees it.
+struct WindowVertex {
+  std::int32_t x = 0, y = 0; // subpixels; 0 if unsnapped
+  double z = 0;              // z / w, in [-1, 1] between the depth planes
+  double inverse_w = 0;      // 1 / w > 0
+  std::uint8_t outcode = 0;
+};
+
+/// The same as set-up reads it, by the million, in 16 bytes.
+struct PlacedVertex {
+  std::int32_t x_sides = 0; // 64 x + (outcode & 63)
+  std::int32_t y_state = 0; // 64 y + (outcode >> 6)
+  double z = 0;
+
+  PlacedVertex() = default;
+  explicit PlacedVertex(const WindowVertex& v)
+      : x_sides(v.x * 64 + (v.outcode & 63)), y_state(v.y * 64 + (v.outcode >> 6)), z(v.z) {}
+  std::int32_t x() const { return x_sides >> 6; }
+  std::int32_t y() const { return y_state >> 6; }
+  std::uint8_t outcode() const { return static_cast<std::uint8_t>((x_sides & 63) | (y_state & 3) << 6); }
+};
+
+/// Vertices in the window, apart from what only shading reads of them.
+struct WindowVertices {
+  Buffer<PlacedVertex> placed;
+  Buffer<double> inverse_w;
+
+  std::size_t size() const { return placed.size(); }
+  void resize_uninitialized(std::size_t size) {
+    placed.resize_uninitialized(size);
+    inverse_w.resize_uninitialized(size);
+  }
+  void push_back(const WindowVertex& v) {
+    placed.push_back(PlacedVertex(v));
+    inverse_w.push_back(v.inverse_w);
+  }
+  WindowVertex operator[](std::size_t i) const {
+    const PlacedVertex& v = placed[i];
+    return {v.x(), v.y(), v.z, inverse_w[i], v.outcode()};
+  }
+};
+
+/// A vertex as shading sees it.
+struct WorldVertex {
+  Double3 position; // coordinates within 2^1022, so that no difference overflows
+  Double3 normal;   // any length
+};
+
+Double4 clip_position(const ObjectTransform& transform, const Float3& position);
+
+/// Snaps x / w and y / w to the lattice, half to even.
+WindowVertex window_vertex(const Double4& clip, int width, int height);
+
+/// Every object's vertices, one after the other, and where each object's vertices and triangles begin.
+struct Geometry {
+  std::vector<ObjectTransform> transforms;
+  std::vector<std::uint32_t> first_vertex;   // objects + 1 entries
+  std::vector<std::uint32_t> first_triangle; // objects + 1 entries
+  WindowVertices window;
+  Buffer<WorldVertex> world;
+
+  std::uint32_t triangles() const { return first_triangle.back(); }
+};
+
+/// Transforms each unique vertex once. The scene may have up to 2^31 - 1 vertices and as
+/// many triangles in all (assert). `geometry` may
+/// be that of another frame: its memory is used again.
+void transform(const Scene& scene, int width, int height, int threads, Geometry& geometry);
+
+/// A triangle by its number in the frame: object, corner indices into Geometry's arrays and into the mesh.
+struct TriangleRef {
+  std::uint32_t object = 0, triangle = 0; // triangle: in the object's mesh
+  std::uint32_t vertex[3] = {};           // in Geometry::window and ::world
+};
+TriangleRef triangle_ref(const Scene& scene, const Geometry& geometry, std::uint32_t triangle);
+
+/// The same for triangles asked for in rising order of their numbers: it walks along the objects instead of searching.
+class TriangleCursor {
+public:
+  TriangleCursor(const Scene& scene, const Geometry& geometry) : scene_(scene), geometry_(geometry) {}
+
+  TriangleRef at(std::uint32_t triangle) {
+    while (triangle >= geometry_.first_triangle[object_ + 1]) ++object_;
+    const std::uint32_t first_vertex = geometry_.first_vertex[object_];
+    const std::uint32_t in_mesh = triangle - geometry_.first_triangle[object_];
+    const std::array<std::uint32_t, 3>& corners = scene_.objects[object_].mesh->triangles[in_mesh];
+    return {object_, in_mesh, {first_vertex + corners[0], first_vertex + corners[1], first_vertex + corners[2]}};
+  }
+
+private:
+  const Scene& scene_;
+  const Geometry& geometry_;
+  std::uint32_t object_ = 0;
+};
+
+/// The same for triangles asked for in any order, neighbours mostly of one object.
+class TriangleFinder {
+public:
+  TriangleFinder(const Scene& scene, const Geometry& geometry) : scene_(scene), geometry_(geometry) {}
+
+  TriangleRef at(std::uint32_t triangle) {
+    if (triangle < first_ || triangle >= last_) [[unlikely]]
+      find(triangle);
+    const std::array<std::uint32_t, 3>& corners = triangles_[triangle - first_];
+    return {object_,
+            triangle - first_,
+            {first_vertex_ + corners[0], first_vertex_ + corners[1], first_vertex_ + corners[2]}};
+  }
+
+private:
+  void find(std::uint32_t triangle);
+
+  const Scene& scene_;
+  const Geometry& geometry_;
+  std::uint32_t object_ = 0, first_ = 0, last_ = 0, first_vertex_ = 0; // of the object; its triangles [first, last)
+  const std::array<std::uint32_t, 3>* triangles_ = nullptr;
+};
+
+/// Its corners on the lattice.
+inline std::array<WindowVertex, 3> window_corners(const Geometry& geometry, const TriangleRef& ref) {
+  return {geometry.window[ref.vertex[0]], geometry.window[ref.vertex[1]], geometry.window[ref.vertex[2]]};
+}
+
+} // namespace refraster

@@ -1,0 +1,359 @@
+#include "raster/visibility/bin.h"
+
+#include "raster/parallel.h"
+#include "raster/visibility/small_triangles.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+
+namespace refraster {
+
+Crop TileGrid::tile(std::size_t index) const {
+  const int column = static_cast<int>(index % static_cast<std::size_t>(columns()));
+  const int row = static_cast<int>(index / static_cast<std::size_t>(columns()));
+  const int left = x + column * tile_size, top = y + row * tile_size;
+  return {left, top, std::min(tile_size, x + width - left), std::min(tile_size, y + height - top)};
+}
+
+const ProjectiveTriangle& Bins::projective_triangle(std::uint32_t number) const {
+  const auto at = std::lower_bound(projective.begin(), projective.end(), number,
+                                   [](const NumberedProjective& p, std::uint32_t n) { return p.triangle < n; });
+  assert(at != projective.end() && at->triangle == number);
+  return at->set_up;
+}
+
+namespace {
+
+constexpr int lanes = NumberTraits<Native<double>>::lanes;
+using Doubles = Native<double>;
+using Ints = VectorOf<std::int32_t, lanes>; // a triangle in each lane
+using LaneSet = std::uint32_t;              // a bit for each lane
+
+// The lanes in which x is negative, as true is.
+template <class V>
+LaneSet set_where(const V& x) {
+  using Floats = VectorOf<float, sizeof(V) / sizeof(float)>;
+  if constexpr (requires(Floats v) { registers::sign_bits(v); }) {
+    return registers::sign_bits(std::bit_cast<Floats>(x));
+  } else {
+    LaneSet set = 0;
+    for (int lane = 0; lane < lanes; ++lane) set |= (x[lane] < 0 ? 1u : 0u) << lane;
+    return set;
+  }
+}
+
+Ints ints(std::int32_t x) {
+  return x - Ints{};
+}
+std::array<std::int32_t, lanes> listed(const Ints& x) {
+  return std::bit_cast<std::array<std::int32_t, lanes>>(x);
+}
+
+// Calls body(lane) for each lane of a set, in order.
+template <class Body>
+void for_each_lane(LaneSet set, Body&& body) {
+  for (; set; set &= set - 1) body(std::countr_zero(set));
+}
+
+// Bit k of a number moved to bit 4 k: so the sets of four samples become, for each triangle, four bits of its own.
+constexpr auto every_fourth = [] {
+  std::array<std::uint32_t, 1 << lanes> spread{};
+  for (std::uint32_t set = 0; set < spread.size(); ++set)
+    for (std::uint32_t lane = 0; lane < lanes; ++lane) spread[set] |= (set >> lane & 1) << 4 * lane;
+  return spread;
+}();
+
+// A rectangle of pixels in each lane, counted from the grid's corner, ends included.
+struct BoxLanes {
+  Ints left, top, right, bottom;
+  LaneSet empty() const { return set_where((left > right) | (top > bottom)); }
+};
+
+class Binner {
+public:
+  Binner(const Scene& scene, const Geometry& geometry, const TileGrid& grid, int image_width, int image_height,
+         std::span<const SamplePlace> samples)
+      : scene_(scene), geometry_(geometry), grid_(grid), image_width_(image_width), image_height_(image_height),
+        samples_(static_cast<int>(samples.size())), columns_(grid.columns()) {
+    const auto [x_low, x_high] =
+        std::minmax_element(samples.begin(), samples.end(), [](auto& p, auto& q) { return p.x < q.x; });
+    const auto [y_low, y_high] =
+        std::minmax_element(samples.begin(), samples.end(), [](auto& p, auto& q) { return p.y < q.y; });
+    tile_shift_ = std::countr_zero(static_cast<unsigned>(grid.tile_size));
+    first_x_ = x_low->x, last_x_ = x_high->x, first_y_ = y_low->y, last_y_ = y_high->y;
+  }
+
+  // Where one run of triangles goes.
+  struct Output {
+    TileLists::Run& lists;
+    std::vector<NumberedProjective>& projective;
+    FrameCounts& counts;
+  };
+
+  // Triangles [begin, end) of the frame.
+  void bin(std::uint32_t begin, std::uint32_t end, const Output& output) const {
+    const auto& first = geometry_.first_triangle;
+    const auto after = std::upper_bound(first.begin(), first.end(), begin);
+    for (auto o = static_cast<std::uint32_t>(after - first.begin()) - 1; o < scene_.objects.size() && first[o] < end;
+         ++o) {
+      const std::uint32_t last = std::min(end, first[o + 1]);
+      for (std::uint32_t number = std::max(begin, first[o]); number < last; number += lanes)
+        bin_register({o, number, number - first[o], std::min<std::uint32_t>(last - number, lanes)}, output);
+    }
+  }
+
+private:
+  // Consecutive triangles of one object, no more than a register holds.
+  struct Batch {
+    std::uint32_t object, number, in_mesh, count;
+  };
+  struct Window {
+    CornerLanes<lanes> corner[3];
+  };
+
+  Window window_of(const Batch& batch) const {
+    const PlacedVertex* const vertices = &geometry_.window.placed[geometry_.first_vertex[batch.object]];
+    const auto* triangles = &scene_.objects[batch.object].mesh->triangles[batch.in_mesh];
+    std::array<std::array<std::uint32_t, 3>, lanes> repeated;
+    if (batch.count < lanes) { // lanes to spare repeat the last one
+      for (std::uint32_t lane = 0; lane < lanes; ++lane) repeated[lane] = triangles[std::min(lane, batch.count - 1)];
+      triangles = repeated.data();
+    }
+    const auto corner = [&](std::size_t k) {
+      return gather_corners<lanes>(
+          [&](int lane) -> const PlacedVertex& { return vertices[triangles[static_cast<std::size_t>(lane)][k]]; });
+    };
+    return {{corner(0), corner(1), corner(2)}};
+  }
+
+  // The pixels p whose samples may lie in the bounding box: 256 p + last >= min and 256 p + first <= max.
+  BoxLanes bounding_box(const Window& window) const {
+    const auto& [v0, v1, v2] = window.corner;
+    const auto ceiling = [](const Ints& a) { return (a + (subpixels - 1)) >> 8; };
+    return {ceiling(lesser(v0.x_subpixel, lesser(v1.x_subpixel, v2.x_subpixel)) - last_x_) - grid_.x,
+            ceiling(lesser(v0.y_subpixel, lesser(v1.y_subpixel, v2.y_subpixel)) - last_y_) - grid_.y,
+            ((greater(v0.x_subpixel, greater(v1.x_subpixel, v2.x_subpixel)) - first_x_) >> 8) - grid_.x,
+            ((greater(v0.y_subpixel, greater(v1.y_subpixel, v2.y_subpixel)) - first_y_) >> 8) - grid_.y};
+  }
+
+  [[gnu::flatten]] void bin_register(const Batch& batch, const Output& output) const {
+    const Window window = window_of(batch);
+    const auto& [v0, v1, v2] = window.corner;
+    using Words = VectorOf<std::int32_t, 2 * lanes>;
+    const Words all = v0.words & v1.words & v2.words, any = v0.words | v1.words | v2.words;
+    const auto halves = [](const Words& words) {
+      return [&]<int... I>(std::integer_sequence<int, I...>) {
+        return std::pair<Ints, Ints>(__builtin_shufflevector(words, words, (2 * I)...),
+                                     __builtin_shufflevector(words, words, (2 * I + 1)...));
+      }
+      (std::make_integer_sequence<int, lanes>{});
+    };
+    const auto [any_side, any_state] = halves(any);
+    const Ints all_sides = halves(all).first;
+    constexpr int not_finite = outcode::not_finite >> 6, unsnapped = outcode::unsnapped >> 6;
+
+    // Each lane leaves at the first reason to.
+    LaneSet left = (1u << batch.count) - 1;
+    const auto leave = [&left](LaneSet set) {
+      const LaneSet leaving = left & set;
+      left &= ~set;
+      return leaving;
+    };
+    const auto count = [](LaneSet set) { return static_cast<std::uint64_t>(std::popcount(set)); };
+    FrameCounts& counts = output.counts;
+    counts.not_finite += count(leave(set_where((any_state & not_finite) != 0)));
+    counts.outside += count(leave(set_where((all_sides & outcode::sides) != 0)));
+    const LaneSet projective = leave(set_where((any_state & unsnapped) != 0));
+
+    const Doubles area = (v1.x - v0.x) * (v2.y - v0.y) - (v2.x - v0.x) * (v1.y - v0.y); // twice; > 0 seen from behind
+    counts.degenerate += count(leave(lane_set(area == Doubles(0.0))));
+    if (scene_.objects[batch.object].cull == Cull::back) counts.culled += count(leave(lane_set(area > Doubles(0.0))));
+    BoxLanes box = bounding_box(window);
+    counts.between_samples += count(leave(box.empty()));
+    box.left = greater(box.left, Ints{}), box.right = lesser(box.right, ints(grid_.width - 1));
+    box.top = greater(box.top, Ints{}), box.bottom = lesser(box.bottom, ints(grid_.height - 1));
+    counts.outside += count(leave(box.empty()));
+
+    counts.drawn += count(left);
+    counts.clipped += count(left & set_where((any_side & (outcode::near | outcode::far)) != 0));
+    const LaneSet small =
+        samples_ == 1 ? left & ~set_where(((box.right - box.left) > 1) | ((box.bottom - box.top) > 1)) : 0;
+    if (small == left && projective == 0) {
+      if (small) add_samples(covered_samples(window, box, small), batch, output);
+    } else {
+      add_one_by_one(batch, window, box, {projective, left, small}, output);
+    }
+  }
+
+  // The samples that small triangles cover, as list entries: those of one triangle side by side.
+  struct SampleLanes {
+    std::uint32_t covered; // bit 4 lane + i: sample i of SmallCoverage
+    std::array<std::array<std::int32_t, lanes>, 4> tile, place;
+    std::array<std::array<double, lanes>, 4> z;
+  };
+  SampleLanes covered_samples(const Window& window, const BoxLanes& box, LaneSet small) const {
+    const auto sample = [](const Ints& pixel, int corner, int offset) {
+      return numbers<lanes>((pixel + corner) * subpixels + offset);
+    };
+    const auto coverage = cover_small(set_up_lanes(window.corner[0], window.corner[1], window.corner[2]),
+                                      sample(box.left, grid_.x, first_x_), sample(box.top, grid_.y, first_y_));
+    // Beyond the box, which the grid may have cut, there is nothing.
+    const LaneSet two_wide = set_where(box.left < box.right), two_high = set_where(box.top < box.bottom);
+    const std::array<LaneSet, 4> within{small, small & two_wide, small & two_high, small & two_wide & two_high};
+    SampleLanes result;
+    result.covered = 0;
+    for (int i = 0; i < 4; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      const Ints x = box.left + (i & 1), y = box.top + (i >> 1), in_tile = ints(grid_.tile_size - 1);
+      result.tile[at] = listed((y >> tile_shift_) * columns_ + (x >> tile_shift_));
+      result.place[at] = listed((x & in_tile) | (y & in_tile) << 8 |
+                                static_cast<std::int32_t>(TileEntry::bytes(0, 0, TileEntry::sample_mark, 0)));
+      result.z[at] = refraster::listed(coverage.z[at]);
+      result.covered |= every_fourth[coverage.lanes[at] & within[at]] << i;
+    }
+    return result;
+  }
+  static void add_samples(const SampleLanes& samples, const Batch& batch, const Output& output) {
+    for (std::uint32_t set = samples.covered; set; set &= set - 1) {
+      const auto bit = static_cast<std::uint32_t>(std::countr_zero(set));
+      const std::size_t lane = bit / 4, i = bit % 4;
+      output.lists.add(
+          static_cast<std::size_t>(samples.tile[i][lane]),
+          {batch.number + bit / 4, static_cast<std::uint32_t>(samples.place[i][lane]), samples.z[i][lane]});
+    }
+  }
+
+  struct Sets {
+    LaneSet projective, snapped, small;
+  };
+  [[gnu::noinline]] void add_one_by_one(const Batch& batch, const Window& window, const BoxLanes& box, const Sets& sets,
+                                        const Output& output) const {
+    const auto& [v0, v1, v2] = window.corner;
+    const auto left = listed(box.left), right = listed(box.right);
+    const auto top = listed(box.top), bottom = listed(box.bottom);
+    const auto z_least = refraster::listed(minimum(v0.z, minimum(v1.z, v2.z)));
+    SampleLanes samples;
+    if (sets.small) samples = covered_samples(window, box, sets.small);
+    const std::uint32_t covered = sets.small ? samples.covered : 0;
+    for_each_lane(sets.projective | sets.snapped, [&](int lane) {
+      const auto k = static_cast<std::size_t>(lane);
+      const std::uint32_t number = batch.number + static_cast<std::uint32_t>(lane);
+      if (sets.projective >> lane & 1) {
+        add_projective(batch, number, output);
+      } else if (sets.small >> lane & 1) {
+        samples.covered = covered & 15u << 4 * lane;
+        add_samples(samples, batch, output);
+      } else {
+        add_box(number, {left[k], top[k], right[k], bottom[k]}, z_least[k], output.lists);
+      }
+    });
+  }
+
+  struct Box {
+    int left, top, right, bottom; // pixels of the grid
+  };
+  // Lists a triangle with each tile that it may touch. Where the bounding box holds many tiles, its lines rule out
+  // those beside a long thin triangle.
+  void add_box(std::uint32_t number, const Box& box, double z_least, TileLists::Run& lists) const {
+    const int left = box.left >> tile_shift_, right = box.right >> tile_shift_;
+    const int top = box.top >> tile_shift_, bottom = box.bottom >> tile_shift_;
+    const auto add = [&](int column, int row) {
+      const int x = column << tile_shift_, y = row << tile_shift_, last = grid_.tile_size - 1;
+      lists.add(index(column, row),
+                TileEntry::box(number, std::max(box.left - x, 0), std::max(box.top - y, 0),
+                               std::min(box.right - x, last), std::min(box.bottom - y, last), z_least));
+    };
+    if (left == right && top == bottom) return add(left, top);
+    const bool many = (right - left) * (bottom - top) >= 2;
+    const auto set_up =
+        many ? set_up_snapped(window_corners(geometry_, triangle_ref(scene_, geometry_, number))) : std::nullopt;
+    for (int row = top; row <= bottom; ++row)
+      for (int column = left; column <= right; ++column)
+        if (!many || lines_touch(set_up->line, index(column, row))) add(column, row);
+  }
+
+  void add_projective(const Batch& batch, std::uint32_t number, const Output& output) const {
+    const Object& object = scene_.objects[batch.object];
+    const TriangleRef ref = triangle_ref(scene_, geometry_, number);
+    std::array<Double4, 3> clip;
+    const auto& corners = object.mesh->triangles[ref.triangle];
+    for (std::size_t k = 0; k < 3; ++k)
+      clip[k] = clip_position(geometry_.transforms[batch.object], object.mesh->positions[corners[k]]);
+    const auto set_up =
+        set_up_projective(window_corners(geometry_, ref), clip, {image_width_, image_height_, scene_.camera.near});
+    if (!set_up) {
+      ++output.counts.degenerate;
+    } else if (object.cull == Cull::back && set_up->facing == Facing::back) {
+      ++output.counts.culled;
+    } else {
+      ++output.counts.drawn, ++output.counts.clipped;
+      output.projective.push_back({number, *set_up});
+      for (std::size_t tile = 0; tile < grid_.tiles(); ++tile)
+        if (lines_touch(set_up->piece[0].line, tile) ||
+            (set_up->pieces == 2 && lines_touch(set_up->piece[1].line, tile)))
+          output.lists.add(tile, TileEntry::projective(number));
+    }
+  }
+
+  template <class Lines>
+  bool lines_touch(const Lines& lines, std::size_t tile) const {
+    const Crop c = grid_.tile(tile);
+    const std::int32_t x0 = c.x * subpixels + first_x_, x1 = (c.x + c.width - 1) * subpixels + last_x_;
+    const std::int32_t y0 = c.y * subpixels + first_y_, y1 = (c.y + c.height - 1) * subpixels + last_y_;
+    return lines[0].most(x0, y0, x1, y1) >= 0 && lines[1].most(x0, y0, x1, y1) >= 0 &&
+           lines[2].most(x0, y0, x1, y1) >= 0;
+  }
+  std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+  }
+
+  const Scene& scene_;
+  const Geometry& geometry_;
+  const TileGrid& grid_;
+  int image_width_, image_height_, samples_, columns_;
+  int tile_shift_ = 0;                                               // tile_size is a power of two
+  std::int32_t first_x_ = 0, last_x_ = 0, first_y_ = 0, last_y_ = 0; // the sample pattern's extent in a pixel
+};
+
+void add(FrameCounts& sum, const FrameCounts& part) {
+  sum.not_finite += part.not_finite;
+  sum.outside += part.outside;
+  sum.degenerate += part.degenerate;
+  sum.culled += part.culled;
+  sum.between_samples += part.between_samples;
+  sum.clipped += part.clipped;
+  sum.drawn += part.drawn;
+}
+
+} // namespace
+
+void bin_triangles(const Scene& scene, const Geometry& geometry, const TileGrid& grid, int image_width,
+                   int image_height, std::span<const SamplePlace> samples, int threads, Bins& bins,
+                   FrameCounts& counts) {
+  const Binner binner(scene, geometry, grid, image_width, image_height, samples);
+  const std::uint32_t triangles = geometry.triangles();
+  counts.triangles = triangles;
+
+  // A few runs of consecutive triangles for each thread, since some take longer than others.
+  constexpr std::uint32_t least_run = 4096, runs_of_thread = 4;
+  const std::size_t most_runs = threads == 1 ? 1 : static_cast<std::size_t>(threads) * runs_of_thread;
+  const std::size_t runs = std::clamp<std::size_t>(triangles / least_run, 1, most_runs);
+  const auto run_begin = [&](std::size_t run) {
+    return static_cast<std::uint32_t>(static_cast<std::uint64_t>(triangles) * run / runs);
+  };
+  std::vector<std::vector<NumberedProjective>> projective(runs);
+  std::vector<FrameCounts> run_counts(runs);
+  bins.lists.reset(runs, grid.tiles());
+  parallel_for(threads, runs, [&](std::size_t run, int) {
+    binner.bin(run_begin(run), run_begin(run + 1), {bins.lists.run(run), projective[run], run_counts[run]});
+  });
+
+  bins.projective.clear();
+  for (std::size_t run = 0; run < runs; ++run) {
+    add(counts, run_counts[run]);
+    bins.projective.insert(bins.projective.end(), projective[run].begin(), projective[run].end());
+  }
+}
+
+} // namespace refraster

@@ -1,0 +1,47 @@
+#pragma once
+// Which triangles each tile has to look at, in submission order.
+
+#include "raster/frame.h"
+#include "raster/samples.h"
+#include "raster/visibility/setup.h"
+#include "raster/visibility/tile_list.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace refraster {
+
+/// The pixels of the frame that are rendered, cut into square tiles. Row 0 is the top.
+struct TileGrid {
+  int x = 0, y = 0, width = 0, height = 0; // pixels of the full image
+  int tile_size = 64;
+
+  int columns() const { return (width + tile_size - 1) / tile_size; }
+  int rows() const { return (height + tile_size - 1) / tile_size; }
+  std::size_t tiles() const { return static_cast<std::size_t>(columns()) * static_cast<std::size_t>(rows()); }
+  Crop tile(std::size_t index) const;
+};
+
+/// A triangle that needs projective set-up, with its number in the frame.
+struct NumberedProjective {
+  std::uint32_t triangle = 0;
+  ProjectiveTriangle set_up;
+};
+
+struct Bins {
+  TileLists lists;
+  std::vector<NumberedProjective> projective; // in order of number: there are few
+
+  const ProjectiveTriangle& projective_triangle(std::uint32_t number) const;
+};
+
+/// Drops what cannot be seen (counted by reason in `counts`) and lists the rest by tile, in submission order. A tile's
+/// list may hold triangles that cover none of its samples; it misses none that does. Of triangles that are so small
+/// that it is quicker to find the samples they cover at once, it holds those samples. Memory: 16 bytes a list entry.
+/// `bins` may be those of another frame: their memory is used again.
+void bin_triangles(const Scene& scene, const Geometry& geometry, const TileGrid& grid, int image_width,
+                   int image_height, std::span<const SamplePlace> samples, int threads, Bins& bins,
+                   FrameCounts& counts);
+
+} // namespace refraster

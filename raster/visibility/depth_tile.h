@@ -1,0 +1,102 @@
+#pragma once
+// The nearest depth and triangle of each sample of a tile, and bounds of the depths of its blocks.
+
+#include "raster/frame.h"
+#include "raster/lanes.h"
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+namespace refraster {
+
+/// No triangle: the sample sees the background.
+inline constexpr std::int32_t nothing = -1;
+
+/// Triangles may come in any order: of equal depths the one with the least place is seen.
+class DepthTile {
+public:
+  using Row = Native<double>; // as many neighbouring samples as a register holds
+  static constexpr int lanes = NumberTraits<Row>::lanes;
+
+  explicit DepthTile(int tile_size);
+
+  /// Every sample sees nothing.
+  void clear(const Crop& tile, std::size_t samples);
+
+  /// Where sample `s` of the pixel (x, y) is, counted from the tile's corner. Its neighbours in the row follow, and
+  /// after the row's last pixel there is room for a register, which may be written to and is never read.
+  std::size_t at(int s, int x, int y) const {
+    return (static_cast<std::size_t>(s) * rows_ + static_cast<std::size_t>(y)) * stride_ + static_cast<std::size_t>(x);
+  }
+  double depth(std::size_t sample) const { return depth_[sample]; }
+  std::int32_t nearest(std::size_t sample) const { return nearest_[sample]; }
+  const std::int32_t* nearest_row(std::size_t sample) const { return &nearest_[sample]; }
+
+  void see(std::size_t sample, double z, std::int32_t place) {
+    if (z < depth_[sample] || (z == depth_[sample] && place < nearest_[sample])) {
+      depth_[sample] = z;
+      nearest_[sample] = place;
+    }
+  }
+  /// Samples of a row, from one of them on.
+  struct Samples {
+    double* depth;
+    std::int32_t* nearest;
+    Samples operator+(int pixels) const { return {depth + pixels, nearest + pixels}; }
+    /// The same for a register of them, where `covered` is set.
+    void see(const Row& z, MaskOf<Row> covered, std::int32_t place) const;
+  };
+  Samples samples(std::size_t first) { return {&depth_[first], &nearest_[first]}; }
+
+  /// Looks at all depths: hides() knows of what was drawn before.
+  void refresh_bounds();
+  /// All samples of these pixels, ends included, are known to be nearer than z.
+  bool hides(int left, int top, int right, int bottom, double z) const;
+
+private:
+  static constexpr int block = 8; // pixels, one above the other
+  using Places = VectorOf<std::int32_t, lanes>;
+
+  const double* bound(int block_row, int x) const {
+    return &bound_[static_cast<std::size_t>(block_row) * stride_ + static_cast<std::size_t>(x)];
+  }
+
+  std::size_t rows_, stride_;
+  std::size_t samples_ = 0;
+  int height_ = 0; // of the tile
+  bool bounded_ = false;
+  std::vector<double> depth_, bound_; // of a block: none of its samples lies behind
+  std::vector<std::int32_t> nearest_;
+};
+
+inline void DepthTile::Samples::see(const Row& z, MaskOf<Row> covered, std::int32_t place) const {
+  const Row old = load_lanes<Row>(depth);
+  auto seen = covered & (z < old);
+  const auto tie = covered & (z == old);
+  if (any(tie)) [[unlikely]] {
+    seen = seen | (tie & (Row(static_cast<double>(place)) < numbers<lanes>(load_lanes<Places>(nearest))));
+  }
+  store_lanes(depth, select(seen, z, old));
+#if defined(__AVX512VL__)
+  if constexpr (lanes == 8) {
+    _mm256_mask_storeu_epi32(nearest, static_cast<__mmask8>(lane_set(seen)), _mm256_set1_epi32(place));
+    return;
+  }
+#endif
+  const Places where = __builtin_convertvector(lane_bits(seen), Places);
+  store_lanes(nearest, where ? place - Places{} : load_lanes<Places>(nearest));
+}
+
+inline bool DepthTile::hides(int left, int top, int right, int bottom, double z) const {
+  if (!bounded_) return false;
+  for (int row = top / block; row <= bottom / block; ++row)
+    for (int x = left; x <= right; x += lanes) {
+      const auto within = lane_numbers<double, lanes>() <= Row(static_cast<double>(right - x));
+      if (any(within & (load_lanes<Row>(bound(row, x)) >= Row(z)))) return false;
+    }
+  return true;
+}
+
+} // namespace refraster

@@ -1,0 +1,175 @@
+#include "raster/visibility/draw_snapped.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+
+namespace refraster {
+
+namespace {
+
+constexpr int lanes = SnappedDrawer::lanes;
+using Row = DepthTile::Row;
+using Ints = VectorOf<std::int32_t, lanes>;
+
+double sum(const Row& x, std::size_t count) {
+  double result = 0;
+  for (std::size_t lane = 0; lane < count; ++lane) result += x[static_cast<int>(lane)];
+  return result;
+}
+
+// A triangle's lines and depth along a row, a register of samples wide, step by step to the right. Values are integers
+// under 2^53, exact in double however they are added up: see subpixel.h.
+struct RowWalk {
+  std::array<Row, 3> e, step, least;
+  Row z0, slope1, slope2, z_min, z_max;
+
+  // Draws the register, and goes on to the next.
+  template <class Clip>
+  void draw(const DepthTile::Samples& samples, std::int32_t place, const Clip& clip) {
+    // The same operations as SnappedTriangle::depth.
+    const Row z = minimum(maximum(z0 + e[1] * slope1 + e[2] * slope2, z_min), z_max);
+    const auto covered = (e[0] > least[0]) & (e[1] > least[1]) & (e[2] > least[2]);
+    samples.see(z, clip(covered, z), place);
+    for (std::size_t k = 0; k < 3; ++k) e[k] += step[k];
+  }
+};
+
+} // namespace
+
+[[gnu::flatten]] double SnappedDrawer::draw(std::span<const PlacedTriangle> triangles, const Geometry& geometry,
+                                            const Crop& tile, std::span<const SamplePlace> samples, DepthTile& depths) {
+  const std::size_t count = triangles.size();
+  const auto corner = [&](std::size_t k) {
+    return gather_corners<lanes>([&](int lane) -> const PlacedVertex& {
+      return geometry.window.placed[triangles[std::min(static_cast<std::size_t>(lane), count - 1)].vertex[k]];
+    });
+  };
+  const CornerLanes<lanes> v0 = corner(0), v1 = corner(1), v2 = corner(2);
+  const SnappedLanes<lanes> t = set_up_lanes(v0, v1, v2);
+  for (std::size_t lane = 0; lane < count; ++lane) ready_.place[lane] = triangles[lane].place;
+  const Row pixel(double{subpixels});
+  const std::array<Row, 3> right_step{t.a0() * pixel, t.a1 * pixel, t.a2 * pixel};
+  const std::array<Row, 3> down_step{t.b0() * pixel, t.b1 * pixel, t.b2 * pixel};
+  for (std::size_t k = 0; k < 3; ++k) {
+    store_lanes(ready_.right_step[k].data(), right_step[k]);
+    store_lanes(ready_.down_step[k].data(), down_step[k]);
+    store_lanes(ready_.least[k].data(), t.least[k]);
+  }
+  store_lanes(ready_.z0.data(), t.z0), store_lanes(ready_.slope1.data(), t.slope1),
+      store_lanes(ready_.slope2.data(), t.slope2);
+  store_lanes(ready_.z_min.data(), t.z_min), store_lanes(ready_.z_max.data(), t.z_max);
+
+  const Ints x_min = lesser(v0.x_subpixel, lesser(v1.x_subpixel, v2.x_subpixel));
+  const Ints y_min = lesser(v0.y_subpixel, lesser(v1.y_subpixel, v2.y_subpixel));
+  const Ints x_max = greater(v0.x_subpixel, greater(v1.x_subpixel, v2.x_subpixel));
+  const Ints y_max = greater(v0.y_subpixel, greater(v1.y_subpixel, v2.y_subpixel));
+  // Pixels p of the tile with bounding box min <= 256 p + sample <= max.
+  const auto first = [](const Ints& min, int offset, int begin) {
+    return greater(((min - offset + (subpixels - 1)) >> 8) - begin, Ints{});
+  };
+  const auto last = [](const Ints& max, int offset, int begin, int size) {
+    return lesser(((max - offset) >> 8) - begin, size - 1 - Ints{});
+  };
+  double area = 0;
+  for (std::size_t s = 0; s < samples.size(); ++s) {
+    const SamplePlace sample = samples[s];
+    const Ints left = first(x_min, sample.x, tile.x), right = last(x_max, sample.x, tile.x, tile.width);
+    const Ints top = first(y_min, sample.y, tile.y), bottom = last(y_max, sample.y, tile.y, tile.height);
+    const auto subpixel = [](const Ints& p, int begin, int offset) {
+      return numbers<lanes>((p + begin) * subpixels + offset);
+    };
+    const Row dx = subpixel(left, tile.x, sample.x) - t.x0, dy = subpixel(top, tile.y, sample.y) - t.y0;
+    const Row e1 = t.a1 * dx + t.b1 * dy, e2 = t.a2 * dx + t.b2 * dy;
+    const std::array<Row, 3> start{t.size - e1 - e2, e1, e2};
+    for (std::size_t k = 0; k < 3; ++k) store_lanes(ready_.start[k].data(), start[k]);
+    store_lanes(ready_.left.data(), left), store_lanes(ready_.right.data(), right), store_lanes(ready_.top.data(), top),
+        store_lanes(ready_.bottom.data(), bottom);
+    const SpanEdges<lanes> edges = span_edges<lanes>(start, right_step, down_step);
+    for (std::size_t i = 0; i < 2; ++i) {
+      store_lanes(ready_.edge[i].data(), edges.left[i].edge), store_lanes(ready_.slope[i].data(), edges.left[i].slope);
+      store_lanes(ready_.edge[2 + i].data(), edges.right[i].edge),
+          store_lanes(ready_.slope[2 + i].data(), edges.right[i].slope);
+    }
+    if (s == 0) {
+      // The triangle's area, if it lies in the tile; up to the whole of the tile, the less of its box lies there.
+      const Row pixels(1.0 / (subpixels * subpixels));
+      const Row box = numbers<lanes>(x_max - x_min) * numbers<lanes>(y_max - y_min) * pixels;
+      const Row in_tile = numbers<lanes>(right - left + 1) * numbers<lanes>(bottom - top + 1);
+      const Row share = minimum(in_tile / box, Row(1.0));
+      const Row covered = t.size * pixels * Row(0.5) * share * (Row(2.0) - share);
+      area = sum(maximum(minimum(covered, in_tile), Row(0.0)), count);
+    }
+    for (std::size_t lane = 0; lane < count; ++lane)
+      if (ready_.left[lane] <= ready_.right[lane]) draw_one(lane, static_cast<int>(s), depths);
+  }
+  return area;
+}
+
+void SnappedDrawer::draw_one(std::size_t lane, int s, DepthTile& depths) {
+  RowWalk walk;
+  std::array<Row, 3> in_register;
+  for (std::size_t k = 0; k < 3; ++k) {
+    in_register[k] = lane_numbers<double, lanes>() * Row(ready_.right_step[k][lane]);
+    walk.step[k] = Row(ready_.right_step[k][lane] * lanes);
+    walk.least[k] = Row(ready_.least[k][lane]);
+  }
+  walk.z0 = Row(ready_.z0[lane]), walk.slope1 = Row(ready_.slope1[lane]), walk.slope2 = Row(ready_.slope2[lane]);
+  walk.z_min = Row(ready_.z_min[lane]), walk.z_max = Row(ready_.z_max[lane]);
+  const std::int32_t place = ready_.place[lane];
+  const int left = ready_.left[lane], top = ready_.top[lane];
+  const int width = ready_.right[lane] - left + 1, rows = ready_.bottom[lane] - top + 1;
+
+  const auto row_of = [&](int row) { return depths.samples(depths.at(s, left, top + row)); };
+  const auto draw_rows = [&](const auto& clip) {
+    if (width <= lanes) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        walk.e[k] = Row(ready_.start[k][lane]) + in_register[k];
+        walk.step[k] = Row(ready_.down_step[k][lane]);
+      }
+      for (int row = 0; row < rows; ++row) walk.draw(row_of(row), place, clip);
+      return;
+    }
+    const auto of_lane = [lane](const std::array<Each<double>, 3>& values) {
+      return std::array<double, 3>{values[0][lane], values[1][lane], values[2][lane]};
+    };
+    const auto edge = [&](std::size_t i) { return SpanBounds::Edge{ready_.edge[i][lane], ready_.slope[i][lane]}; };
+    spans_.find<lanes>({{edge(0), edge(1)}, {edge(2), edge(3)}}, rows, width, of_lane(ready_.start),
+                       of_lane(ready_.right_step), of_lane(ready_.down_step));
+    const auto begin_at = [&](int row) {
+      for (std::size_t k = 0; k < 3; ++k) walk.e[k] = Row(spans_.value(k, row)) + in_register[k];
+    };
+    if (width > 3 * lanes) {
+      for (int row = 0; row < rows; ++row) {
+        begin_at(row);
+        const DepthTile::Samples samples = row_of(row);
+        const int last = spans_.last(row);
+        for (int x = spans_.first(row); x <= last; x += lanes) walk.draw(samples + x, place, clip);
+      }
+      return;
+    }
+    // Whether a row needs a second step differs from row to row as if at random, and a branch for it would be guessed
+    // wrongly half of the time: first every row has one step, and then those have more that need it.
+    std::array<std::uint8_t, RowSpans::most_rows> long_row;
+    std::size_t long_rows = 0;
+    for (int row = 0; row < rows; ++row) {
+      const int x = spans_.first(row);
+      begin_at(row);
+      walk.draw(row_of(row) + x, place, clip);
+      long_row[long_rows] = static_cast<std::uint8_t>(row);
+      long_rows += x + lanes <= spans_.last(row);
+    }
+    for (std::size_t i = 0; i < long_rows; ++i) {
+      const int row = long_row[i], last = spans_.last(row);
+      const DepthTile::Samples samples = row_of(row);
+      begin_at(row);
+      for (std::size_t k = 0; k < 3; ++k) walk.e[k] += walk.step[k];
+      for (int x = spans_.first(row) + lanes; x <= last; x += lanes) walk.draw(samples + x, place, clip);
+    }
+  };
+  if (ready_.z_min[lane] < -1) // cut by the near plane
+    draw_rows([](auto covered, const Row& z) { return covered & (z >= Row(-1.0)); });
+  else draw_rows([](auto covered, const Row&) { return covered; });
+}
+
+} // namespace refraster

@@ -1,0 +1,89 @@
+#pragma once
+// Triangle set-up: three canonical points become three lines, a depth and the weights of perspective interpolation.
+// Nothing is clipped to the view: a triangle's values are those of the whole triangle, whatever plane it crosses.
+
+#include "raster/vertex/subpixel.h"
+#include "raster/vertex/transform.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+
+namespace refraster {
+
+enum class Facing { front, back }; // front: its corners run counter-clockwise in the image
+
+/// A triangle whose three vertices lie on the lattice: nearly all of them.
+///
+/// The corners are taken in an order that depends on their places only, so that the same triangle submitted with its
+/// vertices rotated or reversed has the same depth and the same attributes at every sample, bit for bit.
+struct SnappedTriangle {
+  std::array<SnappedLine, 3> line;      // line[k] is opposite corner[k], positive inside
+  std::array<std::uint8_t, 3> corner{}; // which submitted vertex stands at each place
+  Facing facing = Facing::front;
+  // z / w at a sample = z0 + line[1].at(sample) slope1 + line[2].at(sample) slope2, kept within [z_min, z_max].
+  double z0 = 0, slope1 = 0, slope2 = 0, z_min = 0, z_max = 0;
+  std::int32_t x_min = 0, x_max = 0, y_min = 0, y_max = 0; // bounding box, subpixels
+
+  double depth(std::int32_t x, std::int32_t y) const {
+    const double z =
+        z0 + static_cast<double>(line[1].at(x, y)) * slope1 + static_cast<double>(line[2].at(x, y)) * slope2;
+    return z < z_min ? z_min : z > z_max ? z_max : z;
+  }
+};
+
+/// The weights of perspective interpolation, from 1 / w > 0 of the corners: attribute f at a sample = sum of mu_k f_k /
+/// sum of mu_k with mu_k = line[k].at(sample) weight[k]. 0 < weight <= 1.
+inline std::array<double, 3> perspective_weights(const std::array<double, 3>& inverse_w) {
+  const double nearest = std::max(inverse_w[0], std::max(inverse_w[1], inverse_w[2]));
+  return {inverse_w[0] / nearest, inverse_w[1] / nearest, inverse_w[2] / nearest};
+}
+
+/// Part of a triangle with a corner at or behind the eye plane, or beyond the guard band: a triangle all of whose
+/// vertices have w > 0. A vertex is a homogeneous window point (X : Y : W), and an edge the line through two of them,
+/// computed without rounding whatever the coordinates and then cut to 61 bits of slope, exactly through any end that is
+/// on the lattice. A sample p is covered where p = sum of lambda_k (X : Y : W)_k with all lambda_k >= 0. Olano and
+/// Greer, "Triangle scan conversion using 2D homogeneous coordinates", 1997.
+struct ProjectivePiece {
+  std::array<ProjectiveLine, 3> line; // line[k] is opposite vertex k, positive inside
+  Facing facing = Facing::front;
+  std::array<double, 3>
+      weight{}; // nu_k = line[k].at(sample) weight[k]: the sample's clip point is the sum of nu_k vertex_k
+  std::array<double, 3> z{}, w{};               // clip coordinates of the vertices
+  std::array<std::array<double, 3>, 3> share{}; // vertex k is the sum of share[k][c] corner_c; none is negative
+
+  bool covers(std::int32_t x, std::int32_t y) const;
+  /// z / w at a sample. Not in [-1, 1] where a depth plane cuts it off.
+  double depth(std::int32_t x, std::int32_t y) const;
+};
+
+/// A triangle with such a corner: itself; or, where corners lie at or behind the eye plane, what lies of it beyond half
+/// the distance of the near plane, as one or two pieces. An edge that goes behind the eye is cut there, at a point that
+/// depends on the edge alone, so that neighbours meet; what is interpolated is still that of the whole triangle.
+///
+/// Why an edge is cut, and does not run on to its end behind the eye as homogeneous coordinates allow: snapping may
+/// move the end in front by half a subpixel, and the end behind pulls at the other side of the eye. Let both be a
+/// million units away: in the window they are a thousandth of a subpixel apart, and the line through them would be
+/// anywhere. Between points that all lie in front, snapping moves nothing further than half a subpixel.
+struct ProjectiveTriangle {
+  std::array<ProjectivePiece, 2> piece;
+  int pieces = 0;
+  std::array<std::uint8_t, 3> corner{}; // which submitted vertex stands at each place
+  Facing facing = Facing::front;
+};
+
+/// The size of an image, and the least distance w at which anything is drawn.
+struct ImageShape {
+  int width = 0, height = 0;
+  double near = 0;
+};
+
+/// Nothing if the triangle has no area on the lattice.
+std::optional<SnappedTriangle> set_up_snapped(const std::array<WindowVertex, 3>& v);
+/// Nothing if the three points are on one line, or all behind the eye. `clip` are the vertices' clip coordinates, all
+/// finite; not used of a vertex that is on the lattice.
+std::optional<ProjectiveTriangle> set_up_projective(const std::array<WindowVertex, 3>& v,
+                                                    const std::array<Double4, 3>& clip, const ImageShape& shape);
+
+} // namespace refraster

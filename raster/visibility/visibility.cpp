@@ -1,0 +1,94 @@
+#include "raster/visibility/visibility.h"
+
+#include "raster/visibility/depth_range.h"
+#include "raster/visibility/draw_projective.h"
+
+#include <algorithm>
+#include <array>
+
+namespace refraster {
+
+void TileVisibility::decide(const Scene& scene, const Geometry& geometry, const Bins& bins, std::size_t index,
+                            const Crop& tile, std::span<const SamplePlace> samples) {
+  tile_ = tile;
+  samples_ = samples;
+  depths_.clear(tile, samples.size());
+  read(bins, index);
+  if (boxed_.size() > 1) sort_boxed();
+  draw_boxed(scene, geometry);
+}
+
+// Draws what is simple, and notes what is not.
+void TileVisibility::read(const Bins& bins, std::size_t index) {
+  triangles_.clear();
+  boxed_.clear();
+  bins.lists.for_each_piece(index, [&](std::span<const TileEntry> entries) {
+    for (const TileEntry& entry : entries) {
+      switch (entry.kind()) {
+      case TileEntry::Kind::sample: {
+        const std::size_t sample = depths_.at(entry.s(), entry.x(), entry.y());
+        if (entry.z <= depths_.depth(sample)) depths_.see(sample, entry.z, place_of(entry.triangle));
+        break;
+      }
+      case TileEntry::Kind::box:
+        if (entry.z < beyond_far) boxed_.push_back({entry, place_of(entry.triangle)});
+        break;
+      case TileEntry::Kind::projective:
+        draw_projective(bins.projective_triangle(entry.triangle), place_of(entry.triangle), tile_, samples_, depths_);
+        break;
+      }
+    }
+  });
+}
+
+// From front to back, more or less: the nearer triangles come first, the more of those behind need not be drawn at all.
+void TileVisibility::sort_boxed() {
+  constexpr std::size_t drawers = 32;
+  const auto depth = [](const Boxed& boxed) { return minimum(maximum(boxed.entry.z, -1.0), 1.0); };
+  double nearest = 1, farthest = -1;
+  for (const Boxed& boxed : boxed_) {
+    nearest = minimum(depth(boxed), nearest);
+    farthest = maximum(depth(boxed), farthest);
+  }
+  if (!(farthest - nearest >= 0x1p-1000)) return; // the same depth; or so near it that the scale would be infinite
+  const double scale = (drawers - 0.5) / (farthest - nearest);
+  const auto drawer_of = [&](const Boxed& boxed) {
+    return std::min(static_cast<std::size_t>((depth(boxed) - nearest) * scale), drawers - 1);
+  };
+  std::array<std::size_t, drawers> next{};
+  for (const Boxed& boxed : boxed_) ++next[drawer_of(boxed)];
+  std::size_t begin = 0;
+  for (std::size_t& n : next) begin += std::exchange(n, begin);
+  sorted_.resize(boxed_.size());
+  for (const Boxed& boxed : boxed_) sorted_[next[drawer_of(boxed)]++] = boxed;
+  boxed_.swap(sorted_);
+}
+
+void TileVisibility::draw_boxed(const Scene& scene, const Geometry& geometry) {
+  std::array<PlacedTriangle, SnappedDrawer::lanes> together;
+  std::size_t count = 0;
+  // Once as much has been drawn as covers the tile, it is worth while to look how deep it is everywhere: before large
+  // triangles wait for each other.
+  const double enough = 0.875 * tile_.width * tile_.height;
+  double drawn = 0, waiting = 0; // pixels: covered, about; in the boxes of triangles that wait
+  TriangleFinder finder(scene, geometry);
+  const auto draw_together = [&] {
+    drawn += drawer_.draw({together.data(), count}, geometry, tile_, samples_, depths_);
+    count = 0;
+    waiting = 0;
+    if (drawn < enough) return;
+    drawn = 0;
+    depths_.refresh_bounds();
+  };
+  for (const Boxed& boxed : boxed_) {
+    const TileEntry& entry = boxed.entry;
+    if (depths_.hides(entry.left(), entry.top(), entry.right(), entry.bottom(), entry.z)) continue;
+    const TriangleRef ref = finder.at(entry.triangle);
+    together[count++] = {{ref.vertex[0], ref.vertex[1], ref.vertex[2]}, boxed.place};
+    waiting += (entry.right() - entry.left() + 1) * (entry.bottom() - entry.top() + 1);
+    if (count == together.size() || waiting >= enough) draw_together();
+  }
+  if (count > 0) draw_together();
+}
+
+} // namespace refraster

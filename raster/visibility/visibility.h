@@ -1,0 +1,56 @@
+#pragma once
+// Which triangle each sample of a tile sees: exact coverage, then depth. No number type of any rung is involved.
+
+#include "raster/visibility/bin.h"
+#include "raster/visibility/draw_snapped.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace refraster {
+
+/// The nearest triangle of each sample of one tile. Reused from tile to tile.
+class TileVisibility {
+public:
+  explicit TileVisibility(int tile_size) : depths_(tile_size) {}
+
+  /// Decides every sample of a tile: number `index` of the grid that was binned, with the pixels `tile`. Depth test
+  /// LESS: of equal depths the first submitted stays. Depth outside [-1, 1] is not drawn; both ends are.
+  void decide(const Scene& scene, const Geometry& geometry, const Bins& bins, std::size_t index, const Crop& tile,
+              std::span<const SamplePlace> samples);
+
+  /// The numbers of the triangles that samples may refer to, in submission order.
+  std::span<const std::uint32_t> triangles() const { return triangles_; }
+  /// The triangle seen by sample `s` of the pixel (x, y), counted from the tile's corner: its place in triangles(), or
+  /// `nothing`.
+  std::int32_t nearest(int s, int x, int y) const { return depths_.nearest(depths_.at(s, x, y)); }
+  /// The same for a whole row of the tile.
+  const std::int32_t* row(int s, int y) const { return depths_.nearest_row(depths_.at(s, 0, y)); }
+  /// Its z / w.
+  double depth(int s, int x, int y) const { return depths_.depth(depths_.at(s, x, y)); }
+
+private:
+  // A triangle whose bounding box is to be searched.
+  struct Boxed {
+    TileEntry entry;
+    std::int32_t place;
+  };
+  // Triangles come in submission order, each perhaps several times in a row.
+  std::int32_t place_of(std::uint32_t triangle) {
+    if (triangles_.empty() || triangles_.back() != triangle) triangles_.push_back(triangle);
+    return static_cast<std::int32_t>(triangles_.size() - 1);
+  }
+  void read(const Bins& bins, std::size_t index);
+  void sort_boxed();
+  void draw_boxed(const Scene& scene, const Geometry& geometry);
+
+  DepthTile depths_;
+  SnappedDrawer drawer_;
+  std::vector<std::uint32_t> triangles_;
+  std::vector<Boxed> boxed_, sorted_;
+  Crop tile_;
+  std::span<const SamplePlace> samples_;
+};
+
+} // namespace refraster

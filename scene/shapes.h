@@ -1,0 +1,45 @@
+#pragma once
+// Meshes that need no file.
+
+#include "scene/scene.h"
+
+namespace refraster {
+
+// All are in object space, counter-clockwise seen from outside, with unit normals and uv in [0, 1]. Where uv jumps or
+// the normal breaks, vertices are duplicated; every vertex belongs to a triangle. The same bits on every machine, and
+// mirror images of each other where the shape is: sines are computed here, not by the system's library.
+
+/// The unit sphere, swept by two angles: the longitude 2 pi u runs eastward from the back (-Z), the latitude pi v from
+/// the south pole to the north pole.
+///
+///     x = -sin(pi v) sin(2 pi u),   y = -cos(pi v),   z = -sin(pi v) cos(2 pi u)
+///
+/// u = 1/2 faces +Z, where a camera usually stands, so a texture appears upright, unmirrored, and with its seam behind.
+/// Cut at `segments` longitudes and `rings` latitudes this is a grid of quads, two triangles each; beside a pole a quad
+/// has lost one edge and is a single triangle. Each of these has a pole vertex of its own, at the u of its middle: one
+/// vertex cannot have the u of all. The seam is there twice, with u = 0 and u = 1.
+/// segments >= 3, rings >= 2; 2 segments (rings - 1) triangles.
+Mesh sphere_mesh(int segments, int rings);
+
+/// [-1, 1]^3: six faces of two triangles, each with its own flat normal and the whole of [0, 1]^2 as uv.
+Mesh cube_mesh();
+
+/// [-1, 1]^2 in the xz plane, facing +Y; u runs along +X, v along -Z. segments >= 1 a side; 2 segments^2 triangles.
+Mesh plane_mesh(int segments);
+
+/// A torus around the Y axis: the centre of the tube is the unit circle. u runs round the axis as on the sphere, v
+/// round the tube, from its innermost circle downward and out. 0 < tube_radius; at 1 the hole closes, above 1 it
+/// intersects itself. segments >= 3 round the axis, rings >= 3 round the tube; 2 segments rings triangles.
+Mesh torus_mesh(int segments, int rings, double tube_radius);
+
+/// A trefoil: a tube around the knot that winds twice round the Y axis and three times round the circle of radius 1,
+/// at a distance of 2/5 from that circle.
+///
+///     c(t) = (1 + 2/5 cos 3t) e(2t) - 2/5 sin 3t Y,   e(a) the unit vector of longitude a, as on the sphere
+///
+/// u runs along the knot and v round the tube, which is round at every u. Curved in every way, it shows what a
+/// reflection model does at all angles. 0 < tube_radius; above 1/3 or so it intersects itself.
+/// segments >= 3 along the knot, rings >= 3 round the tube; 2 segments rings triangles.
+Mesh knot_mesh(int segments, int rings, double tube_radius);
+
+} // namespace refraster

@@ -1,0 +1,36 @@
+#include "tests/support/scenes/listed_scenes.h"
+
+#include "io/scene/scene_file.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace refraster {
+
+static const std::filesystem::path scenes = std::filesystem::path(REFRASTER_SOURCE_DIR) / "scenes";
+
+std::vector<std::string> listed_scenes() {
+  std::vector<std::string> paths = {scenes / "lecture" / "config.json"};
+  for (const auto& entry : std::filesystem::directory_iterator(scenes / "gallery"))
+    if (entry.path().extension() == ".json") paths.push_back(entry.path());
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+std::vector<std::string> quick_scenes() {
+  const std::filesystem::path gallery = scenes / "gallery";
+  return {scenes / "lecture" / "config.json", gallery / "extreme.json", gallery / "grazing.json",
+          gallery / "still_life.json"};
+}
+
+const Scene& listed_scene(const std::string& path) {
+  static std::string kept_path;
+  static Scene kept;
+  if (path != kept_path) {
+    kept = read_scene(path);
+    kept_path = path;
+  }
+  return kept;
+}
+
+} // namespace refraster

@@ -1,0 +1,212 @@
+#include "tests/support/scenes/random_scene.h"
+
+#include "math/rungs.h"
+#include "scene/shapes.h"
+#include "tests/support/invariants.h"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+
+namespace refraster::test {
+namespace {
+
+bool one_in(Random& random, int n) {
+  return random.below(n) == 0;
+}
+
+/// Mostly what people write; now and then anything finite.
+double coordinate(Random& random) {
+  return one_in(random, 12) ? random.hard<double>() : random.uniform(-3, 3);
+}
+Double3 vector(Random& random) {
+  const double x = coordinate(random), y = coordinate(random), z = coordinate(random);
+  return {x, y, z};
+}
+/// A number >= 0, the same way.
+double amount(Random& random) {
+  switch (random.below(12)) {
+  case 0:
+    return std::abs(random.hard<double>());
+  case 1:
+  case 2:
+    return 0;
+  default:
+    return random.uniform(0, 2);
+  }
+}
+Double3 colour(Random& random) {
+  const double r = amount(random), g = amount(random), b = amount(random);
+  return {r, g, b};
+}
+
+/// Triangles that have little to do with each other: degenerate ones, huge ones, normals and uvs of any kind.
+Mesh loose_triangles(Random& random) {
+  const auto number = [&] {
+    return one_in(random, 20) ? random.hard<float>() : static_cast<float>(random.uniform(-2, 2));
+  };
+  const auto triple = [&] {
+    const float x = number(), y = number(), z = number();
+    return Float3(x, y, z);
+  };
+  Mesh mesh;
+  const auto vertices = static_cast<std::uint32_t>(3 + random.below(30));
+  // All have uvs, or the first ones, or none.
+  const auto textured = static_cast<std::uint32_t>(random.below(3) * static_cast<int>(vertices) / 2);
+  for (std::uint32_t i = 0; i < vertices; ++i) {
+    mesh.positions.push_back(one_in(random, 8) && i > 0 ? mesh.positions.back() : triple());
+    mesh.normals.push_back(one_in(random, 8) ? Float3(0) : triple());
+    const Float3 uv = triple();
+    if (i < textured) mesh.uvs.emplace_back(uv.x, uv.y);
+  }
+  const auto any = [&] { return static_cast<std::uint32_t>(random.below(static_cast<int>(vertices))); };
+  for (std::uint32_t i = 0; i < vertices; ++i) { // each vertex is used
+    const std::uint32_t b = any(), c = any();
+    mesh.triangles.push_back({i, b, c});
+  }
+  return mesh;
+}
+
+Mesh random_mesh(Random& random) {
+  const auto cuts = [&](int least) { return least + random.below(one_in(random, 10) ? 40 : 10); };
+  const double tube = one_in(random, 8) ? random.magnitude(1e-6, 1000) : random.uniform(0.05, 1.2);
+  const int a = cuts(3), b = cuts(3);
+  switch (random.below(7)) {
+  case 0:
+    return sphere_mesh(a, b - 1);
+  case 1:
+    return cube_mesh();
+  case 2:
+    return plane_mesh(a - 2);
+  case 3:
+    return torus_mesh(a, b, tube);
+  case 4:
+    return knot_mesh(a, b, tube);
+  default:
+    return loose_triangles(random);
+  }
+}
+
+std::shared_ptr<const Texture> random_texture(Random& random, TextureFilter filter) {
+  auto texture = std::make_shared<Texture>();
+  texture->full_scale = one_in(random, 3) ? 65535 : 255;
+  TextureLevel& level = texture->levels.emplace_back();
+  level.width = 1 + random.below(17);
+  level.height = 1 + random.below(17);
+  for (int i = 0; i < 3 * level.width * level.height; ++i)
+    level.rgb.push_back(static_cast<float>(random.below(static_cast<int>(texture->full_scale) + 1)));
+  if (filter == TextureFilter::trilinear) build_mip_levels(*texture);
+  return texture;
+}
+
+/// One for all scenes: it has 105 MB. A third of it was never measured.
+std::shared_ptr<const MerlTable> ragged_table() {
+  static const auto table = [] {
+    Random random(1);
+    PaddedVector<double> rgb(3 * MerlTable::samples);
+    for (std::size_t i = 0; i < rgb.size(); i += 3) {
+      const bool measured = random.below(3) > 0;
+      for (std::size_t c = 0; c < 3; ++c) rgb[i + c] = measured ? random.magnitude(1e-6, 1e3) : -1;
+    }
+    return std::make_shared<const MerlTable>(std::move(rgb));
+  }();
+  return table;
+}
+
+template <class Enum>
+Enum any_of(Random& random) {
+  return EnumNames<Enum>::names[random.below(static_cast<int>(std::size(EnumNames<Enum>::names)))].first;
+}
+
+struct RandomModel {
+  Random& random;
+
+  void operator()(PhongParameters& model) const {
+    model.ka = colour(random), model.kd = colour(random), model.ks = colour(random);
+    model.glossiness = one_in(random, 6) ? random.magnitude(1e-9, 1e9) : amount(random) * 20;
+    if (!std::isfinite(model.glossiness)) model.glossiness = 0;
+    model.specular_gate = any_of<SpecularGate>(random);
+  }
+  void operator()(Merl& model) const {
+    model.table = ragged_table();
+    model.lookup = any_of<MerlLookup>(random);
+    model.angles = any_of<MerlAngles>(random);
+  }
+};
+
+template <std::size_t... I>
+Model model_number(std::size_t which, std::index_sequence<I...>) {
+  Model model;
+  ((which == I ? void(model.emplace<I>()) : void()), ...);
+  return model;
+}
+
+Object random_object(Random& random) {
+  constexpr std::size_t models = std::variant_size_v<Model>;
+  Object object;
+  object.name = "object";
+  object.mesh = std::make_shared<const Mesh>(random_mesh(random));
+  object.position = one_in(random, 4) ? vector(random) : Double3{random.uniform(-1, 1), random.uniform(-1, 1), 0};
+  object.rotate_degrees = vector(random) * (one_in(random, 2) ? 1.0 : 60.0);
+  object.scale = one_in(random, 3) ? vector(random) : Double3(random.uniform(0.3, 2));
+  const auto finite = [](Double3& a, const Double3& otherwise) {
+    if (!std::isfinite(a.x + a.y + a.z)) a = otherwise;
+  };
+  finite(object.rotate_degrees, Double3(90));
+  if (one_in(random, 8)) object.scale[random.below(3)] = 0;
+  object.cull = any_of<Cull>(random);
+  object.material.model =
+      model_number(static_cast<std::size_t>(random.below(models)), std::make_index_sequence<models>{});
+  std::visit(RandomModel{random}, object.material.model);
+  object.material.texture_filter = any_of<TextureFilter>(random);
+  if (!one_in(random, 3)) object.material.texture = random_texture(random, object.material.texture_filter);
+  return object;
+}
+
+/// As io/scene/scene_reader.cpp takes them: with a line of sight of finite length, and up not along it.
+Camera random_camera(Random& random) {
+  for (;;) {
+    Camera camera;
+    camera.position = one_in(random, 10) ? vector(random) : Double3{random.uniform(-2, 2), random.uniform(-2, 2), 5};
+    camera.target = one_in(random, 6) ? vector(random) : Double3{random.uniform(-0.5, 0.5), 0, 0};
+    camera.up = one_in(random, 4) ? vector(random) : Double3(0, 1, 0);
+    camera.fov_y_degrees = one_in(random, 5) ? 180 * random.magnitude(1e-9, 0.999999) : random.uniform(15, 80);
+    camera.near = one_in(random, 6) ? random.magnitude(1e-300, 1) : random.uniform(0.01, 3);
+    camera.far = one_in(random, 6) ? random.magnitude(1, 1e300) : camera.near + random.uniform(1, 100);
+    const Double3 sight = camera.target - camera.position;
+    const double distance = length(sight), tilt = length(cross(normalize(sight), normalize(camera.up)));
+    if (camera.near < camera.far && distance > 0 && std::isfinite(distance) && tilt > 1e-6) return camera;
+  }
+}
+
+} // namespace
+
+Scene random_scene(Random& random) {
+  Scene scene;
+  scene.camera = random_camera(random);
+  scene.background = colour(random);
+  for (int i = random.below(4); i > 0; --i)
+    scene.point_lights.push_back({vector(random), colour(random), amount(random), amount(random), amount(random)});
+  for (int i = random.below(3); i > 0; --i) {
+    DirectionLight light{vector(random), colour(random)};
+    if (light.direction.x == 0 && light.direction.y == 0 && light.direction.z == 0) light.direction.z = 1;
+    scene.direction_lights.push_back(light);
+  }
+  for (int i = random.below(6); i > 0; --i) scene.objects.push_back(random_object(random));
+  return scene;
+}
+
+RenderOptions random_options(Random& random) {
+  constexpr std::string_view rungs[] = {DoubleRung::name, DoubleRung::name, FloatRung::name, FastRung::name};
+  RenderOptions options;
+  options.width = 1 + random.below(48);
+  options.height = 1 + random.below(48);
+  options.rung = rungs[random.below(4)];
+  options.samples = 1 << random.below(5);
+  options.transfer = one_in(random, 2) ? Transfer::linear : Transfer::srgb;
+  options.want_radiance = true;
+  options.aovs = all_aovs();
+  return options;
+}
+
+} // namespace refraster::test

@@ -1,0 +1,16 @@
+// A sphere in ten lines, with the installed library.
+#include "raster/render.h"
+#include "scene/shapes.h"
+
+int main() {
+  using namespace refraster;
+  Scene scene;
+  scene.camera.position = {0, 0, 4};
+  scene.direction_lights.push_back({.direction = {-1, -1, -1}});
+  Object ball;
+  ball.mesh = std::make_shared<Mesh>(sphere_mesh(32, 16));
+  ball.material.model = BlinnPhong{};
+  scene.objects.push_back(ball);
+  const Frame frame = render(scene, {.width = 64, .height = 64});
+  return frame.levels.at(32, 32)[0] > 0 && frame.levels.at(0, 0)[0] == 0 ? 0 : 1;
+}

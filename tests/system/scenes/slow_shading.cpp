@@ -1,0 +1,192 @@
+#include "tests/system/scenes/slow_shading.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace refraster::slow {
+namespace {
+
+constexpr Real pi = std::numbers::pi_v<Real>;
+
+// Textures.
+
+int wrapped(Real cell, int n) {
+  const Real rest = cell - n * std::floor(cell / n);
+  return std::min(static_cast<int>(rest), n - 1);
+}
+
+Vec texel(const TextureLevel& level, Real x, Real y) {
+  const auto at = 3 * (static_cast<std::size_t>(wrapped(y, level.height)) * static_cast<std::size_t>(level.width) +
+                       static_cast<std::size_t>(wrapped(x, level.width)));
+  return {real(level.rgb[at]), real(level.rgb[at + 1]), real(level.rgb[at + 2])};
+}
+
+Vec bilinear(const TextureLevel& level, Real u, Real v) {
+  const Real x = u * level.width - Real(0.5), y = v * level.height - Real(0.5);
+  const Real s = x - std::floor(x), t = y - std::floor(y), i = std::floor(x), j = std::floor(y);
+  return texel(level, i, j) * ((1 - s) * (1 - t)) + texel(level, i + 1, j) * (s * (1 - t)) +
+         texel(level, i, j + 1) * ((1 - s) * t) + texel(level, i + 1, j + 1) * (s * t);
+}
+
+Vec trilinear(const Texture& texture, const Seen& at) {
+  const TextureLevel& image = texture.levels[0];
+  const Real right = std::hypot(at.u_right * image.width, at.v_right * image.height);
+  const Real down = std::hypot(at.u_down * image.width, at.v_down * image.height);
+  const auto last = real(texture.levels.size() - 1);
+  const Real detail = std::clamp(std::log2(std::max(right, down)), Real(0), last);
+  const auto lower = static_cast<std::size_t>(detail), upper = std::min(lower + 1, texture.levels.size() - 1);
+  const Real share = detail - real(lower);
+  return bilinear(texture.levels[lower], at.u, at.v) * (1 - share) +
+         bilinear(texture.levels[upper], at.u, at.v) * share;
+}
+
+Vec texture_colour(const Material& material, const Seen& at) {
+  if (!material.texture || !at.has_uv) return {1, 1, 1};
+  const Texture& texture = *material.texture;
+  const TextureLevel& image = texture.levels[0];
+  const Real scale = 1 / real(texture.full_scale);
+  switch (material.texture_filter) {
+  case TextureFilter::nearest:
+    return texel(image, std::floor(at.u * image.width), std::floor(at.v * image.height)) * scale;
+  case TextureFilter::bilinear:
+    return bilinear(image, at.u, at.v) * scale;
+  case TextureFilter::trilinear:
+    return trilinear(texture, at) * scale;
+  }
+  return {};
+}
+
+// Measured BRDFs.
+
+struct Angles {
+  Real theta_h, theta_d, phi_d;
+};
+
+/// As the database's own reader has it, in a frame with the normal on the pole: turn i by -phi_h about the normal, then
+/// by -theta_h about the y axis.
+Angles half_difference(Vec n, Vec i, Vec o) {
+  const Vec helper = std::abs(n.x) < Real(0.5) ? Vec{1, 0, 0} : Vec{0, 1, 0};
+  const Vec x_axis = unit(cross(helper, n)), y_axis = cross(n, x_axis);
+  const Vec h = unit(i + o);
+  const Real theta_h = std::acos(std::min(dot(n, h), Real(1))), theta_d = std::acos(std::min(dot(i, h), Real(1)));
+  const Real phi_h = std::atan2(dot(h, y_axis), dot(h, x_axis));
+  const Vec local = {dot(i, x_axis), dot(i, y_axis), dot(i, n)};
+  const Vec turned = {local.x * std::cos(phi_h) + local.y * std::sin(phi_h),
+                      -local.x * std::sin(phi_h) + local.y * std::cos(phi_h), local.z};
+  const Real difference_x = turned.x * std::cos(theta_h) - turned.z * std::sin(theta_h);
+  Real phi_d = std::atan2(turned.y, difference_x);
+  if (phi_d < 0) phi_d += pi;
+  return {theta_h, theta_d, phi_d};
+}
+
+/// A sample, or nothing where none was measured. phi_d repeats, the others stay within the table.
+std::optional<Vec> sample(const MerlTable& table, Real h, Real d, Real p) {
+  const int h_bin = std::clamp(static_cast<int>(h), 0, MerlTable::theta_h_bins - 1);
+  const int d_bin = std::clamp(static_cast<int>(d), 0, MerlTable::theta_d_bins - 1);
+  const Vec rgb = vec(table.sample(h_bin, d_bin, wrapped(p, MerlTable::phi_d_bins)));
+  if (rgb.x < 0 || rgb.y < 0 || rgb.z < 0) return std::nullopt;
+  return rgb;
+}
+
+/// `first`: where sample 0 stands on each axis, in bins.
+Vec trilinear(const MerlTable& table, Real u, Real v, Real w, Real first) {
+  Vec sum;
+  Real weights = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    Real weight = 1;
+    const auto step = [&](Real x, int bit) {
+      const Real cell = std::floor(x - first), fraction = x - first - cell;
+      weight *= corner >> bit & 1 ? fraction : 1 - fraction;
+      return cell + (corner >> bit & 1);
+    };
+    const Real h = step(u, 0), d = step(v, 1), p = step(w, 2);
+    if (const auto rgb = sample(table, h, d, p)) sum = sum + *rgb * weight, weights += weight;
+  }
+  return weights > 0 ? sum * (1 / weights) : Vec{};
+}
+
+std::optional<Vec> brdf(const Merl& merl, Vec n, Vec i, Vec o) {
+  const Angles angles = half_difference(n, i, o);
+  const Real u = 90 * std::sqrt(angles.theta_h / (pi / 2)), v = 90 * angles.theta_d / (pi / 2);
+  const Real w = 180 * angles.phi_d / pi;
+  switch (merl.lookup) {
+  case MerlLookup::nearest:
+    return sample(*merl.table, std::floor(u), std::floor(v), std::min(std::floor(w), Real(179))).value_or(Vec{});
+  case MerlLookup::trilinear:
+    return trilinear(*merl.table, u, v, w, Real(0.5));
+  case MerlLookup::trilinear_edge:
+    return trilinear(*merl.table, u, v, w, 0);
+  case MerlLookup::trilinear_log:
+  case MerlLookup::tricubic_log:
+    return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+// Light.
+
+struct Arriving {
+  Vec direction, radiance; // direction: to the light
+};
+
+std::vector<Arriving> lights_at(const Scene& scene, Vec position) {
+  std::vector<Arriving> lights;
+  for (const PointLight& light : scene.point_lights) {
+    const Vec way = vec(light.position) - position;
+    const Real d = length(way);
+    const Real divisor = real(light.constant) + real(light.linear) * d + real(light.quadratic) * d * d;
+    lights.push_back({unit(way), vec(light.radiance) * (divisor > 0 ? 1 / divisor : 1)});
+  }
+  for (const DirectionLight& light : scene.direction_lights)
+    lights.push_back({unit(vec(light.direction)) * Real(-1), vec(light.radiance)});
+  return lights;
+}
+
+/// The cosine of the highlight: r.v of Phong, n.h of Blinn-Phong.
+Real highlight_cosine(const Phong&, Vec n, Vec l, Vec v) {
+  return dot(n * (2 * dot(n, l)) - l, v);
+}
+Real highlight_cosine(const BlinnPhong&, Vec n, Vec l, Vec v) {
+  return dot(n, unit(l + v));
+}
+
+/// Phong and Blinn-Phong.
+std::optional<Shaded> shaded_by(const auto& model, const Scene& scene, const Seen& seen, Vec to_eye) {
+  const Vec texture = texture_colour(seen.object->material, seen);
+  Shaded result{vec(model.ka) * texture, vec(model.ka)};
+  for (const Arriving& light : lights_at(scene, seen.position)) {
+    const Real n_l = dot(seen.normal, light.direction);
+    const Real cosine = std::max(highlight_cosine(model, seen.normal, light.direction, to_eye), Real(0));
+    const bool cut = model.specular_gate == SpecularGate::cut_below_horizon && !(n_l > 0);
+    const Real highlight = cut ? 0 : std::pow(cosine, real(model.glossiness));
+    const Vec diffuse = vec(model.kd) * std::max(n_l, Real(0)), specular = vec(model.ks) * highlight;
+    result.radiance = result.radiance + (diffuse * texture + specular) * light.radiance;
+    result.magnitude = result.magnitude + (diffuse + specular) * light.radiance;
+  }
+  return result;
+}
+
+std::optional<Shaded> shaded_by(const Merl& merl, const Scene& scene, const Seen& seen, Vec to_eye) {
+  Shaded result;
+  for (const Arriving& light : lights_at(scene, seen.position)) {
+    const Real n_l = dot(seen.normal, light.direction);
+    if (n_l <= 0 || dot(seen.normal, to_eye) <= 0) continue;
+    const std::optional<Vec> f = brdf(merl, seen.normal, light.direction, to_eye);
+    if (!f) return std::nullopt;
+    result.radiance = result.radiance + *f * light.radiance * n_l;
+  }
+  result.magnitude = result.radiance;
+  return result;
+}
+
+} // namespace
+
+std::optional<Shaded> shaded(const Scene& scene, const Seen& seen) {
+  if (!seen.object) return Shaded{vec(scene.background), vec(scene.background)};
+  const Vec to_eye = unit(vec(scene.camera.position) - seen.position);
+  return std::visit([&](const auto& model) { return shaded_by(model, scene, seen, to_eye); },
+                    seen.object->material.model);
+}
+
+} // namespace refraster::slow

@@ -1,0 +1,242 @@
+#include "io/file/input_error.h"
+#include "io/file/input_file.h"
+#include "io/scene/scene_file.h"
+#include "io/scene/shape_mesh.h"
+#include "tests/support/files/malformed_inputs.h"
+#include "tests/support/files/png_bytes.h"
+
+#include <doctest/doctest.h>
+
+namespace refraster::test {
+namespace {
+
+Scene scene(const std::string& text) {
+  const TemporaryFolder folder;
+  write_files(folder.path, {{"s.json", text}});
+  return read_scene(folder / "s.json");
+}
+
+Scene scene(const std::string& from, const std::string& to) {
+  return scene(scene_with(from, to));
+}
+
+const std::string triangle = "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n";
+const std::string grey_pixel = png_bytes(2, 2, 1, 8, {1, 2, 3, 4});
+
+} // namespace
+
+TEST_CASE("the lecture's own file loads unchanged") {
+  // scenes/lecture/config.json is that file; here with assets of its own.
+  const TemporaryFolder folder;
+  const std::string text =
+      read_file(REFRASTER_SOURCE_DIR "/scenes/lecture/config.json", "the lecture's scene", 1 << 20);
+  write_files(folder.path, {{"resource/objects/", ""},
+                            {"resource/textures/", ""},
+                            {"config.json", text},
+                            {"resource/objects/cube.obj", triangle},
+                            {"resource/textures/wood.png", grey_pixel}});
+  const Scene read = read_scene(folder / "config.json");
+  CHECK(read.camera.position == Double3(0, 0, 6));
+  CHECK(read.camera.target == Double3(0, 0, 5));
+  CHECK(read.camera.fov_y_degrees == 45);
+  REQUIRE(read.point_lights.size() == 1);
+  CHECK(read.point_lights[0].position == Double3(0, 0, -10));
+  CHECK(read.point_lights[0].linear == 0.09);
+  CHECK(read.point_lights[0].quadratic == 0.032);
+  REQUIRE(read.direction_lights.size() == 1);
+  CHECK(read.direction_lights[0].direction == Double3(-0.2, -1, -0.3));
+  CHECK(read.direction_lights[0].radiance == Double3(0.1, 0.1, 0.1));
+  REQUIRE(read.objects.size() == 1);
+  const Object& cube = read.objects[0];
+  CHECK(cube.name == "cube");
+  CHECK(cube.mesh->triangles.size() == 1);
+  CHECK(cube.vertex_shader_path == folder / "shader/vertex.glsl");
+  REQUIRE(std::holds_alternative<Phong>(cube.material.model)); // by the stem phong_fs; the BRDF file need not exist
+  const Phong& phong = std::get<Phong>(cube.material.model);
+  CHECK(phong.ka == Double3(0.05));
+  CHECK(phong.glossiness == 8);
+  CHECK(phong.specular_gate == SpecularGate::open);
+  CHECK(cube.material.texture_filter == TextureFilter::bilinear);
+  REQUIRE(cube.material.texture);
+  CHECK(cube.material.texture->levels.size() == 1);
+}
+
+TEST_CASE("vectors are strings or arrays") {
+  CHECK(scene("\"0 0 6\"", "\" 1e0\\t+2.5   -3 \"").camera.position == Double3(1, 2.5, -3));
+  CHECK(scene("\"0 0 6\"", "[1, 2.5, -3]").camera.position == Double3(1, 2.5, -3));
+}
+
+TEST_CASE("every optional key of the camera is read") {
+  const Camera camera =
+      scene("\"0 0 6\"", "\"0 0 6\", \"target\": \"1 2 3\", \"up\": [0, 0, 1], \"fov_y\": 60, \"near\": 0.5, "
+                         "\"far\": 1e4, \"movement_speed\": 5, \"mouse_sensitivity\": 0.1")
+          .camera;
+  CHECK(camera.target == Double3(1, 2, 3));
+  CHECK(camera.up == Double3(0, 0, 1));
+  CHECK(camera.fov_y_degrees == 60);
+  CHECK(camera.near == 0.5);
+  CHECK(camera.far == 10000);
+}
+
+TEST_CASE("a number may be written in every way that JSON has, and is rounded once") {
+  const std::pair<const char*, double> numbers[] = {{"0", 0},
+                                                    {"0e308", 0},
+                                                    {"0.000e-9", 0},
+                                                    {"0.1", 0.1},
+                                                    {"12e-1", 1.2},
+                                                    {"1E+2", 100},
+                                                    {"5e-324", 5e-324},
+                                                    {"1e-999999999", 0},
+                                                    {"1e-4526761657999999999", 0},
+                                                    {"9007199254740993", 9007199254740992},
+                                                    {"18446744073709551616", 0x1p64},
+                                                    {"1.7976931348623157e308", 1.7976931348623157e308},
+                                                    {"2.2250738585072011e-308", 2.2250738585072011e-308}};
+  for (const auto& number : numbers) {
+    CAPTURE(number.first);
+    const Scene read = scene("\"glossiness\": 8", std::string("\"glossiness\": ") + number.first);
+    CHECK(std::get<Phong>(read.objects[0].material.model).glossiness == number.second);
+  }
+}
+
+TEST_CASE("lists may be empty, and a scene without objects is a scene") {
+  const Scene empty = scene(R"({"scene": {"camera": {"position": "0 0 0"}, "point_lights": [], "direction_lights": [],
+                              "objects": [], "background": "0.25 0.5 2"}})");
+  CHECK(empty.objects.empty());
+  CHECK(empty.background == Double3(0.25, 0.5, 2));
+}
+
+TEST_CASE("comments, trailing commas and a byte order mark are taken") {
+  std::string text =
+      "\xef\xbb\xbf// first\n/* \"scene\": */ " + scene_with("\"glossiness\": 8}", "\"glossiness\": 8,} // last");
+  CHECK_NOTHROW(scene(text));
+}
+
+TEST_CASE("mirrored and singular scales are allowed") {
+  CHECK(scene("\"scale\": \"1 1 1\"", "\"scale\": \"-1 1 0\"").objects[0].scale == Double3(-1, 1, 0));
+  CHECK(scene("\"scale\": \"1 1 1\"", "\"scale\": \"0 0 0\"").objects[0].scale == Double3(0, 0, 0));
+}
+
+TEST_CASE("a fragment function is chosen by its name, else by the stem of the shader file") {
+  CHECK(std::holds_alternative<BlinnPhong>(scene("\"phong\"", "\"blinn_phong\"").objects[0].material.model));
+  const std::string shaders = "\"vertex_shader_file_path\": \"v.glsl\", \"fragment_shader_file_path\": ";
+  for (const char* const stem : {"blinn_phong_fs", "blinn_fs", "blinn_phong", "blinn"})
+    CHECK(std::holds_alternative<BlinnPhong>(
+        scene("\"fragment_function\": \"phong\"", shaders + "\"any/folder/" + stem + ".glsl\"")
+            .objects[0]
+            .material.model));
+  // The key wins.
+  CHECK(std::holds_alternative<Phong>(
+      scene("\"fragment_function\": \"phong\"", "\"fragment_function\": \"phong\", " + shaders + "\"blinn_fs.glsl\"")
+          .objects[0]
+          .material.model));
+}
+
+TEST_CASE("choices are read by their names") {
+  const Object object =
+      scene("\"glossiness\": 8}", "\"glossiness\": 8, \"specular_gate\": true, \"texture_filter\": \"nearest\"}, "
+                                  "\"cull\": \"back\", \"name\": \"ball\"")
+          .objects[0];
+  CHECK(object.cull == Cull::back);
+  CHECK(object.name == "ball");
+  CHECK(object.material.texture_filter == TextureFilter::nearest);
+  CHECK(std::get<Phong>(object.material.model).specular_gate == SpecularGate::cut_below_horizon);
+}
+
+TEST_CASE("shapes are made with their parameters, and equal ones once") {
+  const std::string sphere = "{\"sphere\": {\"segments\": 8, \"rings\": 4}}";
+  CHECK(scene(sphere, sphere).objects[0].mesh->triangles.size() == 2 * 8 * 3);
+  CHECK(scene(sphere, "{\"sphere\": {}}").objects[0].mesh->triangles.size() == 2 * 64 * 31);
+  CHECK(scene(sphere, "{\"cube\": {}}").objects[0].mesh->triangles.size() == 12);
+  CHECK(scene(sphere, "{\"plane\": {\"segments\": 3}}").objects[0].mesh->triangles.size() == 18);
+  CHECK(scene(sphere, "{\"torus\": {\"rings\": 5, \"tube_radius\": 0.1}}").objects[0].mesh->triangles.size() ==
+        2 * 64 * 5);
+  CHECK(scene(sphere, sphere).objects[0].name == "sphere");
+}
+
+TEST_CASE("a merl material needs its table alone; what belongs to other functions is accepted and checked") {
+  const TemporaryFolder folder;
+  const std::string header = {90, 0, 0, 0, 90, 0, 0, 0, static_cast<char>(180), 0, 0, 0};
+  const std::string material = R"("material": {"ka": "0 0 0", "kd": "0.5 0.5 0.5", "ks": "1 1 1", "glossiness": 8})";
+  const auto with = [&](const std::string& keys) {
+    std::string text = scene_with("\"phong\"", "\"merl\"");
+    text.replace(text.find(material), material.size(), "\"material\": {\"brdf_file_path\": \"t.binary\"" + keys + "}");
+    write_files(folder.path, {{"s.json", text}, {"t.binary", header, 34992012}});
+    return read_scene(folder / "s.json");
+  };
+  const Scene plain = with("");
+  const Merl& merl = std::get<Merl>(plain.objects[0].material.model);
+  CHECK(merl.table);
+  CHECK(merl.lookup == MerlLookup::trilinear);
+  CHECK(merl.angles == MerlAngles::closed);
+  const Scene other =
+      with(", \"merl_lookup\": \"trilinear-edge\", \"merl_angles\": \"frame\", \"ka\": \"0 0 0\", \"glossiness\": 8, "
+           "\"texture_file_path\": \"none.png\"");
+  CHECK(std::get<Merl>(other.objects[0].material.model).lookup == MerlLookup::trilinear_edge);
+  CHECK(std::get<Merl>(other.objects[0].material.model).angles == MerlAngles::frame);
+  CHECK_THROWS_AS(with(", \"glossiness\": -1"), InputError);
+}
+
+TEST_CASE("a file that is used twice is loaded once, however its path is written") {
+  const TemporaryFolder folder;
+  const auto object = [](const std::string& mesh, const std::string& texture, const std::string& filter) {
+    return R"({"obj_file_path": ")" + mesh +
+           R"(", "fragment_function": "phong", "position": "0 0 0", "rotate_x": 0, "rotate_y": 0,
+      "rotate_z": 0, "scale": "1 1 1", "material": {"ka": "0 0 0", "kd": "1 1 1", "ks": "0 0 0", "glossiness": 1,
+      "texture_file_path": ")" +
+           texture + R"(", "texture_filter": ")" + filter + R"("}})";
+  };
+  write_files(
+      folder.path,
+      {{"m/", ""},
+       {"m/t.obj", triangle},
+       {"a.png", grey_pixel},
+       {"b.png", grey_pixel},
+       {"s.json",
+        R"({"scene": {"camera": {"position": "0 0 6"}, "point_lights": [], "direction_lights": [], "objects": [)" +
+            object("m/t.obj", "a.png", "bilinear") + "," + object("m/../m/./t.obj", "./a.png", "trilinear") + "," +
+            object("m/t.obj", folder / "b.png", "bilinear") + "]}}"}});
+  const std::vector<Object> objects = read_scene(folder / "s.json").objects;
+  CHECK(objects[0].mesh == objects[1].mesh);
+  CHECK(objects[0].mesh == objects[2].mesh);
+  CHECK(objects[0].material.texture == objects[1].material.texture);
+  CHECK(objects[0].material.texture != objects[2].material.texture);
+  // Mip levels are there where anyone asks for them.
+  CHECK(objects[0].material.texture->levels.size() == 2);
+  CHECK(objects[2].material.texture->levels.size() == 1);
+}
+
+TEST_CASE("faults beyond the first hundred are counted") {
+  std::string keys;
+  for (int i = 0; i < 250; ++i) keys += "\"k" + std::to_string(i) + "\": 0, ";
+  try {
+    scene("\"position\": \"0 0 6\"", keys + "\"position\": \"0 0 6\"");
+    FAIL("no fault");
+  } catch (const InputError& error) {
+    CHECK(error.faults().size() == 101);
+    CHECK(error.faults().back().found == "150 more faults");
+  }
+}
+
+TEST_CASE("a shape's vertices and triangles are known before it is made, and no memory is taken for more") {
+  for (const Shape& shape :
+       {Shape(SphereShape{7, 2}), Shape(SphereShape{5, 9}), Shape(CubeShape{}), Shape(PlaneShape{1}),
+        Shape(PlaneShape{6}), Shape(TorusShape{3, 8, 0.4}), Shape(KnotShape{20, 3, 0.2})}) {
+    const auto mesh = make_mesh(shape);
+    CHECK(mesh_counts(shape) == MeshCounts{mesh->positions.size(), mesh->triangles.size()});
+    CHECK(mesh_counts(shape) == MeshCounts{mesh->positions.capacity(), mesh->triangles.capacity()});
+    CHECK(mesh->normals.capacity() == mesh->positions.size());
+    CHECK(mesh->uvs.capacity() == mesh->positions.size());
+  }
+}
+
+TEST_CASE("docs/scene-format.md has exactly the tables that the program prints") {
+  const std::string page = read_file(REFRASTER_SOURCE_DIR "/docs/scene-format.md", "the documentation", 1 << 20);
+  const std::string begin = "<!-- refraster list scene-format -->\n", end = "<!-- end -->\n";
+  const std::size_t from = page.find(begin), to = page.find(end);
+  REQUIRE(from != std::string::npos);
+  REQUIRE(to != std::string::npos);
+  CHECK(page.substr(from + begin.size(), to - from - begin.size()) == scene_format_markdown());
+}
+
+} // namespace refraster::test

@@ -1,0 +1,168 @@
+// Laws that every fragment function keeps, over every number.
+
+#include "math/bounds/interval_functions.h"
+#include "tests/unit/shading/laws.h"
+
+#include <doctest/doctest.h>
+
+#include <set>
+
+using namespace refraster;
+
+namespace {
+
+using Bounds = Interval<DoubleArithmetic>;
+
+constexpr int trials = 200;
+
+template <class T>
+Rgb<T> shaded(const Model& model, const Situation& situation) {
+  const auto at = situation.fragment<T>();
+  const auto light = situation.incident<T>();
+  return std::visit([&](const auto& m) { return m.ambient(at) + m(at, light); }, model);
+}
+
+template <class F>
+bool same_bits(F a, F b) {
+  return std::bit_cast<BitsOf<F>>(a) == std::bit_cast<BitsOf<F>>(b);
+}
+
+/// For one of `apart` situations: a box in which the azimuth is anything reads whole rows of a measured table.
+void check_boxes(int apart) {
+  const double half_width = 1e-5;
+  for (const NamedModel& tried : all_models()) {
+    CAPTURE(tried.name);
+    std::mt19937_64 random(4);
+    for (int k = 0; k < trials; k += apart) {
+      const Situation situation = random_situation(random, k);
+      auto at = situation.fragment<Bounds>();
+      const auto light = situation.incident<Bounds>();
+      for (int axis = 0; axis < 3; ++axis) {
+        at.normal[axis] = {situation.n[axis] - half_width, situation.n[axis] + half_width};
+        at.to_eye[axis] = {situation.v[axis] - half_width, situation.v[axis] + half_width};
+      }
+      const Rgb<Bounds> bounds = std::visit([&](const auto& m) { return m.ambient(at) + m(at, light); }, tried.model);
+      for (int inside = 0; inside < 4; ++inside) {
+        Situation moved = situation;
+        for (int axis = 0; axis < 3; ++axis) {
+          moved.n[axis] += uniform(random, -half_width, half_width);
+          moved.v[axis] += uniform(random, -half_width, half_width);
+        }
+        const Rgb<double> point = shaded<double>(tried.model, moved);
+        REQUIRE(bounds.x.contains(point.x));
+        REQUIRE(bounds.y.contains(point.y));
+        REQUIRE(bounds.z.contains(point.z));
+      }
+    }
+  }
+}
+
+} // namespace
+
+TEST_CASE("the laws are tried on every fragment function") {
+  std::set<std::size_t> kinds;
+  for (const NamedModel& tried : all_models()) kinds.insert(tried.model.index());
+  CHECK(kinds.size() == std::variant_size_v<Model>);
+}
+
+TEST_CASE_TEMPLATE("light toward the eye is finite and not negative, whatever the geometry", F, double, float) {
+  for (const NamedModel& tried : all_models()) {
+    CAPTURE(tried.name);
+    std::mt19937_64 random(1);
+    for (int k = 0; k < trials; ++k) {
+      const Rgb<F> colour = shaded<F>(tried.model, random_situation(random, k));
+      for (int channel = 0; channel < 3; ++channel) REQUIRE((colour[channel] >= 0 && std::isfinite(colour[channel])));
+    }
+  }
+}
+
+TEST_CASE_TEMPLATE("every lane shades as it would alone, to the last bit", T, Wide<float, 4>, Wide<float, 16>,
+                   Wide<double, 2>, Wide<double, 8>) {
+  using F = RealOf<T>;
+  constexpr int lanes = NumberTraits<T>::lanes;
+  for (const NamedModel& tried : all_models()) {
+    CAPTURE(tried.name);
+    std::mt19937_64 random(2);
+    for (int k = 0; k < trials; k += lanes) {
+      std::array<Situation, lanes> situations;
+      Fragment<T> at;
+      Incident<T> light;
+      at.position = Vec3<T>(T(0));
+      for (int lane = 0; lane < lanes; ++lane) {
+        const Situation& s = situations[static_cast<std::size_t>(lane)] = random_situation(random, k + lane);
+        const auto put = [lane](Vec3<T>& to, const Double3& from) {
+          to.x.set(lane, static_cast<F>(from.x));
+          to.y.set(lane, static_cast<F>(from.y));
+          to.z.set(lane, static_cast<F>(from.z));
+        };
+        put(at.normal, s.n), put(at.to_eye, s.v), put(at.texture, s.texture);
+        put(light.direction, s.l), put(light.radiance, s.radiance);
+      }
+      const Rgb<T> together = std::visit([&](const auto& m) { return m.ambient(at) + m(at, light); }, tried.model);
+      for (int lane = 0; lane < lanes; ++lane) {
+        const Rgb<F> alone = shaded<F>(tried.model, situations[static_cast<std::size_t>(lane)]);
+        REQUIRE(same_bits(together.x[lane], alone.x));
+        REQUIRE(same_bits(together.y[lane], alone.y));
+        REQUIRE(same_bits(together.z[lane], alone.z));
+      }
+    }
+  }
+}
+
+TEST_CASE("bounds on a point contain what double makes of it") {
+  for (const NamedModel& tried : all_models()) {
+    CAPTURE(tried.name);
+    std::mt19937_64 random(3);
+    for (int k = 0; k < trials; ++k) {
+      const Situation situation = random_situation(random, k);
+      const Rgb<double> point = shaded<double>(tried.model, situation);
+      const Rgb<Bounds> bounds = shaded<Bounds>(tried.model, situation);
+      REQUIRE(bounds.x.contains(point.x));
+      REQUIRE(bounds.y.contains(point.y));
+      REQUIRE(bounds.z.contains(point.z));
+    }
+  }
+}
+
+TEST_CASE("bounds on a box contain what double makes of points in it") {
+  check_boxes(100);
+}
+
+TEST_SUITE("slow") {
+  TEST_CASE("so they do of many boxes") {
+    check_boxes(10);
+  }
+}
+
+TEST_CASE("a dark light adds nothing") {
+  for (const NamedModel& tried : all_models()) {
+    CAPTURE(tried.name);
+    std::mt19937_64 random(5);
+    for (int k = 0; k < trials; ++k) {
+      Situation situation = random_situation(random, k);
+      situation.radiance = Double3(0);
+      const auto at = situation.fragment<double>();
+      const Rgb<double> ambient = std::visit([&](const auto& m) { return m.ambient(at); }, tried.model);
+      REQUIRE(shaded<double>(tried.model, situation) == ambient);
+    }
+  }
+}
+
+TEST_CASE("no diffuse or measured light comes from below the horizon") {
+  for (const NamedModel& tried : all_models()) {
+    const auto* const phong = std::get_if<Phong>(&tried.model);
+    const auto* const blinn = std::get_if<BlinnPhong>(&tried.model);
+    const bool highlight = (phong && phong->specular_gate == SpecularGate::open && phong->ks.x > 0) ||
+                           (blinn && blinn->specular_gate == SpecularGate::open);
+    if (highlight) continue; // the textbook's highlight goes round the horizon
+    CAPTURE(tried.name);
+    std::mt19937_64 random(6);
+    for (int k = 0; k < trials; ++k) {
+      Situation situation = random_situation(random, k);
+      if (dot(situation.n, situation.l) > 0) situation.l = -situation.l;
+      const auto at = situation.fragment<double>();
+      const auto light = situation.incident<double>();
+      REQUIRE(std::visit([&](const auto& m) { return m(at, light); }, tried.model) == Rgb<double>(0));
+    }
+  }
+}

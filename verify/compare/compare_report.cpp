@@ -1,0 +1,260 @@
+#include "verify/compare/compare_report.h"
+
+#include "io/json/json_writer.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+
+namespace refraster {
+namespace {
+
+/// As printf.
+template <class... Arguments>
+std::string format(const char* pattern, Arguments... arguments) {
+  const int length = std::snprintf(nullptr, 0, pattern, arguments...);
+  std::string text(static_cast<std::size_t>(length), '\0');
+  std::snprintf(text.data(), text.size() + 1, pattern, arguments...);
+  return text;
+}
+
+std::string line(const char* label, const std::string& content) {
+  return format("%-14s %s\n", label, content.c_str());
+}
+
+/// As printf's %.{digits}g in the locale "C".
+std::string number(double x, int digits = 6) {
+  std::array<char, 40> text;
+  return {text.data(),
+          std::to_chars(text.data(), text.data() + text.size(), x, std::chars_format::general, digits).ptr};
+}
+
+/// Nine digits tell any two floats apart. Levels are integers, or follow from values of single precision, whose
+/// rounding seven digits do not show.
+std::string values_text(const std::vector<double>& values, CompareUnit unit) {
+  std::string text;
+  for (const double value : values) {
+    if (!text.empty()) text += ' ';
+    text += number(value, unit == CompareUnit::levels ? 7 : 9);
+  }
+  return text;
+}
+
+/// "12         0.0013 %". Cut, not rounded: 100 % means all.
+std::string count_text(std::uint64_t count, std::uint64_t whole) {
+  double percent = 100 * static_cast<double>(count) / static_cast<double>(whole);
+  if (percent > 1) percent = std::floor(percent * 1e4) / 1e4;
+  return format("%-10llu %s %%", static_cast<unsigned long long>(count), number(percent).c_str());
+}
+
+/// "1 level", "0.5 levels", "0.004" of values, which have no name.
+std::string with_unit(double x, CompareUnit unit) {
+  return number(x) + (unit == CompareUnit::values ? "" : x == 1 ? " level" : " levels");
+}
+
+std::string limits_text(const CompareLimits& limits, CompareUnit unit) {
+  std::string text;
+  const auto add = [&](const char* name, const std::string& value) {
+    text += (text.empty() ? "" : ", ") + std::string(name) + " " + value;
+  };
+  if (limits.max_abs) add("max-abs", with_unit(*limits.max_abs, unit));
+  if (limits.max_rms) add("max-rms", with_unit(*limits.max_rms, unit));
+  if (limits.max_count) add("max-count", std::to_string(*limits.max_count));
+  return text;
+}
+
+/// What kind of difference it is, where that is known.
+std::string cause_text(const ComparisonReport& report) {
+  const Comparison& found = report.found;
+  std::string text;
+  if (report.transformation) {
+    const FoundTransformation& t = *report.transformation;
+    const double in_unit = full_range(found.unit) / 255;
+    const std::string max = std::isfinite(t.max) ? number(t.max * in_unit) : "none";
+    text = line("cause", transformation_text(t, found.unit));
+    text += line("", "then max " + max + ", rms " + number(t.rms * in_unit) + ", " +
+                         format("%llu of %llu pixels equal within the limit and rounding",
+                                static_cast<unsigned long long>(t.within), static_cast<unsigned long long>(t.pixels)));
+  }
+  if (report.compressed != Compressed::none)
+    text += line("cause", std::string("differences follow 8 x 8 blocks: ") +
+                              (report.compressed == Compressed::a ? "a" : "b") +
+                              " was compressed with loss, as JPEG does it");
+  return text;
+}
+
+void write_transformation(JsonWriter& json, const ComparisonReport& report) {
+  json.key("transformation");
+  if (!report.transformation) return json.null();
+  const FoundTransformation& t = *report.transformation;
+  const double in_unit = full_range(report.found.unit) / 255;
+  json.begin_object();
+  json.member("name", known(t.which).name);
+  json.member("text", transformation_text(t, report.found.unit));
+  json.member("factor", t.factor);
+  json.key("shift");
+  json.value(std::vector<int>{t.x, t.y});
+  json.member("pixels", t.pixels);
+  json.member("within", t.within);
+  json.member("equal_within", t.equal_within * in_unit);
+  json.member("max", t.max * in_unit);
+  json.member("rms", t.rms * in_unit);
+  json.end_object();
+}
+
+std::string verdict(const ComparisonReport& report) {
+  const Comparison& found = report.found;
+  if (found.equal_pixels == found.pixels()) return "equal";
+  if (found.same) return "equal within " + limits_text(report.limits, found.unit);
+  if (report.limits.any()) return "differ by more than " + limits_text(report.limits, found.unit);
+  return "differ";
+}
+
+std::string worst_table(const std::vector<PixelDifference>& worst, CompareUnit unit) {
+  std::vector<std::string> places, as, bs;
+  for (const PixelDifference& pixel : worst) {
+    places.push_back(format("(%d, %d)", pixel.x, pixel.y));
+    as.push_back(values_text(pixel.a, unit));
+    bs.push_back(values_text(pixel.b, unit));
+  }
+  const auto width = [](const std::vector<std::string>& column, std::size_t least) {
+    for (const std::string& cell : column) least = std::max(least, cell.size());
+    return static_cast<int>(least);
+  };
+  const int place_width = width(places, 6), a_width = width(as, 1), b_width = width(bs, 1);
+  std::string text =
+      format("worst pixels   %-*s  %-*s  %-*s  %s\n", place_width, "(x, y)", a_width, "a", b_width, "b", "difference");
+  for (std::size_t i = 0; i < worst.size(); ++i)
+    text +=
+        format("               %-*s  %-*s  %-*s  %s\n", place_width, places[i].c_str(), a_width, as[i].c_str(), b_width,
+               bs[i].c_str(), std::isfinite(worst[i].difference) ? number(worst[i].difference).c_str() : "none");
+  return text;
+}
+
+/// Pixels that stand alone are among the worst pixels, or not worth a line.
+std::string clusters_table(const Comparison& found) {
+  std::string text = line("clusters", format("%llu", static_cast<unsigned long long>(found.cluster_count)) +
+                                          (found.clusters.front().pixels == 1 ? ", each of one pixel" : ""));
+  for (const Cluster& c : found.clusters)
+    if (c.pixels > 1)
+      text +=
+          line("", format("%llu pixels in x %d to %d, y %d to %d; worst at (%d, %d): %s",
+                          static_cast<unsigned long long>(c.pixels), c.x, c.x + c.width - 1, c.y, c.y + c.height - 1,
+                          c.worst_x, c.worst_y, std::isfinite(c.largest) ? number(c.largest).c_str() : "none"));
+  return text;
+}
+
+void write_clusters(JsonWriter& json, const Comparison& found) {
+  json.member("cluster_count", found.cluster_count);
+  json.key("clusters");
+  json.begin_array();
+  for (const Cluster& c : found.clusters) {
+    json.begin_object();
+    json.key("box");
+    json.value(std::vector<int>{c.x, c.y, c.width, c.height});
+    json.member("pixels", c.pixels);
+    json.member("largest", c.largest);
+    json.key("worst");
+    json.value(std::vector<int>{c.worst_x, c.worst_y});
+    json.end_object();
+  }
+  json.end_array();
+}
+
+void write_optional(JsonWriter& json, std::string_view name, const auto& value) {
+  json.key(name);
+  if (value) json.value(*value);
+  else json.null();
+}
+
+} // namespace
+
+std::string comparison_text(const ComparisonReport& report) {
+  const Comparison& found = report.found;
+  std::string text = verdict(report) + "\n" + cause_text(report);
+  text += line("a", report.file_a);
+  text += line("b", report.file_b);
+  text += line("size",
+               format("%d x %d, %d channel%s, compared in %s", found.width, found.height, found.channels,
+                      found.channels == 1 ? "" : "s", found.unit == CompareUnit::levels ? "levels (1/255)" : "values"));
+  if (found.incomparable_pixels > 0) {
+    text += line("NaN, infinite", count_text(found.incomparable_pixels, found.pixels()));
+    text += line("  NaN in a, b", format("%llu, %llu", static_cast<unsigned long long>(found.nan_pixels_a),
+                                         static_cast<unsigned long long>(found.nan_pixels_b)));
+  }
+  text += line("equal pixels", count_text(found.equal_pixels, found.pixels()));
+  if (found.equal_pixels == found.pixels()) return text;
+  if (found.zero_sign_pixels > 0) text += line("only 0 and -0", count_text(found.zero_sign_pixels, found.pixels()));
+  text += line(("over " + number(report.limits.max_abs.value_or(0))).c_str(),
+               count_text(found.pixels_over, found.pixels()));
+  text += line("max", number(found.max));
+  text += line("rms", number(found.rms));
+  text += line("psnr", std::isfinite(found.psnr_db) ? format("%.2f dB", found.psnr_db) : "infinite");
+  std::string means;
+  for (const double mean : found.mean) means += format("%s%+.3g", means.empty() ? "" : "  ", mean);
+  text += line("mean of b - a", means);
+  if (report.mean_flip) text += line("flip", format("%.6f", *report.mean_flip));
+  if (!found.worst.empty()) text += worst_table(found.worst, found.unit);
+  if (found.cluster_count > 0) text += clusters_table(found);
+  return text;
+}
+
+std::string comparison_json(const ComparisonReport& report) {
+  const Comparison& found = report.found;
+  JsonWriter json;
+  json.begin_object();
+  json.member("a", report.file_a);
+  json.member("b", report.file_b);
+  json.member("same", found.same);
+  json.member("unit", unit_name(found.unit));
+  json.member("size", std::vector<int>{found.width, found.height});
+  json.member("channels", found.channels);
+  json.key("limits");
+  json.begin_object();
+  write_optional(json, "max_abs", report.limits.max_abs);
+  write_optional(json, "max_rms", report.limits.max_rms);
+  write_optional(json, "max_count", report.limits.max_count);
+  json.end_object();
+  json.key("pixels");
+  json.begin_object();
+  json.member("all", found.pixels());
+  json.member("incomparable", found.incomparable_pixels);
+  json.member("nan_in_a", found.nan_pixels_a);
+  json.member("nan_in_b", found.nan_pixels_b);
+  json.member("equal", found.equal_pixels);
+  json.member("differ_in_sign_of_zero", found.zero_sign_pixels);
+  json.member("over_max_abs", found.pixels_over);
+  json.end_object();
+  json.member("max", found.max);
+  json.member("rms", found.rms);
+  json.member("psnr_db", found.psnr_db);
+  json.member("mean", found.mean);
+  write_optional(json, "mean_flip", report.mean_flip);
+  json.key("worst");
+  json.begin_array();
+  for (const PixelDifference& pixel : found.worst) {
+    json.begin_object();
+    json.member("x", pixel.x);
+    json.member("y", pixel.y);
+    json.member("difference", pixel.difference);
+    json.member("a", pixel.a);
+    json.member("b", pixel.b);
+    json.end_object();
+  }
+  json.end_array();
+  write_clusters(json, found);
+  write_transformation(json, report);
+  json.key("compressed");
+  if (report.compressed == Compressed::none) json.null();
+  else json.value(report.compressed == Compressed::a ? "a" : "b");
+  json.key("notes");
+  json.begin_array();
+  for (const Note& note : report.notes.notes()) json.value(note.text());
+  json.end_array();
+  json.end_object();
+  return json.text();
+}
+
+} // namespace refraster
