@@ -1,6 +1,6 @@
 #include "app/arguments.h"
 
-#include "math/rungs.h"
+#include "math/precisions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,9 +30,9 @@ std::optional<std::vector<int>> numbers_from(std::string_view text, char separat
   return numbers;
 }
 
-template <class... Rung>
-std::vector<std::string> listed_names(const std::tuple<Rung...>*) {
-  return {std::string(Rung::name)...};
+template <class... Precision>
+std::vector<std::string> listed_names(const std::tuple<Precision...>*) {
+  return {std::string(Precision::name)...};
 }
 
 } // namespace
@@ -53,10 +53,10 @@ std::optional<std::vector<Size>> sizes_from(std::string_view text) {
   return sizes;
 }
 
-std::optional<Crop> crop_from(std::string_view text) {
+std::optional<PixelRect> crop_from(std::string_view text) {
   const auto numbers = numbers_from(text, ',', 4);
   if (!numbers || (*numbers)[2] < 1 || (*numbers)[3] < 1) return std::nullopt;
-  return Crop{(*numbers)[0], (*numbers)[1], (*numbers)[2], (*numbers)[3]};
+  return PixelRect{(*numbers)[0], (*numbers)[1], (*numbers)[2], (*numbers)[3]};
 }
 
 std::optional<std::vector<Aov>> aovs_from(std::string_view text) {
@@ -71,23 +71,23 @@ std::optional<std::vector<Aov>> aovs_from(std::string_view text) {
   return aovs;
 }
 
-std::vector<std::string> rung_names() {
-  return listed_names(static_cast<const Rungs*>(nullptr));
+std::vector<std::string> precision_names() {
+  return listed_names(static_cast<const Precisions*>(nullptr));
 }
 
-std::vector<std::string> lane_rung_names() {
-  return listed_names(static_cast<const LaneRungs*>(nullptr));
+std::vector<std::string> lane_precision_names() {
+  return listed_names(static_cast<const LanePrecisions*>(nullptr));
 }
 
-std::optional<std::vector<std::string>> rungs_from(std::string_view text) {
-  const std::vector<std::string> known = lane_rung_names();
-  std::vector<std::string> rungs;
+std::optional<std::vector<std::string>> precisions_from(std::string_view text) {
+  const std::vector<std::string> known = lane_precision_names();
+  std::vector<std::string> precisions;
   for (const std::string_view name : split(text, ',')) {
     if (std::find(known.begin(), known.end(), name) == known.end()) return std::nullopt;
-    if (std::find(rungs.begin(), rungs.end(), name) != rungs.end()) return std::nullopt;
-    rungs.emplace_back(name);
+    if (std::find(precisions.begin(), precisions.end(), name) != precisions.end()) return std::nullopt;
+    precisions.emplace_back(name);
   }
-  return rungs;
+  return precisions;
 }
 
 std::optional<std::vector<int>> thread_counts_from(std::string_view text) {
@@ -140,7 +140,7 @@ void add_cache_option(CLI::App& command, std::string& folder) {
   command
       .add_option(
           "--cache", folder,
-          "folder, made if need be, where the triangles of large OBJ files are kept, so that they are read faster "
+          "folder, made if need be, where the triangles of large OBJ files are cached, so that they are read faster "
           "the next time")
       ->type_name("DIR");
 }

@@ -29,19 +29,19 @@ std::optional<Size> size_from(std::string_view text);
 std::optional<std::vector<Size>> sizes_from(std::string_view text);
 
 /// "x,y,width,height", none negative, width and height at least 1.
-std::optional<Crop> crop_from(std::string_view text);
+std::optional<PixelRect> crop_from(std::string_view text);
 
 /// "depth,normal": names from aov_names, each once.
 std::optional<std::vector<Aov>> aovs_from(std::string_view text);
 
-/// The names of all rungs.
-std::vector<std::string> rung_names();
+/// The names of all precisions.
+std::vector<std::string> precision_names();
 
 /// The names of those that are measured for their speed: all but `exact`.
-std::vector<std::string> lane_rung_names();
+std::vector<std::string> lane_precision_names();
 
 /// "double,float": some of the latter, each once.
-std::optional<std::vector<std::string>> rungs_from(std::string_view text);
+std::optional<std::vector<std::string>> precisions_from(std::string_view text);
 
 /// Throws CLI::ValidationError for more than limit::frame_samples.
 void check_frame_samples(int width, int height, int samples);

@@ -72,7 +72,7 @@ extern "C" void note_signal(int) {
 } // namespace
 
 void stop_when_interrupted() {
-  std::signal(SIGPIPE, SIG_IGN); // a write fails then, and is told as any other
+  std::signal(SIGPIPE, SIG_IGN); // a write fails then, and is reported as any other
   std::signal(SIGXFSZ, SIG_IGN);
   const sigset_t set = stopping_signals();
   pthread_sigmask(SIG_BLOCK, &set, nullptr); // in this thread, and in those that it starts

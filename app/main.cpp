@@ -42,7 +42,7 @@ ExitCode run(int argc, char** argv) {
   }
 }
 
-ExitCode run_and_tell(int argc, char** argv) {
+ExitCode run_and_report(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const InputError& error) {
@@ -66,7 +66,7 @@ ExitCode run_and_tell(int argc, char** argv) {
 int main(int argc, char** argv) {
   using namespace refraster;
   stop_when_interrupted();
-  ExitCode code = run_and_tell(argc, argv);
+  ExitCode code = run_and_report(argc, argv);
   std::cout.flush();
   if (!std::cout && code == ExitCode::ok) code = failed(ExitCode::cannot_write, "standard output: cannot write");
   if (interrupted()) code = ExitCode::interrupted; // also if all was done before anyone looked

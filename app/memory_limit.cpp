@@ -16,7 +16,7 @@
 namespace refraster {
 namespace {
 
-constexpr std::uint64_t least_bytes = std::uint64_t{64} << 20; // the program and its libraries alone take half of it
+constexpr std::uint64_t min_bytes = std::uint64_t{64} << 20; // the program and its libraries alone take half of it
 
 std::uint64_t limit_bytes = 0; // of this process
 
@@ -65,7 +65,7 @@ std::optional<std::uint64_t> memory_from(std::string_view text) {
     if (bytes > UINT64_MAX >> shift) return std::nullopt;
     bytes <<= shift;
   }
-  if (bytes < least_bytes) return std::nullopt;
+  if (bytes < min_bytes) return std::nullopt;
   return bytes;
 }
 
@@ -83,7 +83,7 @@ void add_memory_option(CLI::App& command, std::uint64_t& bytes) {
       ->type_name("SIZE");
 }
 
-MemoryBudget hold_to(std::uint64_t bytes, int threads) {
+MemoryBudget set_memory_limit(std::uint64_t bytes, int threads) {
   if (bytes == 0) return {};
   limit_bytes = bytes;
   MemoryBudget budget(bytes, in_use_bytes);
@@ -105,7 +105,7 @@ std::uint64_t memory_limit() {
   return limit_bytes;
 }
 
-void let_go_of_memory_limit() {
+void clear_memory_limit() {
   rlimit limit{};
   if (getrlimit(RLIMIT_DATA, &limit) != 0) return;
   limit.rlim_cur = limit.rlim_max;

@@ -22,12 +22,12 @@ void add_memory_option(CLI::App& command, std::uint64_t& bytes);
 /// kernel is told to give the process no more private memory than that (RLIMIT_DATA): whatever was not asked for ends
 /// in std::bad_alloc. To be called once. threads: as many as will be used, 0 for all; started here, for their stacks
 /// are memory that is hardly touched.
-MemoryBudget hold_to(std::uint64_t bytes, int threads);
+MemoryBudget set_memory_limit(std::uint64_t bytes, int threads);
 
-/// The limit that hold_to was told; 0 without one.
+/// The limit that set_memory_limit has set; 0 without one.
 std::uint64_t memory_limit();
 
 /// Undoes the kernel's part of it, in a child process whose libraries do not bear it.
-void let_go_of_memory_limit();
+void clear_memory_limit();
 
 } // namespace refraster

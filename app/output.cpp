@@ -27,7 +27,7 @@ void check_writable(const std::string& path) {
   if (!fs::is_directory(folder, ignored)) throw OutputError(path, folder.string() + " is not a folder");
   // A device or pipe is opened once, when it is written: what reads from it would take a trial for the end.
   if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored)) return;
-  clean_when_interrupted(fs::path(identity(path)).parent_path());
+  clean_when_interrupted(fs::path(canonical_path(path)).parent_path());
   AtomicFile trial(path); // leaves nothing: permissions alone do not say it, for root and for /proc
 }
 
@@ -37,7 +37,7 @@ bool same_file(const std::string& a, const std::string& b) {
   if (a.empty() || b.empty()) return false;
   std::error_code error;
   if (fs::exists(a, error) && !fs::is_regular_file(a, error)) return false;
-  return fs::equivalent(a, b, error) || identity(a) == identity(b);
+  return fs::equivalent(a, b, error) || canonical_path(a) == canonical_path(b);
 }
 } // namespace
 

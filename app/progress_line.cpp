@@ -32,9 +32,9 @@ void ProgressLine::print_until(const std::stop_token& end) const {
   };
   if (ended_within(patience)) return;
   do {
-    const double share = share_.load(std::memory_order_relaxed);
-    if (share >= 0) {
-      std::fprintf(stderr, "%s%s %3.0f %%", erase_line, what_.c_str(), 100 * share);
+    const double fraction = fraction_.load(std::memory_order_relaxed);
+    if (fraction >= 0) {
+      std::fprintf(stderr, "%s%s %3.0f %%", erase_line, what_.c_str(), 100 * fraction);
     } else {
       const std::chrono::duration<double> since = std::chrono::steady_clock::now() - start;
       std::fprintf(stderr, "%s%s %3.0f s", erase_line, what_.c_str(), since.count());

@@ -20,15 +20,15 @@ public:
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// share: done so far, in [0, 1]. From any thread.
-  void show(double share) { share_.store(share, std::memory_order_relaxed); }
+  /// fraction: done so far, in [0, 1]. From any thread.
+  void show(double fraction) { fraction_.store(fraction, std::memory_order_relaxed); }
 
 private:
   void print_until(const std::stop_token& end) const;
 
   std::string what_;
-  std::atomic<double> share_{-1}; // nobody has said
-  std::jthread printer_;          // none off a terminal
+  std::atomic<double> fraction_{-1}; // nobody has said
+  std::jthread printer_;             // none off a terminal
 };
 
 /// A line for what is not to be quiet; else nothing.

@@ -17,9 +17,9 @@ void write_build(JsonWriter& json, const BuildInfo& build) {
   json.end_object();
 }
 
-void write_crop(JsonWriter& json, const std::vector<Crop>& crops) {
+void write_crop(JsonWriter& json, const std::vector<PixelRect>& crops) {
   if (crops.empty()) return json.null();
-  const Crop& crop = crops.front();
+  const PixelRect& crop = crops.front();
   json.value(std::vector<int>{crop.x, crop.y, crop.width, crop.height});
 }
 
@@ -69,6 +69,7 @@ void write_counts(JsonWriter& json, const FrameCounts& counts) {
 std::string report_json(const RunReport& report) {
   JsonWriter json;
   json.begin_object();
+  json.member("schema", 2);
   json.key("refraster");
   write_build(json, this_build());
   json.member("scene", report.scene);
@@ -76,7 +77,7 @@ std::string report_json(const RunReport& report) {
   json.member("size", std::vector<int>{report.width, report.height});
   json.key("crop");
   write_crop(json, report.crop);
-  json.member("rung", report.rung);
+  json.member("precision", report.precision);
   json.member("samples", report.samples);
   json.member("threads", report.threads);
   json.member("tile_size", report.tile_size);

@@ -13,8 +13,8 @@ struct RunReport {
   std::string scene;                // as named by the user
   std::vector<std::string> outputs; // files written
   int width = 0, height = 0;        // of the full image
-  std::vector<Crop> crop;           // none or one
-  std::string rung;
+  std::vector<PixelRect> crop;      // none or one
+  std::string precision;
   int samples = 1;
   int tile_size = 0;
   int threads = 0;

@@ -1,14 +1,14 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-get_property(floors GLOBAL PROPERTY REFRASTER_FLOORS)
-install(TARGETS ${floors} refraster_strict_fp EXPORT refrasterTargets
+get_property(layers GLOBAL PROPERTY REFRASTER_LAYERS)
+install(TARGETS ${layers} refraster_strict_fp EXPORT refrasterTargets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT libraries NAMELINK_COMPONENT development
   FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/refraster)
 # Everything that the component `libraries` installs: scripts/package_levels.
 add_custom_target(libraries)
-add_dependencies(libraries ${floors})
+add_dependencies(libraries ${layers})
 if(BUILD_SHARED_LIBS)
   set_target_properties(refraster PROPERTIES INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
 endif()

@@ -66,7 +66,7 @@ GlFrame render_gl(const Scene& scene, const GlOptions& options) {
   frame.shaders = drawing.shaders();
   frame.samples_passed = drawing.draw_checked(); // and what drivers put off until the first frame is done
   frame.warnings = drawing.warnings();
-  if (options.want_levels) frame.levels = read_pixels<std::uint8_t>(gl, options, GL_RGB, 3);
+  if (options.want_rgb8) frame.rgb8 = read_pixels<std::uint8_t>(gl, options, GL_RGB, 3);
   if (options.want_depth) frame.depth = read_pixels<float>(gl, options, GL_DEPTH_COMPONENT, 1);
   gl.Finish();
   frame.times = time_frames(options.timed_frames, [&] {

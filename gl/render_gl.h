@@ -24,7 +24,7 @@ struct GlOptions {
   MerlFilter merl_filter = MerlFilter::manual;
   int timed_frames = 0;
   // What to read back.
-  bool want_levels = true;
+  bool want_rgb8 = true;
   bool want_radiance = false;
   bool want_depth = false;
   bool want_ids = false;
@@ -47,10 +47,10 @@ struct NonFinitePixels {
 };
 
 struct GlFrame {
-  Image<std::uint8_t> levels; // 3 channels, from an RGBA8 target
-  Image<float> radiance;      // 3 channels, from an RGBA32F target
-  Image<float> depth;         // 1 channel, window depth in [0, 1] from a DEPTH32F target; 1 where nothing was drawn
-  Image<float> ids;           // 2 channels: object and triangle in its mesh, each counted from 1; 0 where nothing
+  Image<std::uint8_t> rgb8; // 3 channels, from an RGBA8 target
+  Image<float> radiance;    // 3 channels, from an RGBA32F target
+  Image<float> depth;       // 1 channel, window depth in [0, 1] from a DEPTH32F target; 1 where nothing was drawn
+  Image<float> ids;         // 2 channels: object and triangle in its mesh, each counted from 1; 0 where nothing
   GlDriver driver;
   GlTimes times;
   std::uint64_t samples_passed = 0;  // the depth test, in one frame

@@ -11,11 +11,11 @@ void WarningList::add(const std::string& object, const std::string& text) {
 }
 
 std::vector<std::string> WarningList::lines() const {
-  constexpr std::size_t most_names = 3;
+  constexpr std::size_t max_names = 3;
   std::vector<std::string> lines;
   for (const auto& [text, objects] : warnings_) {
     std::string names;
-    if (objects.size() > most_names) names = objects[0] + " and " + std::to_string(objects.size() - 1) + " more";
+    if (objects.size() > max_names) names = objects[0] + " and " + std::to_string(objects.size() - 1) + " more";
     else
       for (const std::string& object : objects) names += (names.empty() ? "" : ", ") + object;
     lines.push_back(names.empty() ? text : names + ": " + text);

@@ -7,4 +7,4 @@
 #include "math/elementary/cosine_power.h"
 #include "math/elementary/degrees.h"
 #include "math/elementary/exp_log.h"
-#include "math/elementary/power.h"
+#include "math/elementary/pow.h"

@@ -64,24 +64,24 @@ struct NumberTraits<Exact> {
 inline Exact select(bool m, const Exact& x, const Exact& y) {
   return m ? x : y;
 }
-inline Exact maximum(const Exact& x, const Exact& y) {
+inline Exact max(const Exact& x, const Exact& y) {
   return x > y ? x : y;
 }
-inline Exact minimum(const Exact& x, const Exact& y) {
+inline Exact min(const Exact& x, const Exact& y) {
   return x < y ? x : y;
 }
-inline Exact magnitude(const Exact& x) {
+inline Exact abs(const Exact& x) {
   return x < Exact(0) ? -x : x;
 }
 inline Exact square(const Exact& x) {
   return x * x;
 }
 /// 0 below 0.
-inline Exact root(const Exact& x) {
+inline Exact sqrt(const Exact& x) {
   return x > Exact(0) ? Exact(Exact::Value(sqrt(x.value()))) : Exact(0);
 }
 inline Cell<Exact> floor_and_fraction(const Exact& x) {
-  const Exact inside = minimum(maximum(x, Exact(-cell_limit)), Exact(cell_limit));
+  const Exact inside = min(max(x, Exact(-cell_limit)), Exact(cell_limit));
   const Exact::Value below = floor(inside.value());
   return {static_cast<std::int32_t>(below), inside - Exact(below)};
 }
@@ -92,15 +92,15 @@ inline Exact fraction(const Exact& x) {
 /// log2(x); of what is not positive, that of the smallest positive double, as of every precision.
 inline Exact log2(const Exact& x) {
   using boost::multiprecision::log2;
-  return Exact(Exact::Value(log2(maximum(x, Exact(std::numeric_limits<double>::denorm_min())).value())));
+  return Exact(Exact::Value(log2(max(x, Exact(std::numeric_limits<double>::denorm_min())).value())));
 }
 /// 2^x, for |x| up to 2^20; beyond, as there.
 inline Exact exp2(const Exact& x) {
-  const Exact inside = minimum(maximum(x, Exact(-0x1p20)), Exact(0x1p20));
+  const Exact inside = min(max(x, Exact(-0x1p20)), Exact(0x1p20));
   return Exact(Exact::Value(pow(Exact::Value(2), inside.value())));
 }
 /// x^s for s >= 0; x^0 = 1, also for x = 0; x < 0 counts as 0.
-inline Exact power(const Exact& x, double s) {
+inline Exact pow(const Exact& x, double s) {
   if (s == 0) return Exact(1);
   return x > Exact(0) ? Exact(Exact::Value(pow(x.value(), Exact::Value(s)))) : Exact(0);
 }
@@ -114,7 +114,7 @@ inline Exact atan2(const Exact& y, const Exact& x) {
 inline Exact cosine_power(const Vec3<Exact>& a, const Vec3<Exact>& b, double s) {
   if (s == 0) return Exact(1);
   const Exact lengths = squared_length(a) * squared_length(b);
-  return lengths > Exact(0) ? power(dot(a, b) / root(lengths), s) : Exact(0);
+  return lengths > Exact(0) ? pow(dot(a, b) / sqrt(lengths), s) : Exact(0);
 }
 
 } // namespace refraster

@@ -15,9 +15,9 @@ struct Half {
   /// x rounded to the nearest, halfway cases to even; beyond the largest number, the largest of that sign. x is not
   /// NaN.
   explicit constexpr Half(double x) {
-    const double size = minimum(magnitude(x), largest);
+    const double size = min(abs(x), largest);
     // The distance between neighbours: 2^-24 for subnormal numbers, else 2^-10 of the power of two below.
-    const std::int64_t exponent = (std::bit_cast<std::int64_t>(maximum(size, smallest_normal)) >> 52) - 1023;
+    const std::int64_t exponent = (std::bit_cast<std::int64_t>(max(size, smallest_normal)) >> 52) - 1023;
     const double steps = size * std::bit_cast<double>((1023 + 10 - exponent) << 52); // exact, at most 2^11
     constexpr double to_integer = 0x1.8p52; // numbers around here have no fraction bits
     const auto n = static_cast<int>((steps + to_integer) - to_integer);

@@ -17,7 +17,7 @@
 namespace refraster {
 
 /// Beside these, every Number has (each total, and of lanes branch-free and the same bits in a lane as alone):
-///   exp2(x), log2(x), power(x, s), atan2(y, x)       math/elementary.h; required by ElementaryNumber
+///   exp2(x), log2(x), pow(x, s), atan2(y, x)       math/elementary.h; required by ElementaryNumber
 ///   cosine_power(a, b, s), length(a), normalize(a)   math/elementary/cosine_power.h, math/vec.h
 ///   read_grid(place, axes, read)                     math/read_grid.h
 template <class T>
@@ -39,11 +39,11 @@ concept Number = requires(T x, T y, MaskOf<T> m, IndexOf<T> i) {
   { x <= y } -> std::same_as<MaskOf<T>>;
   { x >= y } -> std::same_as<MaskOf<T>>;
   { select(m, x, y) } -> std::same_as<T>; // x where m, else y
-  { maximum(x, y) } -> std::same_as<T>;   // y where either is NaN
-  { minimum(x, y) } -> std::same_as<T>;   // y where either is NaN
-  { magnitude(x) } -> std::same_as<T>;    // |x|
+  { max(x, y) } -> std::same_as<T>;       // y where either is NaN
+  { min(x, y) } -> std::same_as<T>;       // y where either is NaN
+  { abs(x) } -> std::same_as<T>;          // |x|
   { square(x) } -> std::same_as<T>;       // x x; a bounds type knows that it is not negative
-  { root(x) } -> std::same_as<T>;         // square root
+  { sqrt(x) } -> std::same_as<T>;         // square root
   { m& m } -> std::convertible_to<MaskOf<T>>;
   { m | m } -> std::convertible_to<MaskOf<T>>;
   { !m } -> std::convertible_to<MaskOf<T>>;
@@ -75,9 +75,9 @@ constexpr double within_range(double parameter) {
 
 /// Whether T trades last bits for speed; see math/lanes/wide.h.
 template <class T>
-inline constexpr bool is_quick = false;
+inline constexpr bool is_fast = false;
 
-/// a b + c; in one rounding where T is quick.
+/// a b + c; in one rounding where T is fast.
 template <class T>
 constexpr T multiply_add(const T& a, const T& b, const T& c) {
   return a * b + c;
@@ -85,8 +85,8 @@ constexpr T multiply_add(const T& a, const T& b, const T& c) {
 
 /// <x> = max(x, 0); 0 for NaN.
 template <class T>
-constexpr T positive(const T& x) {
-  return maximum(x, T(0));
+constexpr T max0(const T& x) {
+  return max(x, T(0));
 }
 
 } // namespace refraster

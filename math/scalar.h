@@ -84,11 +84,11 @@ constexpr F select(bool m, F x, F y) {
   return m ? x : y;
 }
 template <std::floating_point F>
-constexpr F maximum(F x, F y) {
+constexpr F max(F x, F y) {
   return x > y ? x : y;
 }
 template <std::floating_point F>
-constexpr F minimum(F x, F y) {
+constexpr F min(F x, F y) {
   return x < y ? x : y;
 }
 template <std::floating_point F>
@@ -96,12 +96,12 @@ constexpr F square(F x) {
   return x * x;
 }
 template <std::floating_point F>
-constexpr F magnitude(F x) {
+constexpr F abs(F x) {
   constexpr BitsOf<F> without_sign = std::numeric_limits<BitsOf<F>>::max();
   return std::bit_cast<F>(std::bit_cast<BitsOf<F>>(x) & without_sign);
 }
 template <std::floating_point F>
-F root(F x) {
+F sqrt(F x) {
   return std::sqrt(x); // correctly rounded by IEEE 754: one instruction, the same on every machine
 }
 
@@ -120,7 +120,7 @@ inline constexpr int fraction_bits = std::numeric_limits<F>::digits - 1;
 /// A power of two s with s |x| in [1, 2) for normal |x| up to 2^(max_exponent - 2).
 /// For zero, subnormal, huge and non-finite x: the nearest power of two that is itself normal, so that
 /// s x never overflows and s x == 0 exactly when x == 0. Multiplying by s is exact: lengths are scaled with it
-/// before they are squared, so that (1e30, 0, 0) and (1e-30, 0, 0) have a length in every rung.
+/// before they are squared, so that (1e30, 0, 0) and (1e-30, 0, 0) have a length in every precision.
 template <std::floating_point F>
 constexpr F reciprocal_binade(F x) {
   using B = BitsOf<F>;
@@ -128,7 +128,7 @@ constexpr F reciprocal_binade(F x) {
   constexpr B exponent_mask = (2 * bias + 1) << fraction_bits<F>;
   constexpr F smallest = std::numeric_limits<F>::min();
   const F binade = std::bit_cast<F>(std::bit_cast<B>(x) & exponent_mask); // |x| with fraction 0; infinity for NaN
-  const F inside = minimum(maximum(binade, smallest), 1 / smallest);
+  const F inside = min(max(binade, smallest), 1 / smallest);
   return std::bit_cast<F>((2 * bias << fraction_bits<F>)-std::bit_cast<B>(inside)); // its exponent, negated
 }
 
@@ -150,12 +150,12 @@ inline constexpr double cell_limit = 1 << 30;
 template <std::floating_point F>
 Cell<F> floor_and_fraction(F x) {
   const F limit = static_cast<F>(cell_limit);
-  const F inside = minimum(maximum(x, -limit), limit);
+  const F inside = min(max(x, -limit), limit);
   // Truncate, then step down where that went up: lanes can do that too. For -0 compilers disagree whether the way over
   // the integer drops the sign, so the fraction's zero is made +0.
   const F truncated = static_cast<F>(static_cast<std::int32_t>(inside));
   const F below = truncated > inside ? truncated - 1 : truncated;
-  return {static_cast<std::int32_t>(below), minimum(maximum(inside - below, F(0)), almost_one<F>)};
+  return {static_cast<std::int32_t>(below), min(max(inside - below, F(0)), almost_one<F>)};
 }
 
 template <std::floating_point F>

@@ -52,14 +52,14 @@ Vec3<T> cross(const Vec3<T>& a, const Vec3<T>& b) {
 /// |a|^2. Overflows and underflows where the square does: for unit-sized vectors.
 template <class T>
 T squared_length(const Vec3<T>& a) {
-  if constexpr (is_quick<T>) return dot(a, a);
+  if constexpr (is_fast<T>) return dot(a, a);
   else return square(a.x) + square(a.y) + square(a.z); // a bounds type knows that these are not negative
 }
 
 /// A power of two that brings the largest component of a into [1, 2); see reciprocal_binade.
 template <class T>
 T reciprocal_binade(const Vec3<T>& a) {
-  return reciprocal_binade(maximum(magnitude(a.x), maximum(magnitude(a.y), magnitude(a.z))));
+  return reciprocal_binade(max(abs(a.x), max(abs(a.y), abs(a.z))));
 }
 
 /// |a|, without overflow or underflow on the way. A bounds number brings its own, which knows that |a| grows with each
@@ -67,21 +67,21 @@ T reciprocal_binade(const Vec3<T>& a) {
 template <class T>
 T length(const Vec3<T>& a) {
   if constexpr (!NumberTraits<T>::is_ieee) { // neither overflows nor underflows
-    return root(squared_length(a));
+    return sqrt(squared_length(a));
   } else {
     const auto scaled = [&] {
       const T scale = reciprocal_binade(a);
-      return root(squared_length(a * scale)) * exact_reciprocal(scale);
+      return sqrt(squared_length(a * scale)) * exact_reciprocal(scale);
     };
     if constexpr (NumberTraits<T>::has_lanes) {
       const T squared = squared_length(a);
       const MaskOf<T> ordinary = square_in_range(squared);
-      if constexpr (is_quick<T>) {
-        const T quick = squared * reciprocal_root(squared);
-        return any(!ordinary) ? select(ordinary, quick, scaled()) : quick;
+      if constexpr (is_fast<T>) {
+        const T estimated = squared * reciprocal_root(squared);
+        return any(!ordinary) ? select(ordinary, estimated, scaled()) : estimated;
       }
       if (!any(!ordinary)) [[likely]]
-        return root(squared);
+        return sqrt(squared);
     }
     return scaled();
   }
@@ -101,12 +101,12 @@ Vec3<T> normalize(const Vec3<T>& a) {
   if constexpr (!NumberTraits<T>::is_ieee) {
     const T squared = squared_length(a);
     const MaskOf<T> defined = squared > T(0);
-    return a * select(defined, T(1) / root(select(defined, squared, T(1))), T(0));
+    return a * select(defined, T(1) / sqrt(select(defined, squared, T(1))), T(0));
   } else {
     const auto through_scaled = [&] {
       const Vec3<T> scaled = a * reciprocal_binade(a);
       const T squared = squared_length(scaled); // in [1, 12), or 0
-      return scaled * select(squared > T(0), T(1) / root(squared), T(0));
+      return scaled * select(squared > T(0), T(1) / sqrt(squared), T(0));
     };
     // What lies beside it in a register must not matter: an estimate has other bits, and a component that is subnormal
     // would lose its last ones twice where it is scaled first.
@@ -114,14 +114,14 @@ Vec3<T> normalize(const Vec3<T>& a) {
     if constexpr (NumberTraits<T>::has_lanes) {
       const MaskOf<T> ordinary = square_in_range(squared);
       const auto plain = [&]() -> Vec3<T> {
-        if constexpr (is_quick<T>) return a * reciprocal_root(squared);
-        else return a * (T(1) / root(squared));
+        if constexpr (is_fast<T>) return a * reciprocal_root(squared);
+        else return a * (T(1) / sqrt(squared));
       };
       if (!any(!ordinary)) [[likely]]
         return plain();
       return select<T>(ordinary, plain(), through_scaled());
     } else {
-      return square_in_range(squared) ? a * (T(1) / root(squared)) : through_scaled();
+      return square_in_range(squared) ? a * (T(1) / sqrt(squared)) : through_scaled();
     }
   }
 }

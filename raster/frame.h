@@ -20,38 +20,38 @@ enum class Aov {
   position, // 3: world space
   uv,       // 2: as interpolated, not wrapped
   albedo,   // 3: texture colour times kd; for a measured BRDF its value at normal incidence times pi
-  triangle, // 1: index of the triangle in its object's mesh, counted from 1; see most_numbered_triangles
+  triangle, // 1: index of the triangle in its object's mesh, counted from 1; see max_exact_triangle_id
   object,   // 1: index of the object in the scene, counted from 1
   count_
 };
 /// Up to so many triangles in an object a float tells one from the next; beyond, it is the nearest to the index.
-inline constexpr std::size_t most_numbered_triangles = std::size_t{1} << 24;
+inline constexpr std::size_t max_exact_triangle_id = std::size_t{1} << 24;
 
 /// Their names on the command line and in file names, and their channels, in the order of the enum.
 inline constexpr std::string_view aov_names[] = {"depth", "normal", "position", "uv", "albedo", "triangle", "object"};
 inline constexpr int aov_channels[] = {1, 3, 3, 2, 3, 1, 1};
 
 /// A rectangle of pixels; x, y from the top left.
-struct Crop {
+struct PixelRect {
   int x = 0, y = 0, width = 0, height = 0;
 };
 
 enum class Transfer { linear, srgb };
 
 struct RenderOptions {
-  int width = 1280, height = 720;   // of the full image: 1 to 16384 each
-  std::vector<Crop> crop;           // none, or one within the image: only these pixels, with the same values
-  std::string_view rung = "double"; // a name in math/rungs.h
-  int samples = 1;                  // a pixel: 1, 2, 4, 8 or 16 at the standard positions; shaded once a triangle
-  int threads = 0;                  // 0: as many as the machine has
-  int tile_size = 64;               // 8 to 128, a power of two. Changes no pixel.
+  int width = 1280, height = 720;        // of the full image: 1 to 16384 each
+  std::vector<PixelRect> crop;           // none, or one within the image: only these pixels, with the same values
+  std::string_view precision = "double"; // a name in math/precisions.h
+  int samples = 1;                       // a pixel: 1, 2, 4, 8 or 16 at the standard positions; shaded once a triangle
+  int threads = 0;                       // 0: as many as the machine has
+  int tile_size = 64;                    // 8 to 128, a power of two. Changes no pixel.
   // What to make. Only what is asked for is computed and takes memory.
-  bool want_levels = true;              // 8-bit image
+  bool want_rgb8 = true;                // 8-bit image
   bool want_radiance = false;           // float image
-  bool want_radiance_double = false;    // the same before it is rounded to float, to measure a rung by
+  bool want_radiance_double = false;    // the same before it is rounded to float, to measure a precision by
   Transfer transfer = Transfer::linear; // of the 8-bit image
   std::vector<Aov> aovs;
-  std::function<void(double)> progress;      // called with the share done, in [0, 1], from one thread at a time
+  std::function<void(double)> progress;      // called with the fraction done, in [0, 1], from one thread at a time
   const std::atomic<bool>* cancel = nullptr; // when it becomes true, the frame is given up
   MemoryBudget memory;                       // asked for images and vertices
 };
@@ -63,11 +63,11 @@ struct StageSeconds {
 
 /// What the tiles' time was spent on: seconds of each thread, added up.
 struct TileSeconds {
-  double visibility = 0; // coverage and depth
-  double surfaces = 0;   // listing what is visible, and setting it up for interpolation
-  double shading = 0;    // interpolation and fragment functions
-  double resolve = 0;    // averaging samples, writing pixels
-  double sum() const { return visibility + surfaces + shading + resolve; }
+  double visibility = 0;      // coverage and depth
+  double attribute_setup = 0; // listing what is visible, and setting it up for interpolation
+  double shading = 0;         // interpolation and fragment functions
+  double resolve = 0;         // averaging samples, writing pixels
+  double sum() const { return visibility + attribute_setup + shading + resolve; }
 };
 
 /// What a frame met. The same for every thread count and tile size.
@@ -88,9 +88,9 @@ struct FrameCounts {
 };
 
 struct Frame {
-  Image<std::uint8_t> levels;     // 3 channels; empty if not wanted
+  Image<std::uint8_t> rgb8;       // 3 channels; empty if not wanted
   Image<float> radiance;          // 3 channels, unclamped; empty if not wanted
-  Image<double> radiance_double;  // the same, exactly as the rung computed it; empty if not wanted
+  Image<double> radiance_double;  // the same, exactly as the precision computed it; empty if not wanted
   std::vector<Image<float>> aovs; // in the order of RenderOptions::aovs
   FrameCounts counts;
   StageSeconds seconds;

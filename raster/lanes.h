@@ -1,7 +1,7 @@
 #pragma once
 // Small things about registers of samples or triangles that set-up, binning and tiles share.
 
-#include "math/rungs.h"
+#include "math/precisions.h"
 
 #include <array>
 #include <bit>

@@ -1,6 +1,6 @@
 #include "raster/render.h"
 
-#include "math/rungs.h"
+#include "math/precisions.h"
 #include "raster/parallel.h"
 #include "raster/shade/shade.h"
 
@@ -31,7 +31,7 @@ void add(FrameCounts& sum, const FrameCounts& part) {
 
 void add(TileSeconds& sum, const TileSeconds& part) {
   sum.visibility += part.visibility;
-  sum.surfaces += part.surfaces;
+  sum.attribute_setup += part.attribute_setup;
   sum.shading += part.shading;
   sum.resolve += part.resolve;
 }
@@ -43,28 +43,28 @@ bool cancelled(const RenderOptions& options) {
 // What one thread works with, tile after tile.
 struct TileWorker {
   TileVisibility visibility;
-  std::unique_ptr<TileShader> shader;
+  std::unique_ptr<TileShading> shading;
   FrameCounts counts;
   TileSeconds seconds;
 
-  TileWorker(int tile_size, std::unique_ptr<TileShader> its_shader)
-      : visibility(tile_size), shader(std::move(its_shader)) {}
+  TileWorker(int tile_size, std::unique_ptr<TileShading> its_shader)
+      : visibility(tile_size), shading(std::move(its_shader)) {}
 };
 
 // The last stage: visibility, then shading, tile by tile. Tiles write disjoint pixels, and counts are sums of integers,
 // so which thread takes which tile changes nothing.
-void shade_tiles(const FrameContext& context, const TileGrid& grid, std::span<const SamplePlace> samples,
+void shade_tiles(const FrameContext& context, const TileGrid& grid, std::span<const SamplePosition> samples,
                  std::span<TileWorker> workers, Frame& frame) {
   std::atomic<std::size_t> done{0};
   parallel_for(static_cast<int>(workers.size()), grid.tiles(), [&](std::size_t index, int thread) {
     if (cancelled(context.options)) return;
     TileWorker& worker = workers[static_cast<std::size_t>(thread)];
-    const Crop tile = grid.tile(index);
+    const PixelRect tile = grid.tile(index);
     const auto start = Clock::now();
     worker.visibility.decide(context.scene, context.geometry, context.bins, index, tile, samples);
     worker.seconds.visibility += seconds_since(start);
-    worker.shader->shade(context, {tile, worker.visibility.triangles(), worker.visibility}, frame,
-                         {worker.counts, worker.seconds});
+    worker.shading->shade(context, {tile, worker.visibility.triangles(), worker.visibility}, frame,
+                          {worker.counts, worker.seconds});
     const std::size_t now_done = ++done;
     if (thread == 0 && now_done < grid.tiles() && context.options.progress)
       context.options.progress(static_cast<double>(now_done) / static_cast<double>(grid.tiles()));
@@ -78,7 +78,7 @@ void shade_tiles(const FrameContext& context, const TileGrid& grid, std::span<co
 
 // The image as a new one of this shape would be, but for what it holds.
 template <class Value>
-void reshape(Image<Value>& image, const Crop& region, int channels) {
+void reshape(Image<Value>& image, const PixelRect& region, int channels) {
   if (image.width != region.width || image.height != region.height || image.channels != channels) {
     image = {}; // the budget was asked for one of the two
     image = Image<Value>(region.width, region.height, channels);
@@ -86,9 +86,9 @@ void reshape(Image<Value>& image, const Crop& region, int channels) {
 }
 
 // What reshape_images will hold, whatever is there already.
-std::uint64_t image_bytes(const RenderOptions& options, const Crop& region) {
+std::uint64_t image_bytes(const RenderOptions& options, const PixelRect& region) {
   std::uint64_t pixel = 0;
-  if (options.want_levels) pixel += 3;
+  if (options.want_rgb8) pixel += 3;
   if (options.want_radiance) pixel += 3 * sizeof(float);
   if (options.want_radiance_double) pixel += 3 * sizeof(double);
   for (const Aov aov : options.aovs)
@@ -106,7 +106,7 @@ std::uint64_t vertices_of(const Scene& scene) {
 }
 
 std::uint64_t bytes_of(const Frame& frame) {
-  std::uint64_t bytes = frame.levels.values.size() + frame.radiance.values.size() * sizeof(float) +
+  std::uint64_t bytes = frame.rgb8.values.size() + frame.radiance.values.size() * sizeof(float) +
                         frame.radiance_double.values.size() * sizeof(double);
   for (const Image<float>& aov : frame.aovs) bytes += aov.values.size() * sizeof(float);
   return bytes;
@@ -117,9 +117,9 @@ void need_more(const MemoryBudget& memory, std::uint64_t wanted, std::uint64_t h
   if (wanted > held) memory.need(wanted - held, what);
 }
 
-void reshape_images(const RenderOptions& options, const Crop& region, Frame& frame) {
-  if (options.want_levels) reshape(frame.levels, region, 3);
-  else frame.levels = {};
+void reshape_images(const RenderOptions& options, const PixelRect& region, Frame& frame) {
+  if (options.want_rgb8) reshape(frame.rgb8, region, 3);
+  else frame.rgb8 = {};
   if (options.want_radiance) reshape(frame.radiance, region, 3);
   else frame.radiance = {};
   if (options.want_radiance_double) reshape(frame.radiance_double, region, 3);
@@ -140,7 +140,7 @@ void render_frame(const Scene& scene, const RenderOptions& options, Geometry& ge
   assert(options.tile_size >= 8 && options.tile_size <= 128);
   assert(is_sample_count(options.samples) && options.crop.size() <= 1);
   const auto start = Clock::now();
-  const Crop region = rendered_region(options);
+  const PixelRect region = rendered_region(options);
   assert(region.x >= 0 && region.y >= 0 && region.width >= 1 && region.height >= 1 &&
          region.x + region.width <= options.width && region.y + region.height <= options.height);
   need_more(options.memory, image_bytes(options, region), bytes_of(frame), "the image");
@@ -149,7 +149,7 @@ void render_frame(const Scene& scene, const RenderOptions& options, Geometry& ge
   frame.counts = {}, frame.seconds = {}, frame.tile_seconds = {};
   frame.counts.pixels = static_cast<std::uint64_t>(region.width) * static_cast<std::uint64_t>(region.height);
 
-  const std::span<const SamplePlace> samples = sample_pattern(options.samples);
+  const std::span<const SamplePosition> samples = sample_pattern(options.samples);
   const TileGrid grid{region.x, region.y, region.width, region.height, options.tile_size};
 
   const auto transform_start = Clock::now();
@@ -170,40 +170,40 @@ void render_frame(const Scene& scene, const RenderOptions& options, Geometry& ge
 
 } // namespace
 
-Crop rendered_region(const RenderOptions& options) {
-  return options.crop.empty() ? Crop{0, 0, options.width, options.height} : options.crop.front();
+PixelRect rendered_region(const RenderOptions& options) {
+  return options.crop.empty() ? PixelRect{0, 0, options.width, options.height} : options.crop.front();
 }
 
-std::unique_ptr<TileShader> make_tile_shader(std::string_view rung) {
-  if (rung == DoubleRung::name) return make_double_shader();
-  if (rung == FloatRung::name) return make_float_shader();
-  if (rung == FastRung::name) return make_fast_shader();
-  if (rung == ExactRung::name) return make_exact_shader();
+std::unique_ptr<TileShading> make_tile_shading(std::string_view precision) {
+  if (precision == DoublePrecision::name) return make_double_shading();
+  if (precision == FloatPrecision::name) return make_float_shading();
+  if (precision == FastPrecision::name) return make_fast_shading();
+  if (precision == ExactPrecision::name) return make_exact_shader();
   return nullptr;
 }
 
-int rung_lanes(std::string_view rung) {
+int precision_lanes(std::string_view precision) {
   int lanes = 0;
   const auto look_at = [&]<class R>(R) {
-    if (R::name == rung) lanes = R::lanes;
+    if (R::name == precision) lanes = R::lanes;
   };
-  std::apply([&](auto... each) { (look_at(each), ...); }, Rungs{});
+  std::apply([&](auto... each) { (look_at(each), ...); }, Precisions{});
   return lanes;
 }
 
 struct Renderer::Memory {
   Geometry geometry;
   Bins bins;
-  // One for each thread; made for this tile size and rung.
+  // One for each thread; made for this tile size and precision.
   std::vector<TileWorker> workers;
   int tile_size = 0;
-  std::string rung;
+  std::string precision;
 
   std::span<TileWorker> workers_for(const RenderOptions& options, int threads) {
-    if (tile_size != options.tile_size || rung != options.rung) workers.clear();
-    tile_size = options.tile_size, rung = options.rung;
+    if (tile_size != options.tile_size || precision != options.precision) workers.clear();
+    tile_size = options.tile_size, precision = options.precision;
     const auto count = static_cast<std::size_t>(threads);
-    while (workers.size() < count) workers.emplace_back(tile_size, make_tile_shader(rung));
+    while (workers.size() < count) workers.emplace_back(tile_size, make_tile_shading(precision));
     for (TileWorker& worker : workers) worker.counts = {}, worker.seconds = {};
     return {workers.data(), count};
   }

@@ -30,9 +30,9 @@ private:
   std::unique_ptr<Memory> memory_;
 };
 
-/// How many fragments of a rung are shaded at once, on the instruction set that this library was built for; 0 if there
-/// is no rung of that name.
-int rung_lanes(std::string_view rung);
+/// How many fragments of a precision are shaded at once, on the instruction set that this library was built for; 0 if
+/// there is no precision of that name.
+int precision_lanes(std::string_view precision);
 
 /// A single frame.
 Frame render(const Scene& scene, const RenderOptions& options);

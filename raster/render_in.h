@@ -1,25 +1,25 @@
 #pragma once
-// A frame in any Number without lanes: the same formulas as every rung, its colours as they are. For verification and
-// measuring; compiles all of shading for the number.
+// A frame in any Number without lanes: the same formulas as every precision, its colours as they are. For verification
+// and measuring; compiles all of shading for the number.
 
 #include "raster/shade/sample_data.h"
 #include "raster/shade/shade_tile.h"
 
 namespace refraster {
 
-extern template class TileShaderOf<Exact>; // raster/shade/precisions/exact.cpp
+extern template class TileShadingOf<Exact>; // raster/shade/precisions/exact.cpp
 
 /// Shades the pixels that `request` wants in T, and gives each that shows a surface to request.take. Of `options`, the
-/// images wanted and the rung are not read. Returns the frame's counts.
+/// images wanted and the precision are not read. Returns the frame's counts.
 template <Number T>
   requires(!NumberTraits<T>::has_lanes)
 FrameCounts shade_in(const Scene& scene, const RenderOptions& options, const SampleRequest<T>& request) {
   RenderOptions plain = options;
-  plain.want_levels = plain.want_radiance = plain.want_radiance_double = false;
+  plain.want_rgb8 = plain.want_radiance = plain.want_radiance_double = false;
   plain.aovs.clear();
   Frame frame;
   render_with(
-      scene, plain, [&] { return std::make_unique<TileShaderOf<T>>(request); }, frame);
+      scene, plain, [&] { return std::make_unique<TileShadingOf<T>>(request); }, frame);
   return frame.counts;
 }
 
@@ -28,7 +28,7 @@ FrameCounts shade_in(const Scene& scene, const RenderOptions& options, const Sam
 template <Number T>
   requires(!NumberTraits<T>::has_lanes)
 Image<T> render_in(const Scene& scene, const RenderOptions& options, SampleRequest<T> request = {}) {
-  const Crop region = rendered_region(options);
+  const PixelRect region = rendered_region(options);
   Image<T> radiance(region.width, region.height, 3);
   const auto put = [&](int x, int y, const Rgb<T>& rgb) {
     for (int c = 0; c < 3; ++c) radiance.at(x - region.x, y - region.y)[c] = rgb[c];

@@ -7,8 +7,8 @@ namespace refraster {
 namespace {
 
 template <std::size_t N>
-constexpr std::array<SamplePlace, N> sixteenths(const std::array<SamplePlace, N>& places) {
-  std::array<SamplePlace, N> result{};
+constexpr std::array<SamplePosition, N> sixteenths(const std::array<SamplePosition, N>& places) {
+  std::array<SamplePosition, N> result{};
   for (std::size_t i = 0; i < N; ++i) result[i] = {places[i].x * 16, places[i].y * 16};
   return result;
 }
@@ -36,7 +36,7 @@ constexpr auto sixteen = sixteenths<16>({{{9, 9},
 
 } // namespace
 
-std::span<const SamplePlace> sample_pattern(int samples) {
+std::span<const SamplePosition> sample_pattern(int samples) {
   assert(is_sample_count(samples));
   switch (samples) {
   case 2:

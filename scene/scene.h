@@ -1,8 +1,8 @@
 #pragma once
 // A scene as plain data: what is drawn, no file formats. Meshes, textures and tables are shared and immutable.
 
+#include "shading/fragment_functions.h"
 #include "shading/light.h"
-#include "shading/models.h"
 #include "shading/texture.h"
 
 #include <array>
@@ -47,7 +47,7 @@ struct EnumNames<Cull> {
 };
 
 struct Material {
-  Model model;                            // shading/models.h
+  FragmentFunction fragment_function;     // shading/fragment_functions.h
   std::shared_ptr<const Texture> texture; // null: white
   TextureFilter texture_filter = TextureFilter::bilinear;
 };

@@ -81,7 +81,7 @@ void add_grid(Mesh& mesh, int columns, int rows, const Add& add, std::size_t mor
   }
 }
 
-double share(int part, int whole) {
+double fraction(int part, int whole) {
   return static_cast<double>(part) / whole;
 }
 
@@ -93,11 +93,11 @@ Mesh sphere_mesh(int segments, int rings) {
   const auto point = [&](double longitude_part, CirclePoint longitude, int ring) {
     const CirclePoint latitude = turn(ring, 2 * rings); // half a turn from pole to pole
     const Double3 p = latitude.sine * outward(longitude) - Double3{0, latitude.cosine, 0};
-    return add_vertex(mesh, p, p, longitude_part, share(ring, rings));
+    return add_vertex(mesh, p, p, longitude_part, fraction(ring, rings));
   };
   add_grid(
       mesh, segments, rings - 2,
-      [&](int segment, int row) { point(share(segment, segments), turn(segment, segments), row + 1); },
+      [&](int segment, int row) { point(fraction(segment, segments), turn(segment, segments), row + 1); },
       2 * static_cast<std::size_t>(segments)); // the caps
 
   const auto stride = static_cast<std::uint32_t>(segments) + 1;
@@ -133,7 +133,7 @@ Mesh plane_mesh(int segments) {
   assert(segments >= 1);
   Mesh mesh;
   add_grid(mesh, segments, segments, [&](int column, int row) {
-    const double u = share(column, segments), v = share(row, segments);
+    const double u = fraction(column, segments), v = fraction(row, segments);
     add_vertex(mesh, {2 * u - 1, 0, 1 - 2 * v}, {0, 1, 0}, u, v);
   });
   return mesh;
@@ -146,7 +146,7 @@ Mesh torus_mesh(int segments, int rings, double tube_radius) {
     const Double3 out = outward(turn(segment, segments));
     const CirclePoint around = turn(ring, rings);
     const Double3 normal = -around.cosine * out - Double3{0, around.sine, 0};
-    add_vertex(mesh, out + tube_radius * normal, normal, share(segment, segments), share(ring, rings));
+    add_vertex(mesh, out + tube_radius * normal, normal, fraction(segment, segments), fraction(ring, rings));
   });
   return mesh;
 }
@@ -166,7 +166,8 @@ Mesh knot_mesh(int segments, int rings, double tube_radius) {
     const Double3 sideways = normalize(cross(normal, onward));
     const CirclePoint around = turn(ring, rings);
     const Double3 tube = around.cosine * normal + around.sine * sideways;
-    add_vertex(mesh, out + strand * normal + tube_radius * tube, tube, share(segment, segments), share(ring, rings));
+    add_vertex(mesh, out + strand * normal + tube_radius * tube, tube, fraction(segment, segments),
+               fraction(ring, rings));
   });
   return mesh;
 }

@@ -44,7 +44,7 @@ constexpr std::string_view name_of(Enum value) {
   return {};
 }
 
-// A model declares each parameter in its function `fields`, by one call:
+// A fragment function declares each parameter in its function `fields`, by one call:
 //     field("kd", self.kd, Range{}, "diffuse reflection, r g b");
 // for a Double3 (a colour), a double, or a named enum. A scene must give every colour and number; an enum, which
 // chooses between conventions, may be left out and then keeps the value that the member has from the start.

@@ -42,7 +42,7 @@ struct HalfDifference {
 /// Swapping i and o changes the sign of both components and no bit beside.
 template <Number T>
 Vec2<T> difference_azimuth_closed(const Vec3<T>& n, const Vec3<T>& i, const Vec3<T>& o) {
-  return {root(squared_length(i + o)) * dot(n, i - o), T(2) * dot(n, cross(i, o))};
+  return {sqrt(squared_length(i + o)) * dot(n, i - o), T(2) * dot(n, cross(i, o))};
 }
 
 /// Two unit vectors that form a right-handed basis with n. Duff et al., "Building an orthonormal basis, revisited",
@@ -68,7 +68,7 @@ Vec2<T> difference_azimuth_rotation(const Vec3<T>& n, const Vec3<T>& i, const Ve
   const Vec3<T> h = normalize(i + o);
   const T h_x = dot(h, tangent), h_y = dot(h, bitangent);
   const T cos_theta_h = dot(h, n);
-  const T sin_theta_h = root(square(h_x) + square(h_y));
+  const T sin_theta_h = sqrt(square(h_x) + square(h_y));
   const T cos_phi_h = select(sin_theta_h > T(0), h_x / sin_theta_h, T(1));
   const T sin_phi_h = select(sin_theta_h > T(0), h_y / sin_theta_h, T(0));
 
@@ -106,8 +106,8 @@ Vec2<T> difference_azimuth(MerlAngles method, const Vec3<T>& n, const Vec3<T>& i
 /// that (x, y) and (-x, -y) give the same bits; an angle that rounds to pi is 0. A bounds number has its own.
 template <Number T>
 T line_angle(const Vec2<T>& point) {
-  const T upper_x = select(point.y < T(0), -point.x, select(point.y > T(0), point.x, magnitude(point.x)));
-  const T angle = atan2(magnitude(point.y), upper_x);
+  const T upper_x = select(point.y < T(0), -point.x, select(point.y > T(0), point.x, abs(point.x)));
+  const T angle = atan2(abs(point.y), upper_x);
   return select(angle < constant<T>(constants::pi), angle, T(0));
 }
 
@@ -119,11 +119,11 @@ T line_angle(const Vec2<T>& point) {
 template <Number T>
 HalfDifference<T> half_difference(MerlAngles method, const Vec3<T>& n, const Vec3<T>& i, const Vec3<T>& o) {
   const Vec3<T> s = i + o, d = i - o;
-  const T sin_h = root(squared_length(cross(n, s))); // |s| sin theta_h
-  const T sin_d = root(squared_length(d));           // 2 sin theta_d
-  const T cos_d = root(squared_length(s));           // 2 cos theta_d
+  const T sin_h = sqrt(squared_length(cross(n, s))); // |s| sin theta_h
+  const T sin_d = sqrt(squared_length(d));           // 2 sin theta_d
+  const T cos_d = sqrt(squared_length(s));           // 2 cos theta_d
   const Vec2<T> azimuth = difference_azimuth(method, n, i, o);
-  const T defined = minimum(minimum(sin_h, sin_d), maximum(magnitude(azimuth.x), magnitude(azimuth.y)));
+  const T defined = min(min(sin_h, sin_d), max(abs(azimuth.x), abs(azimuth.y)));
   return {atan2(sin_h, dot(n, s)), atan2(sin_d, cos_d),
           select(defined > T(0), line_angle(azimuth), constant<T>(constants::half_pi))};
 }

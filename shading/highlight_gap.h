@@ -7,7 +7,7 @@
 // what was given, each component of a - b has an error of a few u of |a - b|, however short that is.
 
 #include "math/elementary/cosine_power.h"
-#include "math/elementary/twofold.h"
+#include "math/elementary/double_double.h"
 
 namespace refraster {
 
@@ -17,10 +17,10 @@ concept SharpHighlights = Lanes<T> && sizeof(RealOf<T>) == 8;
 
 /// a.b to twice the precision.
 template <Lanes T>
-Twofold<T> wide_dot(const Vec3<T>& a, const Vec3<T>& b) {
-  const Twofold<T> x = wide_product(a.x, b.x), y = wide_product(a.y, b.y), z = wide_product(a.z, b.z);
-  const Twofold<T> x_y = exact_sum(x.hi, y.hi), sum = exact_sum(x_y.hi, z.hi);
-  return quick_sum(sum.hi, sum.lo + (x_y.lo + ((x.lo + y.lo) + z.lo)));
+DoubleDouble<T> wide_dot(const Vec3<T>& a, const Vec3<T>& b) {
+  const DoubleDouble<T> x = two_product(a.x, b.x), y = two_product(a.y, b.y), z = two_product(a.z, b.z);
+  const DoubleDouble<T> x_y = two_sum(x.hi, y.hi), sum = two_sum(x_y.hi, z.hi);
+  return fast_two_sum(sum.hi, sum.lo + (x_y.lo + ((x.lo + y.lo) + z.lo)));
 }
 
 /// a - b, taken from gap() instead in the lanes where that shows: in a highlight sharper than that of the glossiness P
@@ -37,7 +37,7 @@ Vec3<T> highlight_gap(const Vec3<T>& a, const Vec3<T>& b, double s, const Gap& g
   constexpr double enough = Gap::plain_glossiness;
   if (s <= enough) return plain;
   const double x = 2 * (s / enough);
-  const MaskOf<T> close = squared_length(plain) * as<T>(s) < as<T>(2 * ((x - 1) / root(x) + 6));
+  const MaskOf<T> close = squared_length(plain) * as<T>(s) < as<T>(2 * ((x - 1) / sqrt(x) + 6));
   if (!any(close)) return plain;
   return select<T>(close, gap(), plain);
 }
@@ -52,10 +52,10 @@ struct MirrorGap {
   Vec3<T> n, l, v;
 
   [[gnu::noinline]] Vec3<T> operator()() const {
-    const Twofold<T> n_l = wide_dot(n, l);
+    const DoubleDouble<T> n_l = wide_dot(n, l);
     const T twice = T(2) * n_l.hi, twice_low = T(2) * n_l.lo;
     const auto component = [&](const T& n_i, const T& l_i, const T& v_i) {
-      const Twofold<T> normal_part = wide_product(twice, n_i), r_i = exact_sum(normal_part.hi, -l_i);
+      const DoubleDouble<T> normal_part = two_product(twice, n_i), r_i = two_sum(normal_part.hi, -l_i);
       // In a highlight r_i and v_i are close: their difference is exact.
       return (r_i.hi - v_i) + (r_i.lo + (normal_part.lo + twice_low * n_i));
     };
@@ -73,7 +73,7 @@ struct HalfGap {
   [[gnu::noinline]] Vec3<T> operator()() const {
     const T c = dot(l + v, h), reciprocal = T(1) / c;
     const auto component = [&](const T& n_i, const T& l_i, const T& v_i) {
-      const Twofold<T> sum = exact_sum(l_i, v_i), normal_part = wide_product(c, n_i);
+      const DoubleDouble<T> sum = two_sum(l_i, v_i), normal_part = two_product(c, n_i);
       return ((sum.hi - normal_part.hi) + (sum.lo - normal_part.lo)) * reciprocal;
     };
     return {component(n.x, l.x, v.x), component(n.y, l.y, v.y), component(n.z, l.z, v.z)};

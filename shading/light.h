@@ -36,7 +36,7 @@ inline DirectionToLight prepared_light(const DirectionLight& light) {
   return {-normalize(light.direction), light.radiance};
 }
 
-/// A light as the numbers of a rung can hold it.
+/// A light as the numbers of a precision can hold it.
 template <class T>
 PointLight within_range(const PointLight& light) {
   return {within_range<T>(light.position), within_range<T>(light.radiance), within_range<T>(light.constant),
@@ -58,10 +58,10 @@ Incident<T> arriving(const PointLight& light, const Fragment<T>& at) {
   Rgb<T> radiance = as<T>(light.radiance);
   if (attenuated) {
     // By Horner's rule: where d d overflows, a coefficient of 0 must not meet infinity. Nor where d overflows.
-    const T largest = largest_number<T>(), far = minimum(d, largest);
+    const T largest = largest_number<T>(), far = min(d, largest);
     const T divisor = as<T>(light.constant) + far * (as<T>(light.linear) + far * as<T>(light.quadratic));
-    radiance *= T(1) / maximum(divisor, T(std::numeric_limits<RealOf<T>>::min()));
-    radiance = {minimum(radiance.x, largest), minimum(radiance.y, largest), minimum(radiance.z, largest)};
+    radiance *= T(1) / max(divisor, T(std::numeric_limits<RealOf<T>>::min()));
+    radiance = {min(radiance.x, largest), min(radiance.y, largest), min(radiance.z, largest)};
   }
   return {normalize(way), select<T>(d > T(0), radiance, Rgb<T>(T(0)))};
 }

@@ -38,7 +38,7 @@ struct Merl {
     const Vec3<T> n = at.normal, l = light.direction, v = at.to_eye;
     const T n_l = dot(n, l);
     const MerlValue<T> brdf = merl_value(*table, lookup, merl_point(half_difference(angles, n, l, v)));
-    const MaskOf<T> lit = minimum(n_l, dot(n, v)) > T(0);
+    const MaskOf<T> lit = min(n_l, dot(n, v)) > T(0);
     at.undefined(Undefined::unmeasured_brdf, lit & brdf.unmeasured);
     return select<T>(lit, brdf.f * n_l * light.radiance, Rgb<T>(T(0)));
   }

@@ -41,7 +41,7 @@ struct MerlPoint {
 template <Number T>
 MerlPoint<T> merl_point(const HalfDifference<T>& angles) {
   const T bins_per_radian = constant<T>(constants::degrees_per_radian); // of theta_d and phi_d: a bin is one degree
-  return {T(90) * root(angles.theta_h * constant<T>(constants::two_over_pi)), angles.theta_d * bins_per_radian,
+  return {T(90) * sqrt(angles.theta_h * constant<T>(constants::two_over_pi)), angles.theta_d * bins_per_radian,
           angles.phi_d * bins_per_radian};
 }
 
@@ -131,7 +131,7 @@ struct MerlReader {
     else {
       if (scale == MerlScale::values) return stored;
       const auto g = [](const T& f) { // negative where f is, which was never measured
-        return select(f < T(0), f, log2(T(1) + positive(f) / as<T>(MerlTable::log_epsilon)));
+        return select(f < T(0), f, log2(T(1) + max0(f) / as<T>(MerlTable::log_epsilon)));
       };
       return {g(stored.x), g(stored.y), g(stored.z)};
     }
@@ -140,7 +140,7 @@ struct MerlReader {
   /// Where nothing was measured, 0.
   MerlValue<T> sample(const Index& h, const Index& d, const Index& p) const {
     const Rgb<T> value = rgb(h, d, p);
-    const MaskOf<T> measured = minimum(value.x, minimum(value.y, value.z)) >= T(0);
+    const MaskOf<T> measured = min(value.x, min(value.y, value.z)) >= T(0);
     return {select<T>(measured, value, Rgb<T>(T(0))), !measured};
   }
 
@@ -173,7 +173,7 @@ struct MerlReader {
       T least(0);
       const Rgb<T> mean = cube.mixed([&](const Index& h, const Index& d, const Index& p) {
         const Rgb<T> value = rgb(h, d, p);
-        least = minimum(minimum(least, value.x), minimum(value.y, value.z));
+        least = min(min(least, value.x), min(value.y, value.z));
         return value;
       });
       if (!any(least < T(0))) [[likely]]
@@ -201,7 +201,7 @@ struct MerlReader {
         std::array<Vec4<T>, 4> tap;
         for (std::size_t k = 0; k < 4; ++k) {
           tap[k] = weighted(h.index[i], d.index[j], p.index[k]);
-          measured = minimum(measured, tap[k].w);
+          measured = min(measured, tap[k].w);
         }
         along_d[j] = mix_cubic(tap[0], tap[1], tap[2], tap[3], p.fraction);
       }
@@ -239,7 +239,7 @@ private:
 /// f = epsilon (2^g - 1). A spline may dip below 0; f does not.
 template <Number T>
 MerlValue<T> from_logarithm(const MerlValue<T>& g) {
-  const auto f = [](const T& x) { return as<T>(MerlTable::log_epsilon) * positive(exp2(x) - T(1)); };
+  const auto f = [](const T& x) { return as<T>(MerlTable::log_epsilon) * max0(exp2(x) - T(1)); };
   return {Rgb<T>(f(g.f.x), f(g.f.y), f(g.f.z)), g.unmeasured};
 }
 
@@ -250,7 +250,7 @@ MerlValue<T> from_units(const MerlTable& table, const MerlValue<T>& in_units) {
   else return {in_units.f * as<T>(table.unit<Stored>()), in_units.unmeasured};
 }
 
-/// The BRDF at a point of the table, which is read in the format of `Stored`: that of the rung, if nothing else is
+/// The BRDF at a point of the table, which is read in the format of `Stored`: that of the precision, if nothing else is
 /// said. Reads only the copy of the table that this and the lookup need. Logarithms are always stored in T's own
 /// precision.
 template <Number T, class Stored = TableRealOf<T>>

@@ -26,7 +26,7 @@ void encode_all(const PaddedVector<double>& rgb, const Encode& encode, PaddedVec
   for (std::size_t i = 0; i < rgb.size(); i += 3) {
     const bool measured = is_measured(&rgb[i]);
     for (std::size_t channel = i; channel < i + 3; ++channel)
-      stored[channel] = static_cast<Stored>(measured ? minimum(encode(rgb[channel]), largest<Stored>) : -1);
+      stored[channel] = static_cast<Stored>(measured ? min(encode(rgb[channel]), largest<Stored>) : -1);
   }
 }
 
@@ -42,7 +42,7 @@ double logarithm(double f) {
 double unit_of(const PaddedVector<double>& rgb) {
   double greatest = 0;
   for (std::size_t i = 0; i < rgb.size(); i += 3)
-    if (is_measured(&rgb[i])) greatest = maximum(greatest, maximum(rgb[i], maximum(rgb[i + 1], rgb[i + 2])));
+    if (is_measured(&rgb[i])) greatest = max(greatest, max(rgb[i], max(rgb[i + 1], rgb[i + 2])));
   double unit = 0x1p-100;
   while (greatest > Half::largest * unit && unit < 0x1p100) unit *= 2;
   return unit;

@@ -27,8 +27,9 @@ public:
   /// Index of the first channel of a sample. 0 <= h, d < 90, 0 <= p < 180.
   static constexpr int offset(int h, int d, int p) { return 3 * ((h * theta_d_bins + d) * phi_d_bins + p); }
 
-  /// The values as a rung reads them: in double; in float, each rounded once; or in Half, in units of unit<Half>(),
-  /// each rounded once. A sample that was never measured has -1 in all channels; in double, what the file has.
+  /// The values as a precision reads them: in double; in float, each rounded once; or in Half, in units of
+  /// unit<Half>(), each rounded once. A sample that was never measured has -1 in all channels; in double, what the file
+  /// has.
   template <class Stored>
   const Stored* values() const;
 

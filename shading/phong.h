@@ -56,7 +56,7 @@ struct PhongParameters {
   Rgb<T> reflected(const Fragment<T>& at, const Incident<T>& light, const T& n_l, const T& highlight) const {
     const T gated = specular_gate == SpecularGate::open ? highlight : select(n_l > T(0), highlight, T(0));
     const T kept = select(squared_length(at.normal) > T(0), gated, T(0));
-    return (as<T>(kd) * at.texture * positive(n_l) + as<T>(ks) * kept) * light.radiance;
+    return (as<T>(kd) * at.texture * max0(n_l) + as<T>(ks) * kept) * light.radiance;
   }
 };
 

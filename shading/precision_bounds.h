@@ -12,9 +12,9 @@ namespace refraster {
 ///   of the terms   of the sum of the magnitudes of what the radiance is made from: sound where terms cancel
 ///   of the result  of the radiance itself; unbounded where it vanishes
 struct PrecisionBound {
-  std::string_view model, inputs; // of the fragment function; of the family: bench/precision/inputs.cpp
+  std::string_view function, inputs; // of the fragment function; of the family: bench/precision/inputs.cpp
   UlpBound double_terms, float_terms, double_result, float_result;
-  double float_from_double; // largest |difference| of the two rungs' radiance, for a light of radiance 1
+  double float_from_double; // largest |difference| of the two precisions' radiance, for a light of radiance 1
 };
 
 /// A pixel of a frame in `double` is off by at most so many units of 2^-53, of 1 or of the pixel if that is brighter,
@@ -162,11 +162,11 @@ inline constexpr UlpBound normalize_error = {4.5, 2.2};
 template <class F>
 inline constexpr UlpBound dot_error = {3, 1.3};
 
-/// How far the rung fast may be from double on ordinary directions and highlights, for a light of radiance 1: of the
-/// radiance where that is above 1. A quarter more than 40,000 inputs showed (tests/unit/shading/test_fast.cpp); the
+/// How far the precision fast may be from double on ordinary directions and highlights, for a light of radiance 1: of
+/// the radiance where that is above 1. A quarter more than 40,000 inputs showed (tests/unit/shading/test_fast.cpp); the
 /// exponents are 1 to 1000, the table is nylon-like.
 struct FastBound {
-  std::string_view model;
+  std::string_view function;
   double max, p99;
 };
 inline constexpr FastBound fast_bounds[] = {

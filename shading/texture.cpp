@@ -10,7 +10,7 @@ namespace {
 /// of the cell that lies in each of them.
 struct Cover {
   int first = 0, count = 0;
-  double share[3] = {};
+  double weight[3] = {};
 };
 
 Cover cover(int length, int cells, int k) {
@@ -20,7 +20,7 @@ Cover cover(int length, int cells, int k) {
   result.first = static_cast<int>(begin / cells);
   for (std::int64_t texel = result.first; texel * cells < end; ++texel) {
     const std::int64_t inside = std::min(end, (texel + 1) * cells) - std::max(begin, texel * cells);
-    result.share[result.count++] = static_cast<double>(inside) / static_cast<double>(length);
+    result.weight[result.count++] = static_cast<double>(inside) / static_cast<double>(length);
   }
   return result;
 }
@@ -36,7 +36,7 @@ TextureLevel halved(const TextureLevel& below) {
       Rgb<double> mean(0);
       for (int j = 0; j < rows.count; ++j)
         for (int i = 0; i < columns.count; ++i)
-          mean += texels(columns.first + i, rows.first + j, 0) * (rows.share[j] * columns.share[i]);
+          mean += texels(columns.first + i, rows.first + j, 0) * (rows.weight[j] * columns.weight[i]);
       for (const double channel : {mean.x, mean.y, mean.z}) level.rgb.push_back(static_cast<float>(channel));
     }
   }

@@ -57,7 +57,7 @@ void build_mip_levels(Texture& texture);
 template <Number T>
 T fewer_turns(const T& u) {
   constexpr double turns = 1 << 14;
-  return select(magnitude(u) < as<T>(turns), u, as<T>(turns) * fraction(u * as<T>(1 / turns)));
+  return select(abs(u) < as<T>(turns), u, as<T>(turns) * fraction(u * as<T>(1 / turns)));
 }
 
 /// The texel that holds the point, as stored.
@@ -96,19 +96,19 @@ T level_of_detail(const TextureLevel& image, const Vec2<T>& uv_dx, const Vec2<T>
   const auto texels = [&](const Vec2<T>& uv_step) {
     return length(Vec3<T>(uv_step.x * as<T>(image.width), uv_step.y * as<T>(image.height), T(0)));
   };
-  return log2(maximum(texels(uv_dx), texels(uv_dy)));
+  return log2(max(texels(uv_dx), texels(uv_dy)));
 }
 
 /// Between the two levels on either side of the level of detail; the image itself where it is magnified.
 template <Number T>
 Rgb<T> sample_trilinear(const Texture& texture, const Vec2<T>& uv, const Vec2<T>& uv_dx, const Vec2<T>& uv_dy) {
   const T last = as<T>(static_cast<double>(texture.levels.size() - 1));
-  const T detail = minimum(positive(level_of_detail(texture.levels[0], uv_dx, uv_dy)), last);
+  const T detail = min(max0(level_of_detail(texture.levels[0], uv_dx, uv_dy)), last);
   Rgb<T> sum(T(0));
   for (std::size_t k = 0; k < texture.levels.size(); ++k) {
     // 1 at its own level, falling to 0 at the next ones: two levels at most have a share, and the shares add up to 1.
-    const T share = positive(T(1) - magnitude(detail - as<T>(static_cast<double>(k))));
-    if (any(share > T(0))) sum += sample_bilinear(texture.levels[k], uv) * share;
+    const T weight = max0(T(1) - abs(detail - as<T>(static_cast<double>(k))));
+    if (any(weight > T(0))) sum += sample_bilinear(texture.levels[k], uv) * weight;
   }
   return sum;
 }

@@ -13,7 +13,7 @@ struct ChannelFacts {
   double min = 0, max = 0, mean = 0; // of all measured samples, 1/sr; each sample counts once
 };
 
-/// Light from one direction: the share of it that is reflected, by channel.
+/// Light from one direction: the fraction of it that is reflected, by channel.
 struct AlbedoFact {
   double degrees; // from the normal
   Rgb<double> albedo;

@@ -7,7 +7,7 @@
 #include "app/memory_limit.h"
 #include "app/output.h"
 #include "app/progress_line.h"
-#include "bench/measure/rung_errors.h"
+#include "bench/measure/precision_errors.h"
 #include "bench/measure/scene_bench.h"
 #include "bench/page/page.h"
 #include "bench/report/doubts.h"
@@ -62,7 +62,7 @@ std::optional<std::vector<GrowthRequest>> scaling_from(std::string_view text) {
 }
 
 struct BenchArguments {
-  std::vector<std::string> scenes, rungs;
+  std::vector<std::string> scenes, precisions;
   SceneOptions reading;
   std::uint64_t max_memory = 0;
   Diagnostics diagnostics;
@@ -106,10 +106,10 @@ public:
     run_.started = utc_now();
     run_.machine = this_machine();
     run_.load_at_start = load_average();
-    run_.warm_up = rounds_.warm_up;
-    run_.least_rounds = rounds_.least = a_.frames;
-    run_.seconds = rounds_.seconds = a_.seconds;
-    rounds_.stop = &interrupted();
+    run_.warm_up = repetitions_.warm_up;
+    run_.min_repetitions = repetitions_.least = a_.frames;
+    run_.seconds = repetitions_.seconds = a_.seconds;
+    repetitions_.stop = &interrupted();
     const auto usable = static_cast<int>(run_.machine.usable_cpus.size());
     for (const int threads : a_.threads)
       if (threads > usable)
@@ -131,14 +131,14 @@ public:
                    .width = size.width,
                    .height = size.height,
                    .samples = a_.samples,
-                   .rungs = a_.rungs,
+                   .precisions = a_.precisions,
                    .threads = a_.threads,
                    .marginals = a_.marginals,
                    .opengl = opengl_};
     SceneResult result = timed(task);
     if (interrupted()) return;
     if (a_.errors == Errors::measured)
-      result.errors = rung_errors(task, static_cast<int>(run_.machine.usable_cpus.size()));
+      result.errors = precision_errors(task, static_cast<int>(run_.machine.usable_cpus.size()));
     if (result.counts.shaded == 0) {
       RenderOptions options;
       options.width = size.width, options.height = size.height;
@@ -152,15 +152,16 @@ public:
                      .most = request.most,
                      .size = {a_.sizes.front().width, a_.sizes.front().height},
                      .threads = a_.threads.front(),
-                     .rungs = a_.rungs};
-    const PinnedTeams teams;
+                     .precisions = a_.precisions};
+    const PinnedThreadPool thread_pool;
     for (const LayerOrder order : {LayerOrder::back_to_front, LayerOrder::front_to_back}) {
       if (order != LayerOrder::back_to_front && request.growth != Growth::overdraw) continue;
       const auto line =
           progress_line(a_.diagnostics, "measuring how cost grows with " + std::string(name_of(request.growth)));
       show_progress(line.get());
       task.order = order;
-      for (ScalingCurve& curve : measure_scaling(task, rounds_, teams)) run_.scaling.push_back(std::move(curve));
+      for (ScalingCurve& curve : measure_scaling(task, repetitions_, thread_pool))
+        run_.scaling.push_back(std::move(curve));
     }
   }
 
@@ -175,27 +176,27 @@ private:
   SceneResult timed(SceneTask& task) {
     const auto line = progress_line(a_.diagnostics, "measuring " + task.name);
     show_progress(line.get());
-    const PinnedTeams teams;
+    const PinnedThreadPool thread_pool;
     try {
-      return bench_scene(task, rounds_, teams);
+      return bench_scene(task, repetitions_, thread_pool);
     } catch (const NoOpenGl& error) {
       if (a_.gl_named) throw;
       run_.notes.push_back(std::string("without OpenGL beside: ") + error.what());
       opengl_.reset();
       task.opengl.reset();
     }
-    return bench_scene(task, rounds_, teams);
+    return bench_scene(task, repetitions_, thread_pool);
   }
 
   /// On a line, if there is one.
   void show_progress(ProgressLine* line) {
-    rounds_.progress = {};
-    if (line) rounds_.progress = [line](double share) { line->show(share); };
+    repetitions_.progress = {};
+    if (line) repetitions_.progress = [line](double fraction) { line->show(fraction); };
   }
 
   const BenchArguments& a_;
   std::optional<GlRenderer> opengl_;
-  Rounds rounds_;
+  Repetitions repetitions_;
   Run run_;
 };
 
@@ -225,7 +226,7 @@ ExitCode run(const BenchArguments& a) {
   for (const std::string& path : outputs)
     if (!path.empty()) check_writable(path);
   prepare_cache(a.reading.mesh_cache);
-  // What is wrong with any of them is told before the first is measured.
+  // What is wrong with any of them is reported before the first is measured.
   if (a.scenes.size() > 1)
     for (const std::string& path : a.scenes) scene_of(path, a, Remarks::withheld);
   Bench bench(a);
@@ -254,9 +255,9 @@ ExitCode run(const BenchArguments& a) {
   return ExitCode::ok;
 }
 
-/// Without an option: all rungs; one thread, and as many as there are CPUs.
+/// Without an option: all precisions; one thread, and as many as there are CPUs.
 void fill_defaults(BenchArguments& a) {
-  if (a.rungs.empty()) a.rungs = lane_rung_names();
+  if (a.precisions.empty()) a.precisions = lane_precision_names();
   if (!a.threads.empty()) return;
   a.threads = {1};
   if (const auto usable = static_cast<int>(usable_cpus().size()); usable > 1) a.threads.push_back(usable);
@@ -276,17 +277,17 @@ void add_bench(CLI::App& program, Action& chosen) {
                     "pixels of the image, or several sizes")
       ->default_str("1280x720");
   std::string listed;
-  for (const std::string& name : lane_rung_names()) listed += (listed.empty() ? "" : ",") + name;
-  add_parsed_option(command, "--rungs", a.rungs, rungs_from, "NAME,…", "some of " + listed + ", each once",
-                    "precisions, divided by commas")
+  for (const std::string& name : lane_precision_names()) listed += (listed.empty() ? "" : ",") + name;
+  add_parsed_option(command, "--precisions", a.precisions, precisions_from, "NAME,…",
+                    "some of " + listed + ", each once", "precisions, divided by commas")
       ->default_str(listed);
   add_parsed_option(command, "--threads", a.threads, thread_counts_from, "N,…",
                     "numbers from 1 to 1024 divided by commas, each once", "numbers of threads, divided by commas")
       ->default_str("1 and all CPUs");
   add_number_option(command, "--frames", a.frames, Range{1, 1000000},
-                    "rounds at least; each draws a frame of everything");
+                    "repetitions at least; each draws a frame of everything");
   add_number_option(command, "--seconds", a.seconds, Range{0, 86400},
-                    "and more rounds until so much time has passed, for each scene");
+                    "and more repetitions until so much time has passed, for each scene");
   add_choice_option(command, "--samples", a.samples, {1, 2, 4, 8, 16}, "samples a pixel");
   add_choice_option(command, "--gl", a.gl, {"llvmpipe", "softpipe", "default", "none"},
                     "OpenGL to draw the same frames in between; left out where there is none, unless it is named here");
@@ -316,8 +317,8 @@ void add_bench(CLI::App& program, Action& chosen) {
     fill_defaults(*arguments);
     for (const Size& size : arguments->sizes) check_frame_samples(size.width, size.height, arguments->samples);
     chosen = [arguments] {
-      arguments->reading.memory =
-          hold_to(arguments->max_memory, *std::max_element(arguments->threads.begin(), arguments->threads.end()));
+      arguments->reading.memory = set_memory_limit(
+          arguments->max_memory, *std::max_element(arguments->threads.begin(), arguments->threads.end()));
       return run(*arguments);
     };
   });

@@ -99,10 +99,10 @@ double flip_of(const ImagePair& images, const CompareArguments& arguments) {
 CompareLimits all_limits(const CompareArguments& arguments) {
   CompareLimits limits = arguments.limits;
   if (arguments.limits_file.empty()) return limits;
-  const CompareLimits kept = read_limits(arguments.limits_file, arguments.compare_unit());
-  if (!limits.max_abs) limits.max_abs = kept.max_abs;
-  if (!limits.max_rms) limits.max_rms = kept.max_rms;
-  if (!limits.max_count) limits.max_count = kept.max_count;
+  const CompareLimits from_file = read_limits(arguments.limits_file, arguments.compare_unit());
+  if (!limits.max_abs) limits.max_abs = from_file.max_abs;
+  if (!limits.max_rms) limits.max_rms = from_file.max_rms;
+  if (!limits.max_count) limits.max_count = from_file.max_count;
   return limits;
 }
 
@@ -115,7 +115,7 @@ void note_on_limits(const CompareLimits& limits, const ImagePair& images, Compar
 }
 
 ExitCode run(const CompareArguments& arguments) {
-  const MemoryBudget memory = hold_to(arguments.max_memory, 1);
+  const MemoryBudget memory = set_memory_limit(arguments.max_memory, 1);
   check_different({arguments.diff, arguments.json}, {arguments.a, arguments.b, arguments.limits_file});
   if (!arguments.diff.empty()) check_writable(arguments.diff);
   if (!arguments.json.empty()) check_writable(arguments.json);

@@ -51,7 +51,7 @@ void add_choice(CLI::App& command, const std::string& option, Enum& chosen, cons
 }
 
 void write_outputs(const GlArguments& a, const GlOptions& options, const GlFrame& frame) {
-  if (!a.output.empty()) write_png(a.output, frame.levels);
+  if (!a.output.empty()) write_png(a.output, frame.rgb8);
   if (!a.radiance.empty()) write_float_image(a.radiance, frame.radiance);
   if (!a.depth.empty()) write_float_image(a.depth, frame.depth);
   if (!a.json.empty()) write_text(a.json, gl_report_json(a.scene, options, frame));
@@ -59,11 +59,11 @@ void write_outputs(const GlArguments& a, const GlOptions& options, const GlFrame
 
 /// Why OpenGL's image shows nothing, where that has a reason in the scene; empty if it shows something.
 std::string why_dark(const Scene& scene, const GlOptions& options, const GlFrame& frame) {
-  if (frame.levels.empty() && frame.radiance.empty()) return {};
+  if (frame.rgb8.empty() && frame.radiance.empty()) return {};
   RenderOptions view;
   view.width = options.width, view.height = options.height;
-  view.want_levels = !frame.levels.empty();
-  return explain_dark_image(scene, view, {frame.levels, frame.radiance}, std::nullopt);
+  view.want_rgb8 = !frame.rgb8.empty();
+  return explain_dark_image(scene, view, {frame.rgb8, frame.radiance}, std::nullopt);
 }
 
 ExitCode run(const GlArguments& a) {
@@ -75,7 +75,7 @@ ExitCode run(const GlArguments& a) {
   GlOptions options = a.options;
   options.width = a.size.width;
   options.height = a.size.height;
-  options.want_levels = !a.output.empty();
+  options.want_rgb8 = !a.output.empty();
   options.want_radiance = !a.radiance.empty();
   options.want_depth = !a.depth.empty();
 
@@ -163,8 +163,8 @@ void add_gl(CLI::App& program, Action& chosen) {
   command.final_callback([&chosen, arguments] {
     check_together(*arguments);
     chosen = [arguments] {
-      arguments->reading.memory = hold_to(arguments->max_memory, 1);
-      let_go_of_memory_limit(); // drivers do not bear it
+      arguments->reading.memory = set_memory_limit(arguments->max_memory, 1);
+      clear_memory_limit(); // drivers do not bear it
       return run(*arguments);
     };
   });

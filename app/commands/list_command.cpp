@@ -1,11 +1,11 @@
-// refraster list fragment-functions | rungs | limits | scene-format
+// refraster list fragment-functions | precisions | limits | scene-format
 
 #include "app/command.h"
 #include "io/file/limits.h"
 #include "io/scene/scene_file.h"
-#include "math/rungs.h"
+#include "math/precisions.h"
 #include "raster/render.h"
-#include "shading/models.h"
+#include "shading/fragment_functions.h"
 #include "shading/precision_bounds.h"
 
 #include <algorithm>
@@ -38,7 +38,7 @@ std::string choices(const Value& chosen) {
 }
 
 template <class M>
-void print_model() {
+void print_fragment_function() {
   std::cout << M::name << "\n  shader files  ";
   const char* separator = "";
   for (const std::string_view name : M::shader_stems) {
@@ -46,15 +46,15 @@ void print_model() {
     separator = ", ";
   }
   std::cout << "\n";
-  M model;
-  M::fields(model, [](std::string_view name, const auto& value, const Range&, std::string_view meaning) {
+  M function;
+  M::fields(function, [](std::string_view name, const auto& value, const Range&, std::string_view meaning) {
     std::cout << "  " << padded(name, 14) << meaning << choices(value) << "\n";
   });
 }
 
-template <class... Models>
-void print_models(const std::variant<Models...>*) {
-  (print_model<Models>(), ...);
+template <class... Functions>
+void print_fragment_functions(const std::variant<Functions...>*) {
+  (print_fragment_function<Functions>(), ...);
 }
 
 std::string digits(double x) {
@@ -64,29 +64,29 @@ std::string digits(double x) {
 }
 
 /// "phong 9.5e-07, …": how far each fragment function may be from double.
-template <class Rung>
+template <class Precision>
 std::string stated_errors() {
   std::string text;
-  const auto add = [&](std::string_view model, double error) {
-    text.append(text.empty() ? "" : ", ").append(model).append(" ").append(digits(error));
+  const auto add = [&](std::string_view function, double error) {
+    text.append(text.empty() ? "" : ", ").append(function).append(" ").append(digits(error));
   };
-  if constexpr (std::is_same_v<Rung, FloatRung>) {
+  if constexpr (std::is_same_v<Precision, FloatPrecision>) {
     for (const PrecisionBound& bound : precision_bounds)
-      if (bound.inputs == "ordinary") add(bound.model, bound.float_from_double);
-  } else if constexpr (std::is_same_v<Rung, FastRung>) {
-    for (const FastBound& bound : fast_bounds) add(bound.model, bound.max);
+      if (bound.inputs == "ordinary") add(bound.function, bound.float_from_double);
+  } else if constexpr (std::is_same_v<Precision, FastPrecision>) {
+    for (const FastBound& bound : fast_bounds) add(bound.function, bound.max);
   }
   return text;
 }
 
-template <class... Rung>
-void print_rungs(const std::tuple<Rung...>*) {
+template <class... Precision>
+void print_precisions(const std::tuple<Precision...>*) {
   const auto print = []<class R>(R) {
-    std::cout << padded(R::name, 8) << R::purpose << "; " << rung_lanes(R::name) << " lanes here\n";
+    std::cout << padded(R::name, 8) << R::purpose << "; " << precision_lanes(R::name) << " lanes here\n";
     if (const std::string errors = stated_errors<R>(); !errors.empty())
       std::cout << padded("", 8) << "at most from double: " << errors << "\n";
   };
-  (print(Rung{}), ...);
+  (print(Precision{}), ...);
   std::cout << "Errors are of the radiance from a light of radiance 1, in ordinary directions; docs/precision.md.\n";
 }
 
@@ -97,13 +97,13 @@ void add_list(CLI::App& program, Action& chosen) {
   list.require_subcommand(1);
   add_sub_command(list, "fragment-functions", "Fragment functions and their parameters").final_callback([&chosen] {
     chosen = [] {
-      print_models(static_cast<const Model*>(nullptr));
+      print_fragment_functions(static_cast<const FragmentFunction*>(nullptr));
       return ExitCode::ok;
     };
   });
-  add_sub_command(list, "rungs", "Precisions that a frame can be rendered in").final_callback([&chosen] {
+  add_sub_command(list, "precisions", "Precisions that a frame can be rendered in").final_callback([&chosen] {
     chosen = [] {
-      print_rungs(static_cast<const Rungs*>(nullptr));
+      print_precisions(static_cast<const Precisions*>(nullptr));
       return ExitCode::ok;
     };
   });

@@ -65,7 +65,7 @@ void add_info(CLI::App& merl, Action& chosen) {
   add_memory_option(info, *max_memory);
   info.final_callback([&chosen, path, max_memory] {
     chosen = [path, max_memory] {
-      hold_to(*max_memory, 1);
+      set_memory_limit(*max_memory, 1);
       return print_info(*path);
     };
   });
@@ -82,7 +82,7 @@ CLI::App& add_formula(CLI::App& synth, Action& chosen, const std::string& name, 
   add_memory_option(command, *max_memory);
   command.final_callback([&chosen, formula, output, max_memory] {
     chosen = [formula, output, max_memory] {
-      hold_to(*max_memory, 1);
+      set_memory_limit(*max_memory, 1);
       check_writable(*output);
       {
         const ProgressLine line("making " + *output);
@@ -113,7 +113,7 @@ void add_synth(CLI::App& merl, Action& chosen) {
 
   const auto lambert = std::make_shared<Lambert>();
   CLI::App& matt = add_formula(synth, chosen, "lambert", "the same in all directions", lambert);
-  add_reflectance(matt, "--albedo", lambert->albedo, "share of the light that is reflected");
+  add_reflectance(matt, "--albedo", lambert->albedo, "fraction of the light that is reflected");
 
   const auto conductor = std::make_shared<GgxConductor>();
   CLI::App& metal = add_formula(synth, chosen, "ggx-conductor", "rough metal", conductor);

@@ -37,7 +37,7 @@ void add_shape(CLI::App& mesh, Action& chosen) {
   add_memory_option(command, *max_memory);
   command.final_callback([&chosen, shape, output, max_memory] {
     chosen = [shape, output, max_memory] {
-      const MemoryBudget memory = hold_to(*max_memory, 1);
+      const MemoryBudget memory = set_memory_limit(*max_memory, 1);
       check_writable(*output);
       {
         const ProgressLine line("making " + *output);

@@ -25,9 +25,9 @@ namespace {
 struct RenderArguments {
   std::string scene, output, report;
   Size size;
-  std::vector<Crop> crop;
+  std::vector<PixelRect> crop;
   std::vector<Aov> aovs;
-  std::string rung = "double";
+  std::string precision = "double";
   int samples = 1, threads = 0, tile_size = 64;
   Transfer transfer = Transfer::linear;
   SceneOptions reading;
@@ -54,13 +54,13 @@ std::string aov_path(const std::string& output, Aov aov) {
 
 /// What one option alone does not show.
 void check_together(const RenderArguments& arguments) {
-  for (const Crop& crop : arguments.crop) {
+  for (const PixelRect& crop : arguments.crop) {
     if (crop.width <= arguments.size.width - crop.x && crop.height <= arguments.size.height - crop.y) continue;
     throw CLI::ValidationError("--crop", "reaches out of the image of " + std::to_string(arguments.size.width) + "x" +
                                              std::to_string(arguments.size.height) + " pixels");
   }
-  const Crop part =
-      arguments.crop.empty() ? Crop{0, 0, arguments.size.width, arguments.size.height} : arguments.crop.back();
+  const PixelRect part =
+      arguments.crop.empty() ? PixelRect{0, 0, arguments.size.width, arguments.size.height} : arguments.crop.back();
   check_frame_samples(part.width, part.height, arguments.samples);
   if (!image_format(arguments.output))
     throw CLI::ValidationError("--output", "found \"" + arguments.output +
@@ -74,12 +74,12 @@ RenderOptions options_from(const RenderArguments& arguments) {
   options.width = arguments.size.width;
   options.height = arguments.size.height;
   options.crop = arguments.crop;
-  options.rung = arguments.rung;
+  options.precision = arguments.precision;
   options.samples = arguments.samples;
   options.threads = arguments.threads;
   options.tile_size = arguments.tile_size;
-  options.want_levels = image_format(arguments.output) == ImageFormat::png;
-  options.want_radiance = !options.want_levels;
+  options.want_rgb8 = image_format(arguments.output) == ImageFormat::png;
+  options.want_radiance = !options.want_rgb8;
   options.transfer = arguments.transfer;
   options.aovs = arguments.aovs;
   options.cancel = &interrupted();
@@ -103,7 +103,7 @@ Scene scene_of(const RenderArguments& arguments, std::vector<std::string>& said)
 /// A note on an image that shows nothing, printed and put into `said`.
 void explain(const Scene& scene, const Frame& frame, const RenderArguments& arguments, std::vector<std::string>& said) {
   const std::string note =
-      explain_dark_image(scene, options_from(arguments), {frame.levels, frame.radiance}, frame.counts.shaded);
+      explain_dark_image(scene, options_from(arguments), {frame.rgb8, frame.radiance}, frame.counts.shaded);
   if (note.empty()) return;
   print_note(note, arguments.diagnostics);
   said.push_back(note);
@@ -112,7 +112,7 @@ void explain(const Scene& scene, const Frame& frame, const RenderArguments& argu
 Frame rendered(const Scene& scene, const RenderArguments& arguments) {
   const auto line = progress_line(arguments.diagnostics, "rendering");
   RenderOptions options = options_from(arguments);
-  if (line) options.progress = [&line](double share) { line->show(share); };
+  if (line) options.progress = [&line](double fraction) { line->show(fraction); };
   return render(scene, options);
 }
 
@@ -120,8 +120,8 @@ Frame rendered(const Scene& scene, const RenderArguments& arguments) {
 std::vector<std::string> write_images(const Frame& frame, const RenderArguments& arguments) {
   const auto line = progress_line(arguments.diagnostics, "writing " + arguments.output);
   std::vector<std::string> paths = {arguments.output};
-  arguments.reading.memory.need(frame.levels.values.size(), arguments.output); // PNG is made in memory
-  if (frame.radiance.empty()) write_png(arguments.output, frame.levels);
+  arguments.reading.memory.need(frame.rgb8.values.size(), arguments.output); // PNG is made in memory
+  if (frame.radiance.empty()) write_png(arguments.output, frame.rgb8);
   else write_values(arguments.output, frame.radiance);
   for (std::size_t i = 0; i < arguments.aovs.size(); ++i) {
     paths.push_back(aov_path(arguments.output, arguments.aovs[i]));
@@ -134,10 +134,10 @@ std::vector<std::string> write_images(const Frame& frame, const RenderArguments&
 void check_triangle_numbers(const Scene& scene, const RenderArguments& arguments) {
   if (std::find(arguments.aovs.begin(), arguments.aovs.end(), Aov::triangle) == arguments.aovs.end()) return;
   for (std::size_t i = 0; i < scene.objects.size(); ++i)
-    if (const std::size_t triangles = scene.objects[i].mesh->triangles.size(); triangles > most_numbered_triangles)
+    if (const std::size_t triangles = scene.objects[i].mesh->triangles.size(); triangles > max_exact_triangle_id)
       throw InputError(InputFault{
           arguments.scene, 0, 0, "/objects/" + std::to_string(i), std::to_string(triangles) + " triangles",
-          "at most " + std::to_string(most_numbered_triangles) + ", which the floats of --aov triangle can number"});
+          "at most " + std::to_string(max_exact_triangle_id) + ", which the floats of --aov triangle can number"});
 }
 
 ExitCode run(const RenderArguments& arguments) {
@@ -168,7 +168,7 @@ ExitCode run(const RenderArguments& arguments) {
                                               .width = arguments.size.width,
                                               .height = arguments.size.height,
                                               .crop = arguments.crop,
-                                              .rung = arguments.rung,
+                                              .precision = arguments.precision,
                                               .samples = arguments.samples,
                                               .tile_size = arguments.tile_size,
                                               .threads = frame.threads,
@@ -201,7 +201,8 @@ void add_render(CLI::App& program, Action& chosen) {
       ->default_str("1280x720");
   add_parsed_option(command, "--crop", a.crop, crop_from, "X,Y,W,H", "x,y,width,height in pixels from the top left",
                     "make only this part of the image, with the same pixels");
-  add_choice_option(command, "--rung", a.rung, rung_names(), "precision of shading; `refraster list rungs`");
+  add_choice_option(command, "--precision", a.precision, precision_names(),
+                    "precision of shading; `refraster list precisions`");
   add_choice_option(command, "--samples", a.samples, {1, 2, 4, 8, 16},
                     "samples a pixel, at the standard positions; shaded once a triangle");
   add_number_option(command, "--threads", a.threads, Range{0, double(limit::threads.value)},
@@ -226,7 +227,7 @@ void add_render(CLI::App& program, Action& chosen) {
     if (arguments->output.empty()) arguments->output = stem(arguments->scene) + ".png";
     check_together(*arguments);
     chosen = [arguments] {
-      arguments->reading.memory = hold_to(arguments->max_memory, arguments->threads);
+      arguments->reading.memory = set_memory_limit(arguments->max_memory, arguments->threads);
       return run(*arguments);
     };
   });

@@ -1,8 +1,8 @@
-// guard_frames SCENES_FOLDER: small frames of the workloads of bench/scenes, each on every rung, one after the other in
-// one thread. bench/guard/run counts their instructions. Prints "scene rung" for each, in order.
+// guard_frames SCENES_FOLDER: small frames of the workloads of bench/scenes, each on every precision, one after the
+// other in one thread. bench/guard/run counts their instructions. Prints "scene precision" for each, in order.
 
 #include "io/scene/scene_file.h"
-#include "math/rungs.h"
+#include "math/precisions.h"
 #include "raster/render.h"
 #include "scenes/synthesis/waves.h"
 
@@ -40,7 +40,7 @@ std::map<std::string, Scene> workloads(const std::string& folder) {
   measured.direction_lights = scenes["sphere_back_faces"].direction_lights;
   Merl merl;
   merl.table = any_table();
-  measured.objects[0].material.model = merl;
+  measured.objects[0].material.fragment_function = merl;
 
   Scene& tiny = scenes["tiny_triangles"] = scenes["sphere_back_faces"];
   tiny.point_lights.clear();
@@ -56,18 +56,18 @@ void draw_all(const std::string& folder) {
   options.threads = 1;
   for (const auto& [name, scene] : workloads(folder))
     std::apply(
-        [&](auto... rung) {
-          const auto draw = [&](std::string_view rung_name) {
-            options.rung = rung_name;
+        [&](auto... precision) {
+          const auto draw = [&](std::string_view precision_name) {
+            options.precision = precision_name;
             Renderer renderer;
             Frame frame;
             renderer.render(scene, options, frame); // what is done once and kept
             refraster_guarded_frame(&renderer, &scene, &options, &frame);
-            std::cout << name << " " << rung_name << std::endl;
+            std::cout << name << " " << precision_name << std::endl;
           };
-          (draw(decltype(rung)::name), ...);
+          (draw(decltype(precision)::name), ...);
         },
-        LaneRungs{});
+        LanePrecisions{});
 }
 
 } // namespace

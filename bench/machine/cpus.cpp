@@ -23,7 +23,7 @@ void stay_on(std::span<const int> cpus) {
   sched_setaffinity(0, sizeof set, &set); // where it is not allowed, threads stay where they are
 }
 
-void PinnedTeams::pin(int threads) const {
+void PinnedThreadPool::pin(int threads) const {
   // OpenMP keeps its threads from one region to the next of the same size (OpenMP 5.0, section 2.6).
 #pragma omp parallel num_threads(threads)
   {

@@ -13,12 +13,12 @@ std::vector<int> usable_cpus();
 void stay_on(std::span<const int> cpus);
 
 /// Holds OpenMP's threads to CPUs while it lives; then the calling thread may run where it could before.
-class PinnedTeams {
+class PinnedThreadPool {
 public:
-  PinnedTeams() : cpus_(usable_cpus()) {}
-  ~PinnedTeams() { stay_on(cpus_); }
-  PinnedTeams(const PinnedTeams&) = delete;
-  PinnedTeams& operator=(const PinnedTeams&) = delete;
+  PinnedThreadPool() : cpus_(usable_cpus()) {}
+  ~PinnedThreadPool() { stay_on(cpus_); }
+  PinnedThreadPool(const PinnedThreadPool&) = delete;
+  PinnedThreadPool& operator=(const PinnedThreadPool&) = delete;
 
   /// Thread i of the next teams of this size runs on usable CPU number i, counted round where there are fewer. To be
   /// called whenever the size changes: a team that grows is made of new threads.

@@ -1,7 +1,7 @@
 #pragma once
 // OpenGL's frames, drawn by a process of their own between ours.
 
-#include "bench/measure/rounds.h"
+#include "bench/measure/repetitions.h"
 #include "gl/render_gl.h"
 
 #include <span>

@@ -28,7 +28,7 @@ double displayed(double value) {
 } // namespace
 
 ImageError image_error(const Frame& frame, const Frame& reference) {
-  assert(frame.levels.values.size() == reference.levels.values.size());
+  assert(frame.rgb8.values.size() == reference.rgb8.values.size());
   ImageError result;
   std::vector<double> levels, relative;
   const std::vector<float>& objects = reference.aovs.front().values;
@@ -42,7 +42,7 @@ ImageError image_error(const Frame& frame, const Frame& reference) {
       off_levels = std::max(off_levels, std::abs(displayed(a) - displayed(b)));
       off = std::max(off, std::abs(a - b));
       size = std::max(size, std::abs(b));
-      off_stored = std::max(off_stored, std::abs(frame.levels.values[i] - reference.levels.values[i]));
+      off_stored = std::max(off_stored, std::abs(frame.rgb8.values[i] - reference.rgb8.values[i]));
     }
     levels.push_back(off_levels);
     if (size > 0) relative.push_back(off / size);

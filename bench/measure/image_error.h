@@ -1,5 +1,5 @@
 #pragma once
-// How far an image of one rung is from that of another.
+// How far an image of one precision is from that of another.
 
 #include "bench/measure/results.h"
 

@@ -15,9 +15,9 @@ namespace refraster::bench {
 
 /// Where the wall time of a frame goes. The parts add up to the frame.
 struct Split {
-  double transform = 0, bin = 0;                        // geometry
-  double visibility = 0;                                // coverage and depth
-  double surfaces = 0, interpolation = 0, lighting = 0; // of what is visible; lighting: fragment functions
+  double transform = 0, bin = 0;                               // geometry
+  double visibility = 0;                                       // coverage and depth
+  double attribute_setup = 0, interpolation = 0, lighting = 0; // of what is visible; lighting: fragment functions
   double resolve = 0, other = 0;
 };
 /// The members of Split with their names, in order.
@@ -25,7 +25,7 @@ inline constexpr std::pair<const char*, double Split::*> split_parts[] = {
     {"transform", &Split::transform},
     {"bin", &Split::bin},
     {"visibility", &Split::visibility},
-    {"surfaces", &Split::surfaces},
+    {"attribute_setup", &Split::attribute_setup},
     {"interpolation", &Split::interpolation},
     {"fragment_functions", &Split::lighting},
     {"resolve", &Split::resolve},
@@ -34,7 +34,7 @@ inline constexpr std::pair<const char*, double Split::*> split_parts[] = {
 
 /// A fragment function of the scene, on those objects alone that it shades.
 struct FunctionCost {
-  Function function;
+  FragmentFunctionVariant function;
   std::uint64_t fragments = 0;
   Spread ns; // of one thread, a fragment and light
 };
@@ -60,28 +60,29 @@ struct ImageError {
   std::uint64_t off_by_one = 0, off_by_more = 0; // of 255, in the 8-bit images
 };
 
-/// How far chosen pixels are from the rung `exact`: the same formulas in 60 digits, from what the vertex stage stores.
+/// How far chosen pixels are from the precision `exact`: the same formulas in 60 digits, from what the vertex stage
+/// stores.
 struct ExactError {
   std::size_t pixels = 0; // none where no surface is seen: then the others say nothing
   double max_relative = 0, mean_relative = 0, max_levels = 0;
 };
 
-struct RungError {
-  std::string rung;
+struct PrecisionError {
+  std::string precision;
   std::optional<ImageError> against_double; // nothing for double itself
   ExactError against_exact;
 };
 
-/// One rung with one number of threads.
-struct RungResult {
-  std::string rung;
+/// One precision with one number of threads.
+struct PrecisionResult {
+  std::string precision;
   int threads = 1;
   Spread frame_ms, cpu_ms;
   Split split_ns;                      // a shaded pixel
-  Spread lighting_ns;                  // the differences, round by round, whose mean split_ns.lighting is
+  Spread lighting_ns;                  // the differences, repetition by repetition, whose mean split_ns.lighting is
   std::vector<FunctionCost> functions; // with the first number of threads only, as is `marginal`
   std::optional<Marginal> marginal;
-  std::optional<Spread> opengl_ratio; // OpenGL's wall time over ours, round by round
+  std::optional<Spread> opengl_ratio; // OpenGL's wall time over ours, repetition by repetition
 };
 
 struct OpenGlResult {
@@ -93,10 +94,10 @@ struct OpenGlResult {
 struct SceneResult {
   std::string scene;
   int width = 0, height = 0, samples = 1;
-  std::size_t lights = 0, rounds = 0;
+  std::size_t lights = 0, repetitions = 0;
   FrameCounts counts;
-  std::vector<RungResult> rungs;
-  std::vector<RungError> errors;
+  std::vector<PrecisionResult> precisions;
+  std::vector<PrecisionError> errors;
   std::vector<OpenGlResult> opengl;
 
   double shaded() const { return static_cast<double>(counts.shaded); }
@@ -107,7 +108,7 @@ struct Run {
   std::string command, started, ended;
   Machine machine;
   std::array<double, 3> load_at_start{}, load_at_end{};
-  int warm_up = 0, least_rounds = 0;
+  int warm_up = 0, min_repetitions = 0;
   double seconds = 0;
   std::vector<std::string> notes; // what a reader must know: threads without a CPU of their own, no OpenGL
   std::vector<SceneResult> scenes;

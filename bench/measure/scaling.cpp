@@ -2,7 +2,7 @@
 
 #include "bench/machine/clocks.h"
 #include "bench/machine/memory.h"
-#include "bench/measure/frame_maker.h"
+#include "bench/measure/frame_source.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@ std::vector<Point> in_plane(const ScalingCurve& curve) {
   return points;
 }
 
-/// The measurements of one rung at one point, as they come in.
+/// The measurements of one precision at one point, as they come in.
 struct Collected {
   std::vector<double> wall_ms, cpu_ms;
   std::uint64_t peak_memory_bytes = 0;
@@ -24,13 +24,14 @@ struct Collected {
   FrameCounts counts;
 };
 
-void measure_once(const Scene& scene, const RenderOptions& options, const PinnedTeams& teams, Collected& collected) {
-  teams.pin(options.threads);
+void measure_once(const Scene& scene, const RenderOptions& options, const PinnedThreadPool& thread_pool,
+                  Collected& collected) {
+  thread_pool.pin(options.threads);
   restart_peak_memory();
-  FrameMaker maker;
-  maker.draw(scene, options);
+  FrameSource source;
+  source.draw(scene, options);
   const double start = wall_ms(), cpu_start = process_cpu_ms();
-  const Frame& frame = maker.draw(scene, options);
+  const Frame& frame = source.draw(scene, options);
   collected.cpu_ms.push_back(process_cpu_ms() - cpu_start);
   collected.wall_ms.push_back(wall_ms() - start);
   collected.counts = frame.counts;
@@ -70,40 +71,42 @@ bool ScalingCurve::same_fragments() const {
   });
 }
 
-std::vector<ScalingCurve> measure_scaling(const ScalingTask& task, const Rounds& rounds, const PinnedTeams& teams) {
+std::vector<ScalingCurve> measure_scaling(const ScalingTask& task, const Repetitions& repetitions,
+                                          const PinnedThreadPool& thread_pool) {
   std::vector<ScalingPoint> points =
-      scaling_points(task.growth, task.most, task.size, task.threads, static_cast<int>(teams.cpus().size()));
+      scaling_points(task.growth, task.most, task.size, task.threads, static_cast<int>(thread_pool.cpus().size()));
   for (ScalingPoint& point : points) point.order = task.order;
-  std::vector<std::vector<Collected>> collected(points.size(), std::vector<Collected>(task.rungs.size()));
+  std::vector<std::vector<Collected>> collected(points.size(), std::vector<Collected>(task.precisions.size()));
   std::vector<double> spent_ms(points.size(), 0);
-  const auto stopped = [&] { return rounds.stop && rounds.stop->load(); };
+  const auto stopped = [&] { return repetitions.stop && repetitions.stop->load(); };
 
-  for (int round = 0; round < rounds.least && !stopped(); ++round)
+  for (int repetition = 0; repetition < repetitions.least && !stopped(); ++repetition)
     for (std::size_t step = 0; step < points.size() && !stopped(); ++step) {
       // Up and down in turn, so that a machine that gets slower does not look like a curve that gets steeper.
-      const std::size_t i = round % 2 == 0 ? step : points.size() - 1 - step;
-      if (round >= 3 && spent_ms[i] > 1e3 * rounds.seconds) continue;
+      const std::size_t i = repetition % 2 == 0 ? step : points.size() - 1 - step;
+      if (repetition >= 3 && spent_ms[i] > 1e3 * repetitions.seconds) continue;
       const double start = wall_ms();
       const Scene scene = scaling_scene(task.growth, points[i]);
       RenderOptions options;
       options.width = points[i].width, options.height = points[i].height;
       options.threads = points[i].threads;
-      for (std::size_t rung = 0; rung < task.rungs.size() && !stopped(); ++rung) {
-        options.rung = task.rungs[rung];
-        measure_once(scene, options, teams, collected[i][rung]);
+      for (std::size_t precision = 0; precision < task.precisions.size() && !stopped(); ++precision) {
+        options.precision = task.precisions[precision];
+        measure_once(scene, options, thread_pool, collected[i][precision]);
       }
       spent_ms[i] += wall_ms() - start;
-      if (rounds.progress)
-        rounds.progress((round + static_cast<double>(step) / static_cast<double>(points.size())) / rounds.least);
+      if (repetitions.progress)
+        repetitions.progress((repetition + static_cast<double>(step) / static_cast<double>(points.size())) /
+                             repetitions.least);
     }
 
   std::vector<ScalingCurve> curves;
   if (stopped()) return curves;
-  for (std::size_t rung = 0; rung < task.rungs.size(); ++rung) {
+  for (std::size_t precision = 0; precision < task.precisions.size(); ++precision) {
     ScalingCurve& curve = curves.emplace_back();
-    curve.growth = task.growth, curve.order = task.order, curve.rung = task.rungs[rung];
+    curve.growth = task.growth, curve.order = task.order, curve.precision = task.precisions[precision];
     for (std::size_t i = 0; i < points.size(); ++i) {
-      const Collected& found = collected[i][rung];
+      const Collected& found = collected[i][precision];
       MeasuredPoint& point = curve.points.emplace_back();
       point.point = points[i];
       point.frames = found.wall_ms.size();

@@ -2,7 +2,7 @@
 // How cost grows.
 
 #include "bench/machine/cpus.h"
-#include "bench/measure/rounds.h"
+#include "bench/measure/repetitions.h"
 #include "bench/measure/statistics.h"
 #include "bench/workloads/scaling_scenes.h"
 
@@ -16,7 +16,7 @@ struct ScalingTask {
   LayerOrder order = LayerOrder::back_to_front; // of overdraw
   ImageSize size;
   int threads = 1;
-  std::vector<std::string> rungs;
+  std::vector<std::string> precisions;
 };
 
 /// What one point of a curve came to.
@@ -28,11 +28,11 @@ struct MeasuredPoint {
   FrameCounts counts;
 };
 
-/// One rung's.
+/// One precision's.
 struct ScalingCurve {
   Growth growth = Growth::triangles;
   LayerOrder order = LayerOrder::back_to_front;
-  std::string rung;
+  std::string precision;
   std::vector<MeasuredPoint> points;
 
   /// Of the upper half of the points, three at least, where what grows outweighs what does not: a straight line in
@@ -50,8 +50,9 @@ struct ScalingCurve {
   bool same_fragments() const;
 };
 
-/// Curves of all rungs, their frames in turn; `rounds.least` of them at each point, but no more than three once a point
-/// has taken `rounds.seconds`. Each frame is the second one that its memory sees.
-std::vector<ScalingCurve> measure_scaling(const ScalingTask& task, const Rounds& rounds, const PinnedTeams& teams);
+/// Curves of all precisions, their frames in turn; `repetitions.least` of them at each point, but no more than three
+/// once a point has taken `repetitions.seconds`. Each frame is the second one that its memory sees.
+std::vector<ScalingCurve> measure_scaling(const ScalingTask& task, const Repetitions& repetitions,
+                                          const PinnedThreadPool& thread_pool);
 
 } // namespace refraster::bench

@@ -1,7 +1,7 @@
 #include "bench/measure/scene_bench.h"
 
 #include "bench/machine/clocks.h"
-#include "bench/measure/frame_maker.h"
+#include "bench/measure/frame_source.h"
 #include "bench/measure/gl_worker.h"
 #include "raster/samples.h"
 
@@ -11,51 +11,51 @@
 namespace refraster::bench {
 namespace {
 
-using Frames = std::vector<FrameTimes>; // by round
+using Frames = std::vector<FrameTimes>; // by repetition
 
 /// What is drawn in turn, by number. Scenes and memory of frames stay where they are while they are in use.
-class Contenders {
+class Candidates {
 public:
-  Contenders(const SceneTask& task, const PinnedTeams& teams) : task_(task), teams_(teams) {}
+  Candidates(const SceneTask& task, const PinnedThreadPool& thread_pool) : task_(task), thread_pool_(thread_pool) {}
 
-  std::size_t add(const Scene& scene, const std::string& rung, int threads, int samples, FrameMaker& maker) {
+  std::size_t add(const Scene& scene, const std::string& precision, int threads, int samples, FrameSource& source) {
     RenderOptions options;
     options.width = task_.width, options.height = task_.height;
-    options.rung = rung;
+    options.precision = precision;
     options.samples = samples;
     options.threads = threads;
     FrameCounts& counts = counts_.emplace_back();
-    contenders_.push_back([this, &scene, options, &maker, &counts] {
-      teams_.pin(options.threads);
+    candidates_.push_back([this, &scene, options, &source, &counts] {
+      thread_pool_.pin(options.threads);
       const double wall = wall_ms(), cpu = process_cpu_ms();
-      const Frame& frame = maker.draw(scene, options);
+      const Frame& frame = source.draw(scene, options);
       const FrameTimes times{wall_ms() - wall, process_cpu_ms() - cpu, frame.seconds, frame.tile_seconds};
       counts = frame.counts;
       return times;
     });
-    return contenders_.size() - 1;
+    return candidates_.size() - 1;
   }
 
   std::size_t add(GlWorker& worker) {
     counts_.emplace_back();
-    contenders_.push_back([&worker] { return worker.draw(); });
-    return contenders_.size() - 1;
+    candidates_.push_back([&worker] { return worker.draw(); });
+    return candidates_.size() - 1;
   }
 
-  const Scene& keep(Scene scene) { return scenes_.emplace_back(std::move(scene)); }
-  FrameMaker& maker() { return makers_.emplace_back(); }
+  const Scene& store(Scene scene) { return scenes_.emplace_back(std::move(scene)); }
+  FrameSource& source() { return sources_.emplace_back(); }
 
-  void run(const Rounds& rounds) { times_ = interleaved(contenders_, rounds); }
+  void run(const Repetitions& repetitions) { times_ = interleaved(candidates_, repetitions); }
   const Frames& of(std::size_t i) const { return times_[i]; }
   const FrameCounts& counts(std::size_t i) const { return counts_[i]; }
 
 private:
   const SceneTask& task_;
-  const PinnedTeams& teams_;
+  const PinnedThreadPool& thread_pool_;
   std::deque<Scene> scenes_;
-  std::deque<FrameMaker> makers_;
+  std::deque<FrameSource> sources_;
   std::deque<FrameCounts> counts_;
-  std::vector<Contender> contenders_;
+  std::vector<Candidate> candidates_;
   std::vector<Frames> times_;
 };
 
@@ -65,7 +65,7 @@ Spread spread(const Frames& frames, double FrameTimes::*time) {
   return spread_of(std::move(values));
 }
 
-/// Of what happened in the same round: changes of the machine's speed from round to round take no part.
+/// Of what happened in the same repetition: changes of the machine's speed from repetition to repetition take no part.
 template <class Value>
 Spread paired_difference(const Frames& changed, const Frames& base, const Value& value) {
   std::vector<double> differences;
@@ -105,7 +105,7 @@ Split split_ms(const Frames& lit, const Frames& unlit) {
   split.transform = mean(lit, [](const FrameTimes& t) { return 1e3 * t.stages.transform; });
   split.bin = mean(lit, [](const FrameTimes& t) { return 1e3 * t.stages.bin; });
   split.visibility = of_tiles(lit, &TileSeconds::visibility);
-  split.surfaces = of_tiles(lit, &TileSeconds::surfaces);
+  split.attribute_setup = of_tiles(lit, &TileSeconds::attribute_setup);
   split.interpolation = of_tiles(unlit, &TileSeconds::shading);
   split.lighting = of_tiles(lit, &TileSeconds::shading) - split.interpolation;
   split.resolve = of_tiles(lit, &TileSeconds::resolve);
@@ -121,8 +121,8 @@ double wall_shading_ms(const FrameTimes& times) {
   return sum > 0 ? 1e3 * times.stages.tiles * times.tiles.shading / sum : 0;
 }
 
-/// The numbers of the frames that one rung's figures come from.
-struct RungFrames {
+/// The numbers of the frames that one precision's figures come from.
+struct PrecisionFrames {
   struct Ways {
     int threads;
     std::size_t lit, unlit;
@@ -130,42 +130,42 @@ struct RungFrames {
   std::vector<Ways> ways; // by number of threads
   // With the first number of threads.
   struct OfFunction {
-    Function function;
+    FragmentFunctionVariant function;
     std::size_t lit, unlit;
   };
   std::vector<OfFunction> functions;
   std::optional<std::size_t> light, other_texture, double_samples;
 };
 
-RungFrames plan(const SceneTask& task, const std::string& rung, Contenders& contenders) {
-  RungFrames frames;
+PrecisionFrames plan(const SceneTask& task, const std::string& precision, Candidates& candidates) {
+  PrecisionFrames frames;
   const Scene& lit = task.scene;
-  const Scene& unlit = contenders.keep(without_lights(lit));
-  FrameMaker& other_maker = contenders.maker();
+  const Scene& unlit = candidates.store(without_lights(lit));
+  FrameSource& other_source = candidates.source();
   for (const int threads : task.threads)
-    frames.ways.push_back({threads, contenders.add(lit, rung, threads, task.samples, contenders.maker()),
-                           contenders.add(unlit, rung, threads, task.samples, other_maker)});
+    frames.ways.push_back({threads, candidates.add(lit, precision, threads, task.samples, candidates.source()),
+                           candidates.add(unlit, precision, threads, task.samples, other_source)});
   if (task.marginals == Marginals::left_out) return frames;
 
   const auto add = [&](Scene scene, int samples) {
-    return contenders.add(contenders.keep(std::move(scene)), rung, task.threads.front(), samples, other_maker);
+    return candidates.add(candidates.store(std::move(scene)), precision, task.threads.front(), samples, other_source);
   };
   frames.light = add(with_one_more_light(lit), task.samples);
   if (has_textures(lit)) frames.other_texture = add(without_textures(lit), task.samples);
   else if (shows_textures(lit)) frames.other_texture = add(with_textures(lit), task.samples);
   if (is_sample_count(2 * task.samples)) frames.double_samples = add(lit, 2 * task.samples);
 
-  const std::vector<Function> functions = functions_of(lit);
+  const std::vector<FragmentFunctionVariant> functions = functions_of(lit);
   if (lights(lit) == 0) return frames;
   if (functions.size() == 1) { // no one else's objects to be left out
     frames.functions.push_back({functions[0], frames.ways[0].lit, frames.ways[0].unlit});
     return frames;
   }
-  for (const Function& function : functions) {
+  for (const FragmentFunctionVariant& function : functions) {
     const Scene part = only(lit, function);
     const std::size_t of_part = add(part, task.samples);
     const auto known = std::find_if(frames.functions.begin(), frames.functions.end(),
-                                    [&](const auto& one) { return one.function.model == function.model; });
+                                    [&](const auto& one) { return one.function.name == function.name; });
     const std::size_t unlit_part =
         known != frames.functions.end() ? known->unlit : add(without_lights(part), task.samples);
     frames.functions.push_back({function, of_part, unlit_part});
@@ -173,31 +173,33 @@ RungFrames plan(const SceneTask& task, const std::string& rung, Contenders& cont
   return frames;
 }
 
-Marginal marginal_of(const RungFrames& frames, const Contenders& contenders, const SceneTask& task, double shaded) {
+Marginal marginal_of(const PrecisionFrames& frames, const Candidates& candidates, const SceneTask& task,
+                     double shaded) {
   const double ns_per_pixel = 1e6 / shaded;
-  const Frames& base = contenders.of(frames.ways.front().lit);
-  const auto added = [&](std::size_t i) { return paired_difference(contenders.of(i), base, cpu) * ns_per_pixel; };
+  const Frames& base = candidates.of(frames.ways.front().lit);
+  const auto added = [&](std::size_t i) { return paired_difference(candidates.of(i), base, cpu) * ns_per_pixel; };
   Marginal marginal;
   marginal.light = added(*frames.light);
   if (frames.double_samples) marginal.double_samples = added(*frames.double_samples);
   if (!frames.other_texture) return marginal;
   if (has_textures(task.scene)) {
     marginal.texture_change = TextureChange::removed;
-    marginal.texture = paired_difference(base, contenders.of(*frames.other_texture), cpu) * ns_per_pixel;
+    marginal.texture = paired_difference(base, candidates.of(*frames.other_texture), cpu) * ns_per_pixel;
   } else {
     marginal.texture = added(*frames.other_texture);
   }
   return marginal;
 }
 
-std::vector<FunctionCost> function_costs(const RungFrames& frames, const Contenders& contenders, std::size_t lights) {
+std::vector<FunctionCost> function_costs(const PrecisionFrames& frames, const Candidates& candidates,
+                                         std::size_t lights) {
   std::vector<FunctionCost> costs;
   for (const auto& [function, lit, unlit] : frames.functions) {
-    const std::uint64_t fragments = contenders.counts(lit).fragments;
+    const std::uint64_t fragments = candidates.counts(lit).fragments;
     if (fragments == 0) continue;
     const double ns = 1e9 / (static_cast<double>(fragments) * static_cast<double>(lights));
     costs.push_back(
-        {function, fragments, paired_difference(contenders.of(lit), contenders.of(unlit), thread_shading) * ns});
+        {function, fragments, paired_difference(candidates.of(lit), candidates.of(unlit), thread_shading) * ns});
   }
   return costs;
 }
@@ -207,21 +209,21 @@ struct GlFrames {
   std::unique_ptr<GlWorker> worker;
   std::size_t frames;
 };
-std::vector<GlFrames> plan_opengl(const SceneTask& task, const PinnedTeams& teams, Contenders& contenders) {
+std::vector<GlFrames> plan_opengl(const SceneTask& task, const PinnedThreadPool& thread_pool, Candidates& candidates) {
   std::vector<GlFrames> planned;
   if (!task.opengl) return planned;
   GlOptions options;
   options.width = task.width, options.height = task.height;
   options.renderer = *task.opengl;
   for (const int threads : task.threads) {
-    auto worker = std::make_unique<GlWorker>(task.scene, options, threads, teams.cpus());
-    const std::size_t frames = contenders.add(*worker);
+    auto worker = std::make_unique<GlWorker>(task.scene, options, threads, thread_pool.cpus());
+    const std::size_t frames = candidates.add(*worker);
     planned.push_back({std::move(worker), frames});
   }
   return planned;
 }
 
-/// a / b, round by round.
+/// a / b, repetition by repetition.
 Spread paired_ratio(const Frames& a, const Frames& b) {
   std::vector<double> ratios;
   for (std::size_t r = 0; r < a.size(); ++r) ratios.push_back(a[r].wall_ms / b[r].wall_ms);
@@ -230,43 +232,43 @@ Spread paired_ratio(const Frames& a, const Frames& b) {
 
 } // namespace
 
-SceneResult bench_scene(const SceneTask& task, const Rounds& rounds, const PinnedTeams& teams) {
-  Contenders contenders(task, teams);
-  const std::vector<GlFrames> opengl = plan_opengl(task, teams, contenders);
-  std::vector<RungFrames> planned;
-  for (const std::string& rung : task.rungs) planned.push_back(plan(task, rung, contenders));
-  contenders.run(rounds);
+SceneResult bench_scene(const SceneTask& task, const Repetitions& repetitions, const PinnedThreadPool& thread_pool) {
+  Candidates candidates(task, thread_pool);
+  const std::vector<GlFrames> opengl = plan_opengl(task, thread_pool, candidates);
+  std::vector<PrecisionFrames> planned;
+  for (const std::string& precision : task.precisions) planned.push_back(plan(task, precision, candidates));
+  candidates.run(repetitions);
 
   SceneResult result;
   result.scene = task.name;
   result.width = task.width, result.height = task.height, result.samples = task.samples;
   result.lights = lights(task.scene);
-  if (rounds.stop && rounds.stop->load()) return result;
-  result.counts = contenders.counts(planned.front().ways.front().lit);
-  result.rounds = contenders.of(0).size();
+  if (repetitions.stop && repetitions.stop->load()) return result;
+  result.counts = candidates.counts(planned.front().ways.front().lit);
+  result.repetitions = candidates.of(0).size();
   for (std::size_t way = 0; way < opengl.size(); ++way) {
     const GlDriver& driver = opengl[way].worker->driver();
-    const Frames& frames = contenders.of(opengl[way].frames);
+    const Frames& frames = candidates.of(opengl[way].frames);
     result.opengl.push_back({task.threads[way], driver.renderer, driver.version, spread(frames, &FrameTimes::wall_ms),
                              spread(frames, &FrameTimes::cpu_ms)});
   }
-  for (std::size_t i = 0; i < task.rungs.size(); ++i) {
-    const RungFrames& frames = planned[i];
+  for (std::size_t i = 0; i < task.precisions.size(); ++i) {
+    const PrecisionFrames& frames = planned[i];
     for (std::size_t way = 0; way < frames.ways.size(); ++way) {
       const auto& [threads, lit, unlit] = frames.ways[way];
-      RungResult& rung = result.rungs.emplace_back();
-      rung.rung = task.rungs[i];
-      rung.threads = threads;
-      if (!opengl.empty()) rung.opengl_ratio = paired_ratio(contenders.of(opengl[way].frames), contenders.of(lit));
-      rung.frame_ms = spread(contenders.of(lit), &FrameTimes::wall_ms);
-      rung.cpu_ms = spread(contenders.of(lit), &FrameTimes::cpu_ms);
-      rung.split_ns = split_ms(contenders.of(lit), contenders.of(unlit));
-      for (const auto& [name, part] : split_parts) rung.split_ns.*part *= 1e6 / result.shaded();
-      rung.lighting_ns =
-          paired_difference(contenders.of(lit), contenders.of(unlit), wall_shading_ms) * (1e6 / result.shaded());
+      PrecisionResult& precision = result.precisions.emplace_back();
+      precision.precision = task.precisions[i];
+      precision.threads = threads;
+      if (!opengl.empty()) precision.opengl_ratio = paired_ratio(candidates.of(opengl[way].frames), candidates.of(lit));
+      precision.frame_ms = spread(candidates.of(lit), &FrameTimes::wall_ms);
+      precision.cpu_ms = spread(candidates.of(lit), &FrameTimes::cpu_ms);
+      precision.split_ns = split_ms(candidates.of(lit), candidates.of(unlit));
+      for (const auto& [name, part] : split_parts) precision.split_ns.*part *= 1e6 / result.shaded();
+      precision.lighting_ns =
+          paired_difference(candidates.of(lit), candidates.of(unlit), wall_shading_ms) * (1e6 / result.shaded());
       if (way > 0 || !frames.light) continue;
-      rung.marginal = marginal_of(frames, contenders, task, result.shaded());
-      rung.functions = function_costs(frames, contenders, result.lights);
+      precision.marginal = marginal_of(frames, candidates, task, result.shaded());
+      precision.functions = function_costs(frames, candidates, result.lights);
     }
   }
   return result;

@@ -2,8 +2,8 @@
 // One scene, timed in all the ways that were asked for.
 
 #include "bench/machine/cpus.h"
+#include "bench/measure/repetitions.h"
 #include "bench/measure/results.h"
-#include "bench/measure/rounds.h"
 #include "gl/gl_names.h"
 
 namespace refraster::bench {
@@ -15,14 +15,14 @@ struct SceneTask {
   std::string name; // for the reader
   Scene scene;
   int width = 1280, height = 720, samples = 1;
-  std::vector<std::string> rungs;
+  std::vector<std::string> precisions;
   std::vector<int> threads; // at least one
   Marginals marginals = Marginals::measured;
   std::optional<GlRenderer> opengl = {}; // draws too; with one sample a pixel
 };
 
-/// Timings only; RungError comes from elsewhere. Throws NoOpenGl, before any frame of ours. After `rounds.stop` became
-/// true, what it returns is worthless.
-SceneResult bench_scene(const SceneTask& task, const Rounds& rounds, const PinnedTeams& teams);
+/// Timings only; PrecisionError comes from elsewhere. Throws NoOpenGl, before any frame of ours. After
+/// `repetitions.stop` became true, what it returns is worthless.
+SceneResult bench_scene(const SceneTask& task, const Repetitions& repetitions, const PinnedThreadPool& thread_pool);
 
 } // namespace refraster::bench

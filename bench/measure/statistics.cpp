@@ -12,8 +12,8 @@ namespace refraster::bench {
 Spread spread_of(std::vector<double> values) {
   assert(!values.empty());
   std::sort(values.begin(), values.end());
-  const auto at = [&](double share) {
-    const double place = share * static_cast<double>(values.size() - 1);
+  const auto at = [&](double fraction) {
+    const double place = fraction * static_cast<double>(values.size() - 1);
     const auto below = static_cast<std::size_t>(place);
     const std::size_t above = std::min(below + 1, values.size() - 1);
     return values[below] + (values[above] - values[below]) * (place - static_cast<double>(below));
@@ -38,11 +38,11 @@ double cost_bound(const Spread& difference) {
   return std::max({difference.upper, quartile_distance(difference), std::abs(difference.median)});
 }
 
-double median_error(const Spread& spread, std::size_t rounds) {
-  if (rounds < 3) return std::numeric_limits<double>::quiet_NaN();
+double median_error(const Spread& spread, std::size_t repetitions) {
+  if (repetitions < 3) return std::numeric_limits<double>::quiet_NaN();
   constexpr double quartiles_of_normal = 1.3489795; // 2 Phi^-1(3/4)
   const double sigma = quartile_distance(spread) / quartiles_of_normal;
-  return std::sqrt(std::numbers::pi / 2 / static_cast<double>(rounds)) * sigma / spread.median;
+  return std::sqrt(std::numbers::pi / 2 / static_cast<double>(repetitions)) * sigma / spread.median;
 }
 
 std::vector<std::size_t> middle_half(std::span<const double> values) {

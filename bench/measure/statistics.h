@@ -28,7 +28,7 @@ inline double quartile_distance(const Spread& spread) {
 }
 
 /// Whether a difference of two measurements, taken round by round, is larger than its spread: its median farther from 0
-/// than its quartiles are from each other. The median of nine rounds has a standard error of 0.31 of that distance
+/// than its quartiles are from each other. The median of nine repetitions has a standard error of 0.31 of that distance
 /// (median_error), so that what is farther from 0 is three standard errors from it. Of a single round no spread is
 /// known: never. Nor of values that are no numbers.
 bool is_resolved(const Spread& difference);
@@ -37,10 +37,10 @@ bool is_resolved(const Spread& difference);
 /// quartiles. > 0, but for a single round in which nothing was measured.
 double cost_bound(const Spread& difference);
 
-/// The standard error of the median of `rounds` values, as a share of that median: sqrt(pi / 2) sigma / sqrt(rounds),
-/// for a normal distribution, whose quartiles are 1.349 sigma apart. NaN of fewer than three values, which have no
-/// quartiles of their own.
-double median_error(const Spread& spread, std::size_t rounds);
+/// The standard error of the median of `repetitions` values, as a share of that median: sqrt(pi / 2) sigma /
+/// sqrt(repetitions), for a normal distribution, whose quartiles are 1.349 sigma apart. NaN of fewer than three values,
+/// which have no quartiles of their own.
+double median_error(const Spread& spread, std::size_t repetitions);
 
 /// Which values lie in the middle half: indices into `values`, at least one. The mean over them is as steady as a
 /// median, and unlike medians such means add up: the parts of a frame to the frame.

@@ -7,7 +7,7 @@ namespace refraster::ladder {
 
 namespace {
 
-/// Directions as floats hold them, for every rung: what is compared is how they are used, not what they are.
+/// Directions as floats hold them, for every precision: what is compared is how they are used, not what they are.
 SurfacePair held(const SurfacePair& pair) {
   const auto rounded = [](const Double3& a) { return Double3(normalize(Vec3<float>(a))); };
   return {rounded(pair.n), rounded(pair.i), rounded(pair.o)};
@@ -57,7 +57,7 @@ std::vector<Way> all_ways() {
   for (const auto& [lookup, name] : EnumNames<MerlLookup>::names)
     for (const Reader& reader : readers()) {
       const Way way{lookup, name, reader};
-      if (reader.is_the_rungs || &way.format() == &way.reader.values) ways.push_back(way);
+      if (reader.is_the_precisions || &way.format() == &way.reader.values) ways.push_back(way);
     }
   return ways;
 }

@@ -32,7 +32,7 @@ std::string name(const Way& way) {
   std::string row = "| `";
   row.append(way.lookup_name)
       .append("` | ")
-      .append(way.reader.rung)
+      .append(way.reader.precision)
       .append(" | ")
       .append(way.format().name)
       .append(" | ");
@@ -41,9 +41,9 @@ std::string name(const Way& way) {
 
 std::string table(const Material& material) {
   std::string rows = "**" + material.name + "**\n\n";
-  rows +=
-      "| look-up | rung | table | S: from the formula | S: from trilinear in double | U: from the formula | U: from "
-      "trilinear in double |\n|---|---|---|---|---|---|---|\n";
+  rows += "| look-up | precision | table | S: from the formula | S: from trilinear in double | U: from the formula | "
+          "U: from "
+          "trilinear in double |\n|---|---|---|---|---|---|---|\n";
   for (const Step& step : material.steps)
     rows += name(step.way) + cell(step.specular.from_material) + " | " + cell(step.specular.from_trilinear) + " | " +
             cell(step.uniform.from_material) + " | " + cell(step.uniform.from_trilinear) + " |\n";
@@ -57,7 +57,7 @@ std::string markdown(const std::vector<Material>& materials, const std::vector<C
       text("Errors: mean / 99 %% / max of |Δf| / (f + ε), the worst channel of each of %d pairs.\n\n", pairs);
   for (const Material& material : materials) all += table(material);
   all += "Cost: nanoseconds of one look-up with the angles before it, one thread.\n\n"
-         "| look-up | rung | table | MiB | pixels of a sphere | random pairs |\n|---|---|---|---|---|---|\n";
+         "| look-up | precision | table | MiB | pixels of a sphere | random pairs |\n|---|---|---|---|---|---|\n";
   for (const Cost& cost : costs)
     all += name(cost.way) + text("%.1f | %.1f | %.1f |\n", static_cast<double>(cost.way.format().bytes) / 0x1p20,
                                  cost.sphere_ns, cost.random_ns);

@@ -90,10 +90,11 @@ constexpr Format format_of<float> = format<float>("float");
 template <>
 constexpr Format format_of<Half> = format<Half>("half");
 
-template <class Rung, class Stored>
-Reader reader(bool is_the_rungs) {
-  using T = typename Rung::Number;
-  return {Rung::name, format_of<Stored>, format_of<RealOf<T>>, is_the_rungs, read<T, Stored>, seconds<T, Stored>};
+template <class Precision, class Stored>
+Reader reader(bool is_the_precisions) {
+  using T = typename Precision::Number;
+  return {Precision::name,   format_of<Stored>, format_of<RealOf<T>>,
+          is_the_precisions, read<T, Stored>,   seconds<T, Stored>};
 }
 
 } // namespace
@@ -101,11 +102,11 @@ Reader reader(bool is_the_rungs) {
 std::vector<Reader> readers() {
   std::vector<Reader> all;
   std::apply(
-      [&](auto... rung) {
-        (all.push_back(reader<decltype(rung), TableRealOf<typename decltype(rung)::Number>>(true)), ...);
+      [&](auto... precision) {
+        (all.push_back(reader<decltype(precision), TableRealOf<typename decltype(precision)::Number>>(true)), ...);
       },
-      LaneRungs{});
-  all.push_back(reader<FloatRung, Half>(false));
+      LanePrecisions{});
+  all.push_back(reader<FloatPrecision, Half>(false));
   return all;
 }
 

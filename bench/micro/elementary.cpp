@@ -27,10 +27,10 @@ void add_elementary() {
   for_each_number([]<class T>(const std::string& number) {
     const auto named = [&](const char* function) { return std::string(function) + "/" + number; };
     add_function<T>(named("divide"), 0.5, 2, [](const T& x, const T& y) { return x / y; });
-    add_function<T>(named("root"), 0.5, 2, [](const T& x, const T&) { return root(x); });
+    add_function<T>(named("sqrt"), 0.5, 2, [](const T& x, const T&) { return sqrt(x); });
     add_function<T>(named("log2"), 1e-3, 1, [](const T& x, const T&) { return log2(x); });
     add_function<T>(named("exp2"), -30, 0, [](const T& x, const T&) { return exp2(x); });
-    add_function<T>(named("power"), 1e-3, 1, [](const T& x, const T&) { return power(x, 32.0); });
+    add_function<T>(named("pow"), 1e-3, 1, [](const T& x, const T&) { return pow(x, 32.0); });
     add_function<T>(named("atan2"), -1, 1, [](const T& y, const T& x) { return atan2(y, x); });
     add(named("normalize"), few, [a = unit_vectors<RealOf<T>>(1)] {
       for_each_packet_of<T>(few, [&](std::size_t i) { return normalize(a.template at<T>(i)); });

@@ -1,9 +1,9 @@
 // Fragment functions and what arrives of a light: a fragment and a light each.
 
+#include "shading/fragment_functions.h"
 #include "bench/micro/micro.h"
 #include "bench/micro/table.h"
 #include "shading/light.h"
-#include "shading/models.h"
 
 #include <variant>
 
@@ -36,19 +36,20 @@ void add_light(const std::string& name, const Light& light) {
 }
 
 template <class T, class M>
-void add_model(const std::string& number, M model) {
-  if constexpr (requires { model.table; }) model.table = synthetic_table();
-  if constexpr (requires { model.glossiness; }) model.glossiness = 32;
-  add("fragment/" + std::string(M::name) + "/" + number, few, [model, fragments = Fragments<RealOf<T>>()] {
+void add_fragment_function(const std::string& number, M function) {
+  if constexpr (requires { function.table; }) function.table = synthetic_table();
+  if constexpr (requires { function.glossiness; }) function.glossiness = 32;
+  add("fragment/" + std::string(M::name) + "/" + number, few, [function, fragments = Fragments<RealOf<T>>()] {
     for_each_packet_of<T>(few, [&](std::size_t i) {
-      return model(fragments.template at<T>(i), Incident<T>{fragments.to_light.template at<T>(i), Rgb<T>(as<T>(0.8))});
+      return function(fragments.template at<T>(i),
+                      Incident<T>{fragments.to_light.template at<T>(i), Rgb<T>(as<T>(0.8))});
     });
   });
 }
 
-template <class T, class... Models>
-void add_models(const std::string& number, const std::variant<Models...>*) {
-  (add_model<T>(number, Models{}), ...);
+template <class T, class... Functions>
+void add_fragment_functions(const std::string& number, const std::variant<Functions...>*) {
+  (add_fragment_function<T>(number, Functions{}), ...);
 }
 
 } // namespace
@@ -57,7 +58,7 @@ void add_fragment_functions() {
   for_each_number([]<class T>(const std::string& number) {
     add_light<T>("light/point/" + number, PointLight{{1.5, 2, 2.5}, Double3(1), 1, 0.09, 0.032});
     add_light<T>("light/direction/" + number, DirectionLight{{-1, -1, -1}, Double3(1)});
-    add_models<T>(number, static_cast<const Model*>(nullptr));
+    add_fragment_functions<T>(number, static_cast<const FragmentFunction*>(nullptr));
   });
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 // What the microbenchmarks share: the numbers that are measured, and loops over arrays of them.
 
-#include "math/rungs.h"
+#include "math/precisions.h"
 #include "math/vec.h"
 
 #include <benchmark/benchmark.h>
@@ -21,16 +21,16 @@ void add_measured_brdf();
 void add_textures();
 void add_triangles();
 
-/// body.operator()<T>(name) for one number of each rung's precision and for each rung's lanes.
+/// body.operator()<T>(name) for one number of each precision, and for its lanes.
 template <class Body>
 void for_each_number(Body&& body) {
   body.template operator()<double>("double x1");
   body.template operator()<float>("float x1");
-  const auto rung = [&]<class R>(R) {
+  const auto precision = [&]<class R>(R) {
     using T = typename R::Number;
     body.template operator()<T>(std::string(R::name) + " x" + std::to_string(NumberTraits<T>::lanes));
   };
-  std::apply([&](auto... each) { (rung(each), ...); }, LaneRungs{});
+  std::apply([&](auto... each) { (precision(each), ...); }, LanePrecisions{});
 }
 
 /// Benchmark `name`: work() does `values` of something.

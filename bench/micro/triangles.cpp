@@ -17,14 +17,14 @@ struct TileScene {
   Scene scene;
   Geometry geometry;
   Bins bins;
-  std::span<const SamplePlace> samples = sample_pattern(1);
+  std::span<const SamplePosition> samples = sample_pattern(1);
   TileVisibility visibility{side};
-  Crop tile{0, 0, side, side};
+  PixelRect tile{0, 0, side, side};
 
   explicit TileScene(const Quads& quads) {
     Object object;
     object.mesh = std::make_shared<const Mesh>(waves(quads));
-    object.material.model = Phong{};
+    object.material.fragment_function = Phong{};
     scene.objects.push_back(object);
     scene.camera.position = {0, 0, 3};
     geometry = {};
@@ -38,10 +38,10 @@ struct TileScene {
   void decide() { visibility.decide(scene, geometry, bins, 0, tile, samples); }
 };
 
-/// The tile's fragments in the number of a rung.
+/// The tile's fragments in the number of a precision.
 template <class T>
 struct TileFragments {
-  TileSurfaces<RealOf<T>> surfaces;
+  TileAttributes<RealOf<T>> setups;
   std::vector<FragmentRun> runs;
   UndefinedCounts undefined;
   std::uint32_t fragments = 0;
@@ -50,7 +50,7 @@ struct TileFragments {
 
   void collect(const TileScene& on) {
     list_runs(on.visibility, on.tile, 1, runs);
-    fragments = surfaces.collect(on.scene, on.geometry, on.bins, on.triangles(), runs);
+    fragments = setups.collect(on.scene, on.geometry, on.bins, on.triangles(), runs);
   }
 
   template <Triangles triangles>
@@ -62,8 +62,8 @@ struct TileFragments {
     benchmark::DoNotOptimize(result);
   }
   void interpolate(const TileScene& on) {
-    for (const auto& group : surfaces.groups())
-      for_each_packet<T>(surfaces, group, on.tile, [&](const Packet<T>& packet, std::uint32_t) {
+    for (const auto& group : setups.groups())
+      for_each_packet<T>(setups, group, on.tile, [&](const Packet<T>& packet, std::uint32_t) {
         if (packet.triangles == Triangles::one) surface<Triangles::one>(on, packet);
         else surface<Triangles::many>(on, packet);
       });
@@ -81,14 +81,14 @@ void add_tile(const std::string& name, const std::shared_ptr<TileScene>& on) {
   });
   add("visibility, a triangle/" + name, triangles, [on] { on->decide(); });
   add("visibility, a sample/" + name, samples, [on] { on->decide(); });
-  const auto rung = [&]<class R>(R) {
+  const auto precision = [&]<class R>(R) {
     using T = typename R::Number;
     const auto fragments = std::make_shared<TileFragments<T>>(*on);
     const std::string number = name + "/" + std::string(R::name) + " x" + std::to_string(NumberTraits<T>::lanes);
-    add("surfaces, a triangle/" + number, triangles, [on, fragments] { fragments->collect(*on); });
+    add("attribute set-up, a triangle/" + number, triangles, [on, fragments] { fragments->collect(*on); });
     add("interpolation/" + number, fragments->fragments, [on, fragments] { fragments->interpolate(*on); });
   };
-  std::apply([&](auto... each) { (rung(each), ...); }, LaneRungs{});
+  std::apply([&](auto... each) { (precision(each), ...); }, LanePrecisions{});
 }
 
 } // namespace

@@ -10,26 +10,26 @@ namespace refraster::bench {
 namespace {
 
 struct Place {
-  std::size_t scene, rung;
+  std::size_t scene, precision;
   double ns, error;
   std::string tooltip;
 };
 
 /// With the first number of threads of each scene.
 std::vector<Place> places(const Run& run) {
-  const std::vector<std::string> rungs = rungs_of(run);
+  const std::vector<std::string> precisions = precisions_of(run);
   std::vector<Place> all;
   for (std::size_t s = 0; s < run.scenes.size(); ++s) {
     const SceneResult& scene = run.scenes[s];
-    for (const RungResult& result : scene.rungs) {
-      if (result.threads != scene.rungs.front().threads) continue;
+    for (const PrecisionResult& result : scene.precisions) {
+      if (result.threads != scene.precisions.front().threads) continue;
       const auto error = std::find_if(scene.errors.begin(), scene.errors.end(),
-                                      [&](const RungError& e) { return e.rung == result.rung; });
+                                      [&](const PrecisionError& e) { return e.precision == result.precision; });
       if (error == scene.errors.end() || error->against_exact.pixels == 0) continue;
       const double ns = result.frame_ms.median * 1e6 / scene.shaded(), mean = error->against_exact.mean_relative;
       if (!(mean > 0 && ns < std::numeric_limits<double>::infinity())) continue; // nothing that has a logarithm
-      all.push_back({s, place_of(rungs, result.rung), ns, mean,
-                     format("%s, %s: %.3g ns, %.2g", label(run, scene).c_str(), result.rung.c_str(), ns, mean)});
+      all.push_back({s, index_of(precisions, result.precision), ns, mean,
+                     format("%s, %s: %.3g ns, %.2g", label(run, scene).c_str(), result.precision.c_str(), ns, mean)});
     }
   }
   return all;
@@ -41,15 +41,15 @@ std::string error_chart(const Run& run) {
   const std::vector<Place> all = places(run);
   if (all.empty()) return {};
   constexpr double width = 860, height = 450, left = 74, right = 20, top = 34, bottom = 394;
-  double least_ns = all[0].ns, most_ns = all[0].ns, least = all[0].error, most = all[0].error;
+  double min_ns = all[0].ns, max_ns = all[0].ns, least = all[0].error, most = all[0].error;
   for (const Place& p : all) {
-    least_ns = std::min(least_ns, p.ns), most_ns = std::max(most_ns, p.ns);
+    min_ns = std::min(min_ns, p.ns), max_ns = std::max(max_ns, p.ns);
     least = std::min(least, p.error), most = std::max(most, p.error);
   }
-  const Scale x = Scale::around(Scale::Kind::logarithmic, least_ns / 1.1, most_ns * 1.1, left, width - right);
+  const Scale x = Scale::around(Scale::Kind::logarithmic, min_ns / 1.1, max_ns * 1.1, left, width - right);
   const Scale y = Scale::around(Scale::Kind::logarithmic, least / 2, most * 2, bottom, top);
   Svg svg(width, height, "Mean relative error against nanoseconds a shaded pixel");
-  svg.legend(left, 14, rung_legend(run));
+  svg.legend(left, 14, precision_legend(run));
   svg.x_axis(x, top, bottom, "ns a shaded pixel, wall time");
   svg.y_axis(y, left, width - right, "mean relative error");
   for (std::size_t s = 0; s < run.scenes.size(); ++s) {
@@ -59,7 +59,7 @@ std::string error_chart(const Run& run) {
     if (!xs.empty()) svg.curve(xs, ys, "joined");
   }
   for (const Place& p : all) {
-    svg.dot(x(p.ns), y(p.error), 6, rung_class(p.rung), p.tooltip);
+    svg.dot(x(p.ns), y(p.error), 6, precision_class(p.precision), p.tooltip);
     if (run.scenes.size() > 1) svg.text(x(p.ns), y(p.error) - 10, Anchor::middle, std::to_string(p.scene + 1), "small");
   }
   return svg.markup();

@@ -16,7 +16,7 @@ struct Values {
   std::vector<std::string> tooltips;
 };
 
-void least_and_most(const std::vector<double>& values, double& least, double& most) {
+void min_and_max(const std::vector<double>& values, double& least, double& most) {
   for (const double value : values) least = std::min(least, value), most = std::max(most, value);
 }
 
@@ -27,16 +27,16 @@ enum class Reference { none, linear };
 std::string plot(const Run& run, const std::vector<Values>& curves, const std::string& x_name,
                  const std::string& y_name, Scale::Kind x_kind, Scale::Kind y_kind, Reference reference) {
   if (curves.empty() || curves.front().n.empty()) return {};
-  double x_least = curves[0].n[0], x_most = x_least, y_least = curves[0].value[0], y_most = y_least;
+  double x_min = curves[0].n[0], x_max = x_min, y_min = curves[0].value[0], y_max = y_min;
   for (const Values& curve : curves) {
-    least_and_most(curve.n, x_least, x_most);
-    least_and_most(curve.value, y_least, y_most);
+    min_and_max(curve.n, x_min, x_max);
+    min_and_max(curve.value, y_min, y_max);
   }
-  if (y_kind == Scale::Kind::linear) y_least = 0;
-  const Scale x = Scale::around(x_kind, x_least, x_most, left, width - right);
-  const Scale y = Scale::around(y_kind, y_least, y_most, bottom, top);
+  if (y_kind == Scale::Kind::linear) y_min = 0;
+  const Scale x = Scale::around(x_kind, x_min, x_max, left, width - right);
+  const Scale y = Scale::around(y_kind, y_min, y_max, bottom, top);
   Svg svg(width, height, y_name + " over " + x_name);
-  svg.legend(left, 12, rung_legend(run));
+  svg.legend(left, 12, precision_legend(run));
   svg.x_axis(x, top, bottom, x_name);
   svg.y_axis(y, left, width - right, y_name);
   if (reference == Reference::linear) {
@@ -54,7 +54,8 @@ std::string plot(const Run& run, const std::vector<Values>& curves, const std::s
 }
 
 std::string classes_of(const Run& run, const ScalingCurve& curve) {
-  return rung_class(place_of(rungs_of(run), curve.rung)) + (curve.order == LayerOrder::front_to_back ? " dashed" : "");
+  return precision_class(index_of(precisions_of(run), curve.precision)) +
+         (curve.order == LayerOrder::front_to_back ? " dashed" : "");
 }
 
 std::string axis_name(const ScalingCurve& curve) {
@@ -73,7 +74,7 @@ std::string growth_chart(const Run& run, std::span<const ScalingCurve* const> cu
       const double ms = point.frame_ms.median;
       values.n.push_back(point.point.n);
       values.value.push_back(threads ? curve->points.front().frame_ms.median / ms : ms);
-      values.tooltips.push_back(format("%s, %.0f: %.4g ms", curve->rung.c_str(), point.point.n, ms));
+      values.tooltips.push_back(format("%s, %.0f: %.4g ms", curve->precision.c_str(), point.point.n, ms));
     }
   }
   if (threads)
@@ -93,7 +94,7 @@ std::string memory_chart(const Run& run, std::span<const ScalingCurve* const> cu
       const double megabytes = static_cast<double>(*point.peak_memory_bytes) * 1e-6;
       values.n.push_back(point.point.n);
       values.value.push_back(megabytes);
-      values.tooltips.push_back(format("%s, %.0f: %.4g MB", curve->rung.c_str(), point.point.n, megabytes));
+      values.tooltips.push_back(format("%s, %.0f: %.4g MB", curve->precision.c_str(), point.point.n, megabytes));
     }
     if (!values.n.empty()) all.push_back(std::move(values));
   }

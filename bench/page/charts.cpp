@@ -6,24 +6,24 @@
 
 namespace refraster::bench {
 
-std::vector<std::string> rungs_of(const Run& run) {
-  std::vector<std::string> rungs;
-  const auto add = [&](const std::string& rung) {
-    if (std::find(rungs.begin(), rungs.end(), rung) == rungs.end()) rungs.push_back(rung);
+std::vector<std::string> precisions_of(const Run& run) {
+  std::vector<std::string> precisions;
+  const auto add = [&](const std::string& precision) {
+    if (std::find(precisions.begin(), precisions.end(), precision) == precisions.end()) precisions.push_back(precision);
   };
   for (const SceneResult& scene : run.scenes)
-    for (const RungResult& result : scene.rungs) add(result.rung);
-  for (const ScalingCurve& curve : run.scaling) add(curve.rung);
-  return rungs;
+    for (const PrecisionResult& result : scene.precisions) add(result.precision);
+  for (const ScalingCurve& curve : run.scaling) add(curve.precision);
+  return precisions;
 }
 
-std::size_t place_of(const std::vector<std::string>& rungs, const std::string& rung) {
-  return static_cast<std::size_t>(std::find(rungs.begin(), rungs.end(), rung) - rungs.begin());
+std::size_t index_of(const std::vector<std::string>& precisions, const std::string& precision) {
+  return static_cast<std::size_t>(std::find(precisions.begin(), precisions.end(), precision) - precisions.begin());
 }
 
-std::vector<LegendEntry> rung_legend(const Run& run) {
+std::vector<LegendEntry> precision_legend(const Run& run) {
   std::vector<LegendEntry> legend;
-  for (const std::string& rung : rungs_of(run)) legend.push_back({rung_class(legend.size()), rung});
+  for (const std::string& precision : precisions_of(run)) legend.push_back({precision_class(legend.size()), precision});
   return legend;
 }
 

@@ -29,11 +29,12 @@ std::string scene_numbers(const Run& run) {
 std::string errors_section(const Run& run) {
   const std::string chart = error_chart(run);
   const std::string picture = chart.empty() ? "" : "<div class=\"wide\">" + chart + "</div>\n" + scene_numbers(run);
-  return section("What accuracy costs",
-                 "Each point is a rung on a scene: farther down is more exact, farther to the left is faster. Error is "
-                 "the mean over some hundred pixels of |value − exact| / |exact|, the exact value worked out in 60 "
-                 "digits.",
-                 picture + errors_table(run));
+  return section(
+      "What accuracy costs",
+      "Each point is a precision on a scene: farther down is more exact, farther to the left is faster. Error is "
+      "the mean over some hundred pixels of |value − exact| / |exact|, the exact value worked out in 60 "
+      "digits.",
+      picture + errors_table(run));
 }
 
 std::string splits_section(const Run& run) {
@@ -56,11 +57,12 @@ std::string opengl_section(const Run& run) {
   for (const SceneResult& scene : run.scenes)
     for (const OpenGlResult& one : scene.opengl)
       if (drivers.empty()) drivers = one.renderer + ", " + one.version;
-  return section("Beside OpenGL",
-                 "The same scene, size and number of threads, frames in turn. Dots are medians over the rounds, bars "
-                 "hold half of them. Drawn by " +
-                     escaped(drivers) + ".",
-                 "<div class=\"wide\">" + chart + "</div>\n");
+  return section(
+      "Beside OpenGL",
+      "The same scene, size and number of threads, frames in turn. Dots are medians over the repetitions, bars "
+      "hold half of them. Drawn by " +
+          escaped(drivers) + ".",
+      "<div class=\"wide\">" + chart + "</div>\n");
 }
 
 /// Both pictures of one growth, and what they say.
@@ -109,12 +111,12 @@ std::string run_html(const Run& run) {
                   "Cycles are reference cycles, of the time stamp counter.",
                   frames_table(run));
   page += errors_section(run) + splits_section(run);
-  page +=
-      section("What one more thing costs",
-              "In ns of CPU time, from frames of the scene with and without it, drawn in turn: the median and the "
-              "quartiles of the rounds. What is smaller than its spread, the distance of the quartiles, is shown as "
-              "a bound: < 1.2.",
-              costs_table(run));
+  page += section(
+      "What one more thing costs",
+      "In ns of CPU time, from frames of the scene with and without it, drawn in turn: the median and the "
+      "quartiles of the repetitions. What is smaller than its spread, the distance of the quartiles, is shown as "
+      "a bound: < 1.2.",
+      costs_table(run));
   page += opengl_section(run) + scaling_section(run);
   page += section("Machine and method", "docs/bench.md says more.", facts_table(run));
   return page + "</main>\n</body>\n</html>\n";

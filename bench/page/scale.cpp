@@ -84,9 +84,9 @@ Scale Scale::around(Kind kind, double least, double most, double a, double b) {
 }
 
 double Scale::operator()(double value) const {
-  const double share =
+  const double fraction =
       kind_ == Kind::logarithmic ? std::log(value / from_) / std::log(to_ / from_) : (value - from_) / (to_ - from_);
-  return a_ + (b_ - a_) * share;
+  return a_ + (b_ - a_) * fraction;
 }
 
 } // namespace refraster::bench

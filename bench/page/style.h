@@ -5,10 +5,10 @@ namespace refraster::bench {
 
 inline constexpr const char* page_style = R"(
 :root { color-scheme: light dark; --paper: #fdfdfc; --ink: #1d2126; --soft: #5d6670; --rule: #d9dcdf; --grid: #e7e9eb;
-  --rung0: #1566b0; --rung1: #d0590b; --rung2: #14866b; --rung3: #8c4aa8; }
+  --precision0: #1566b0; --precision1: #d0590b; --precision2: #14866b; --precision3: #8c4aa8; }
 @media (prefers-color-scheme: dark) {
   :root { --paper: #16191d; --ink: #e6e8ea; --soft: #9aa4ae; --rule: #363c43; --grid: #262b31;
-    --rung0: #62aef0; --rung1: #f4934f; --rung2: #4cc9a4; --rung3: #c58fe0; } }
+    --precision0: #62aef0; --precision1: #f4934f; --precision2: #4cc9a4; --precision3: #c58fe0; } }
 body { margin: 0; background: var(--paper); color: var(--ink); font: 15px/1.5 system-ui, sans-serif; }
 main { max-width: 900px; margin: 0 auto; padding: 28px 20px 60px; }
 h1 { font-size: 26px; margin: 0 0 4px; } h2 { font-size: 19px; margin: 40px 0 6px; } h3 { font-size: 15px; margin: 22px 0 4px; }

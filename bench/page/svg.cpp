@@ -86,8 +86,8 @@ void Svg::y_axis(const Scale& scale, double left, double right, const std::strin
   upward_text(14, (scale(scale.from()) + scale(scale.to())) / 2, name);
 }
 
-std::string rung_class(std::size_t n) {
-  return "rung" + std::to_string(n % 4);
+std::string precision_class(std::size_t n) {
+  return "precision" + std::to_string(n % 4);
 }
 
 } // namespace refraster::bench

@@ -44,7 +44,7 @@ private:
   std::string svg_;
 };
 
-/// The class of the n-th rung's colour.
-std::string rung_class(std::size_t n);
+/// The class of the n-th precision's colour.
+std::string precision_class(std::size_t n);
 
 } // namespace refraster::bench

@@ -54,9 +54,9 @@ std::string frames_table(const Run& run) {
                 group);
       group = HtmlTable::Group::same;
     };
-    for (const RungResult& rung : scene.rungs)
-      row(rung.rung, rung.threads, rung.frame_ms, rung.cpu_ms,
-          rung.opengl_ratio ? format("%.2f", rung.opengl_ratio->median) : "");
+    for (const PrecisionResult& precision : scene.precisions)
+      row(precision.precision, precision.threads, precision.frame_ms, precision.cpu_ms,
+          precision.opengl_ratio ? format("%.2f", precision.opengl_ratio->median) : "");
     for (const OpenGlResult& one : scene.opengl)
       row(one.renderer.substr(0, one.renderer.find(' ')), one.threads, one.frame_ms, one.cpu_ms, "");
   }
@@ -65,12 +65,13 @@ std::string frames_table(const Run& run) {
 
 std::string errors_table(const Run& run) {
   HtmlTable table(
-      {"scene", "rung", "exact: mean", "max", "double, levels: max", "99.9 %", "mean", "off by one", "by more"}, 2);
+      {"scene", "precision", "exact: mean", "max", "double, levels: max", "99.9 %", "mean", "off by one", "by more"},
+      2);
   for (const SceneResult& scene : run.scenes) {
     auto group = HtmlTable::Group::first;
-    for (const RungError& error : scene.errors) {
+    for (const PrecisionError& error : scene.errors) {
       const ExactError& exact = error.against_exact;
-      std::vector<std::string> row = {group == HtmlTable::Group::first ? label(run, scene) : "", error.rung,
+      std::vector<std::string> row = {group == HtmlTable::Group::first ? label(run, scene) : "", error.precision,
                                       exact.pixels > 0 ? format("%.1e", exact.mean_relative) : "–",
                                       exact.pixels > 0 ? format("%.1e", exact.max_relative) : "–"};
       if (error.against_double) {
@@ -91,25 +92,26 @@ std::string errors_table(const Run& run) {
 }
 
 std::string costs_table(const Run& run) {
-  HtmlTable table({"scene", "rung", "what", "of", "ns", "lower", "upper quartile"}, 4);
+  HtmlTable table({"scene", "precision", "what", "of", "ns", "lower", "upper quartile"}, 4);
   for (const SceneResult& scene : run.scenes) {
     auto group = HtmlTable::Group::first;
-    for (const RungResult& rung : scene.rungs) {
+    for (const PrecisionResult& precision : scene.precisions) {
       const auto row = [&](const std::string& what, const Spread& ns, const char* of) {
         const CostText cost = cost_text(ns);
-        table.add({group == HtmlTable::Group::first ? label(run, scene) : "", rung.rung, what, of, cost.median,
-                   cost.lower, cost.upper},
+        table.add({group == HtmlTable::Group::first ? label(run, scene) : "", precision.precision, what, of,
+                   cost.median, cost.lower, cost.upper},
                   group);
         group = HtmlTable::Group::same;
       };
-      for (const FunctionCost& cost : rung.functions)
+      for (const FunctionCost& cost : precision.functions)
         row(name_of(cost.function), cost.ns, "a fragment and light, one thread");
-      if (!rung.marginal) continue;
-      row("one more light", rung.marginal->light, "a shaded pixel");
-      if (rung.marginal->texture)
-        row(rung.marginal->texture_change == TextureChange::removed ? "its textures" : "a texture",
-            *rung.marginal->texture, "a shaded pixel");
-      if (rung.marginal->double_samples) row("twice the samples", *rung.marginal->double_samples, "a shaded pixel");
+      if (!precision.marginal) continue;
+      row("one more light", precision.marginal->light, "a shaded pixel");
+      if (precision.marginal->texture)
+        row(precision.marginal->texture_change == TextureChange::removed ? "its textures" : "a texture",
+            *precision.marginal->texture, "a shaded pixel");
+      if (precision.marginal->double_samples)
+        row("twice the samples", *precision.marginal->double_samples, "a shaded pixel");
     }
   }
   return table.html();
@@ -117,7 +119,7 @@ std::string costs_table(const Run& run) {
 
 std::string scaling_table(std::span<const ScalingCurve* const> curves) {
   const Growth growth = curves.front()->growth;
-  std::vector<std::string> headings = {"rung"};
+  std::vector<std::string> headings = {"precision"};
   if (growth == Growth::overdraw) headings.emplace_back("order");
   const std::size_t words = headings.size();
   headings.insert(headings.end(), {"from", "to", "ms", "to", "peak MB"});
@@ -127,7 +129,7 @@ std::string scaling_table(std::span<const ScalingCurve* const> curves) {
   HtmlTable table(headings, words);
   for (const ScalingCurve* const curve : curves) {
     const MeasuredPoint &first = curve->points.front(), &last = curve->points.back();
-    std::vector<std::string> row = {curve->rung};
+    std::vector<std::string> row = {curve->precision};
     if (growth == Growth::overdraw) row.emplace_back(name_of(curve->order));
     for (const MeasuredPoint* const point : {&first, &last})
       row.push_back(with_commas(static_cast<unsigned long long>(point->point.n)));
@@ -173,8 +175,8 @@ std::string facts_table(const Run& run) {
   fact("build", build.version + ", " + build.compiler + ", " + build.type + ", " + build.isa);
   fact("flags", origin.flags);
   fact("revision", origin.revision);
-  fact("rounds", format("%d to warm up; then at least %d, and until %g s have passed for a scene", run.warm_up,
-                        run.least_rounds, run.seconds));
+  fact("repetitions", format("%d to warm up; then at least %d, and until %g s have passed for a scene", run.warm_up,
+                             run.min_repetitions, run.seconds));
   fact("time", run.started + " to " + run.ended);
   return html + "</table>\n";
 }

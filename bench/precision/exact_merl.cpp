@@ -12,8 +12,8 @@ const Exact& step() {
 } // namespace
 
 Exact distance_around(const Exact& w, const Exact& other) {
-  const Exact away = magnitude(w - other);
-  return minimum(away, Exact(180) - away);
+  const Exact away = abs(w - other);
+  return min(away, Exact(180) - away);
 }
 
 MerlPlace exact_merl_place(const Inputs& in) {
@@ -27,8 +27,8 @@ MerlPlace exact_merl_place(const Inputs& in) {
       x = before * (Exact(1) + step());
       const ExactPoint there = exact_merl_point(n, i, o);
       x = before;
-      place.moved.u += magnitude(there.u - place.at.u) / step();
-      place.moved.v += magnitude(there.v - place.at.v) / step();
+      place.moved.u += abs(there.u - place.at.u) / step();
+      place.moved.v += abs(there.v - place.at.v) / step();
       place.moved.w += distance_around(there.w, place.at.w) / step();
     }
   return place;
@@ -45,7 +45,7 @@ Exactly exact_merl(const MerlPlace& place, const MerlTable& table, MerlLookup lo
   };
   const Exact f = f_at(at.u, at.v, at.w);
   if (lookup == MerlLookup::nearest) return {f * n_l * radiance, f * sizes};
-  const auto slope = [&](const Exact& there) { return magnitude(there - f) / step(); };
+  const auto slope = [&](const Exact& there) { return abs(there - f) / step(); };
   Exact terms = f + slope(f_at(at.u + step(), at.v, at.w)) * (at.u + moved.u) +
                 slope(f_at(at.u, at.v + step(), at.w)) * (at.v + moved.v) +
                 slope(f_at(at.u, at.v, at.w + step())) * (at.w + moved.w);

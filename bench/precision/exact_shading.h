@@ -15,15 +15,15 @@ struct Exactly {
 /// |x|.|y|: the sum of the magnitudes of a dot product's terms, which its rounding errors are proportional to, however
 /// small the dot product itself is.
 inline Exact magnitude_of_dot(const Vec3<Exact>& a, const Vec3<Exact>& b) {
-  return magnitude(a.x * b.x) + magnitude(a.y * b.y) + magnitude(a.z * b.z);
+  return abs(a.x * b.x) + abs(a.y * b.y) + abs(a.z * b.z);
 }
 
 /// What Phong or Blinn-Phong gives. Its terms: (kd t sum |n_i l_i| + ks) C. A highlight counts with its peak.
-template <class Model>
-Exactly exactly(const Model& model, const Inputs& in) {
+template <class SomeFunction>
+Exactly exactly(const SomeFunction& function, const Inputs& in) {
   const Lit<Exact> there = lit<Exact>(in);
   const Exact diffuse = as<Exact>(in.kd) * as<Exact>(in.texture);
-  return {model(there.at, there.light).x,
+  return {function(there.at, there.light).x,
           (diffuse * magnitude_of_dot(there.at.normal, there.light.direction) + as<Exact>(in.ks)) *
               there.light.radiance.x};
 }

@@ -59,9 +59,9 @@ SurfacePair plane_pair(Engine& random) {
 
 /// The half vector within three radii of the highlight from the normal: there the power is about exp(-x^2), x in [0,
 /// 3].
-Inputs in_highlight(Engine& random, double least_decade, double most_decade) {
+Inputs in_highlight(Engine& random, double min_decade, double max_decade) {
   Inputs in = ordinary_surface({}, random);
-  in.glossiness = random_scale(random, least_decade, most_decade);
+  in.glossiness = random_scale(random, min_decade, max_decade);
   const double angle = std::min(std::sqrt(2 / in.glossiness) * uniform(random, 0, 3), 0.6);
   for (;;) {
     const Double3 n = random_direction(random), h = turned(n, angle, random);

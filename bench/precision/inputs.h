@@ -58,7 +58,7 @@ Lit<F> lit(const Inputs& in) {
   return {at, in.path == Path::point_light ? arriving(in.point, at) : arriving(in.direction, at)};
 }
 
-/// All members that the path and `glossy` models use, by name, in hexadecimal.
+/// All members that the path and `glossy` functions use, by name, in hexadecimal.
 enum class Glossiness { used, unused };
 std::string text(const Inputs& in, Glossiness glossiness);
 

@@ -34,8 +34,8 @@ void add_all(std::vector<Column>& columns, const Inputs& in, Errors Column::*err
     for (const auto& [method, name] : EnumNames<MerlAngles>::names)
       if (name == column.method) at = merl_point(half_difference(method, n, i, o));
     Exact error;
-    if (column.coordinate == "u") error = magnitude(Exact(at.u) - exactly.u);
-    if (column.coordinate == "v") error = magnitude(Exact(at.v) - exactly.v);
+    if (column.coordinate == "u") error = abs(Exact(at.u) - exactly.u);
+    if (column.coordinate == "v") error = abs(Exact(at.v) - exactly.v);
     if (column.coordinate == "w") error = distance_around(Exact(at.w), exactly.w);
     if (column.coordinate == sphere) error = distance_around(Exact(at.w), exactly.w) * sines(exactly);
     (column.*errors).add(error, describe);
@@ -89,7 +89,7 @@ std::vector<HighlightPoint> measure_highlight(int pairs_each) {
       if (dot(normal, light) < 0.1 || dot(normal, eye) < 0.1) continue;
       const auto n = normalize(Float3(normal)), i = normalize(Float3(light)), o = normalize(Float3(eye));
       const Exact u = exact_merl_point(n, i, o).u;
-      const auto off = [&](float computed) { return static_cast<double>(magnitude(Exact(computed) - u)); };
+      const auto off = [&](float computed) { return static_cast<double>(abs(Exact(computed) - u)); };
       acos_errors.push_back(off(merl_point_by_arc_cosines(n, i, o).u));
       closed_errors.push_back(off(merl_point(half_difference(MerlAngles::closed, n, i, o)).u));
     }

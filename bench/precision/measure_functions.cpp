@@ -66,7 +66,7 @@ template <class F>
 Trial power_trial(F x, double s) {
   const Mpfr y = exact_log2(Mpfr(x)) * s;
   if (y <= lowest_power<F> + 1e-3 || y >= highest_power<F> - 1e-3) return {0, ""};
-  return {in_ulps(power(x, s), exact_exp2(y)), input({wide(x), s})};
+  return {in_ulps(pow(x, s), exact_exp2(y)), input({wide(x), s})};
 }
 template <class F>
 Trial log2_trial(F x) {
@@ -104,7 +104,7 @@ Trial normalize_trial(const Vec3<F>& a) {
 /// In ulps of 1: what the error of a highlight is against its peak.
 template <class F>
 Trial highlight_trial(Random& random, double least, double most) {
-  const double s = random.magnitude(least, most), radius = std::min(std::sqrt(2 / s) * random.uniform(0, 3), 1.5);
+  const double s = random.log_uniform(least, most), radius = std::min(std::sqrt(2 / s) * random.uniform(0, 3), 1.5);
   const Double3 a = normalize(some_vector<double>(random, 0));
   const Double3 across = normalize(cross(a, normalize(some_vector<double>(random, 0))));
   const Vec3<F> x = normalize(Vec3<F>(a)), y = normalize(Vec3<F>(a * std::cos(radius) + across * std::sin(radius)));
@@ -131,7 +131,7 @@ constexpr UlpBound cosine_power_bound() {
 FunctionRow of_degrees(std::string_view function, UlpBound bound, int trials, double (*computed)(double),
                        Mpfr (*exactly)(const Mpfr&), double multiple_left_out) {
   const auto once = [&](Random& random) -> Trial {
-    const double angle = random.below(2) ? random.uniform(-360, 360) : random.sign() * random.magnitude(1e-10, 1e15);
+    const double angle = random.below(2) ? random.uniform(-360, 360) : random.sign() * random.log_uniform(1e-10, 1e15);
     if (std::fmod(angle, multiple_left_out) == 0) return {0, ""}; // exact: see the tests
     const Mpfr radians = Mpfr(std::fmod(angle, 360.0)) * exact_pi() / 180;
     return {in_ulps(computed(angle), exactly(radians)), input({angle})};
@@ -149,7 +149,7 @@ std::vector<FunctionRow> measure_functions(int trials) {
     return both("exp2", inputs, exp2_error<double>, exp2_error<float>, trials, once);
   };
   const auto power_bounds = [&](auto inputs, auto once) {
-    return both("power", inputs, power_error<double>, power_error<float>, trials, once);
+    return both("pow", inputs, pow_error<double>, pow_error<float>, trials, once);
   };
   const auto atan2_bounds = [&](auto inputs, auto once) {
     return both("atan2", inputs, atan2_error<double>, atan2_error<float>, trials, once);
@@ -176,23 +176,24 @@ std::vector<FunctionRow> measure_functions(int trials) {
 
   return {
       log2_bounds("every magnitude", []<class F>(F, Random& r) { return log2_trial(positive_finite<F>(r)); }),
-      log2_bounds("near 1",
-                  []<class F>(F, Random& r) { return log2_trial(F(1 + r.sign() * r.magnitude(epsilon_of<F>, 0.5))); }),
+      log2_bounds(
+          "near 1",
+          []<class F>(F, Random& r) { return log2_trial(F(1 + r.sign() * r.log_uniform(epsilon_of<F>, 0.5))); }),
       exp2_bounds("-4 to 4", []<class F>(F, Random& r) { return exp2_trial(F(r.uniform(-4, 4))); }),
       exp2_bounds(
           "whole range",
           []<class F>(F, Random& r) { return exp2_trial(F(r.uniform(lowest_power<F>, highest_power<F> - 1e-3))); }),
       power_bounds("cosines, exponents 0.1 to 1e4",
                    []<class F>(F, Random& r) {
-                     const double s = r.magnitude(0.1, 1e4);
+                     const double s = r.log_uniform(0.1, 1e4);
                      return power_trial(F(std::exp2(r.uniform(lowest_power<F>, 0) / s)), s);
                    }),
       power_bounds("any base, exponents 1e-3 to 1e3",
-                   []<class F>(F, Random& r) { return power_trial(positive_finite<F>(r), r.magnitude(1e-3, 1e3)); }),
+                   []<class F>(F, Random& r) { return power_trial(positive_finite<F>(r), r.log_uniform(1e-3, 1e3)); }),
       power_bounds("bases next to 1, exponents to 1e17",
                    []<class F>(F, Random& r) {
-                     const double distance = r.magnitude(epsilon_of<F>, 1e-3);
-                     return power_trial(F(1 - distance), r.magnitude(1, 80) / distance);
+                     const double distance = r.log_uniform(epsilon_of<F>, 1e-3);
+                     return power_trial(F(1 - distance), r.log_uniform(1, 80) / distance);
                    }),
       highlight("glossiness 1 to 128", 1, 128),
       highlight("glossiness 128 to 1e7", 128, 1e7),
@@ -201,7 +202,7 @@ std::vector<FunctionRow> measure_functions(int trials) {
       atan2_bounds("every magnitude",
                    []<class F>(F, Random& r) -> Trial {
                      const F y = r.any_finite<F>(), x = r.any_finite<F>();
-                     if (std::abs(atan2(y, x)) < F(4 * least_wide_product<F>)) return {0, ""}; // 2 ulp there
+                     if (std::abs(atan2(y, x)) < F(4 * min_two_product<F>)) return {0, ""}; // 2 ulp there
                      return atan2_trial(y, x);
                    }),
       of_degrees(

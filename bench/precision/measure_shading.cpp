@@ -2,7 +2,7 @@
 #include "bench/precision/measure.h"
 
 #include "scenes/synthesis/merl_synthesis.h"
-#include "shading/models.h"
+#include "shading/fragment_functions.h"
 
 #include <algorithm>
 #include <memory>
@@ -16,35 +16,35 @@ int channel_of(int trial) {
   return trial % 3;
 }
 
-template <class F, class Model>
-F radiance(const Model& model, const Inputs& in, int channel) {
+template <class F, class SomeFunction>
+F radiance(const SomeFunction& function, const Inputs& in, int channel) {
   const Lit<F> there = lit<F>(in);
-  return model(there.at, there.light)[channel];
+  return function(there.at, there.light)[channel];
 }
 
 /// The errors of one fragment function in one number.
-struct ModelErrors {
+struct FunctionErrors {
   Errors terms, result;
 
   template <class F, class Describe>
   void add(F computed, const Exactly& exactly, const Describe& describe) {
-    const Exact error = magnitude(Exact(computed) - exactly.value);
+    const Exact error = abs(Exact(computed) - exactly.value);
     terms.add(error / Exact(ulp_at<F>(exactly.terms.value())), describe);
     result.add(error / Exact(ulp_at<F>(exactly.value.value())), describe);
   }
 };
 
 /// Which bound belongs to a row; the default one, which nothing keeps to, where there is none yet.
-PrecisionBound bound_of(std::string_view model, std::string_view inputs) {
+PrecisionBound bound_of(std::string_view function, std::string_view inputs) {
   for (const PrecisionBound& bound : precision_bounds)
-    if (bound.model == model && bound.inputs == inputs) return bound;
-  return {model, inputs, {}, {}, {}, {}, 0};
+    if (bound.function == function && bound.inputs == inputs) return bound;
+  return {function, inputs, {}, {}, {}, {}, 0};
 }
 
 /// Radiance of float beside that of double, on one scene: each rounds the inputs for itself.
-template <class Model>
-double float_from_double(const Model& in_double, const Model& in_float, const Inputs& of_double, const Inputs& of_float,
-                         int channel) {
+template <class SomeFunction>
+double float_from_double(const SomeFunction& in_double, const SomeFunction& in_float, const Inputs& of_double,
+                         const Inputs& of_float, int channel) {
   const double arriving = lit<double>(of_double).light.radiance.x;
   const double apart = radiance<double>(in_double, of_double, channel) -
                        static_cast<double>(radiance<float>(in_float, of_float, channel));
@@ -53,19 +53,19 @@ double float_from_double(const Model& in_double, const Model& in_float, const In
 
 // Phong and Blinn-Phong.
 
-template <class Model>
-Model model_of(const Inputs& in) {
-  return Model{{Double3(0), Double3(in.kd), Double3(in.ks), in.glossiness, SpecularGate::open}};
+template <class SomeFunction>
+SomeFunction fragment_function_of(const Inputs& in) {
+  return SomeFunction{{Double3(0), Double3(in.kd), Double3(in.ks), in.glossiness, SpecularGate::open}};
 }
 
-template <class Model>
+template <class SomeFunction>
 ShadingRow measure_phong(const Family& inputs, int trials) {
-  ModelErrors in_double, in_float;
+  FunctionErrors in_double, in_float;
   Errors apart;
-  const auto once = [&]<class F>(ModelErrors& errors, std::mt19937_64& random) {
+  const auto once = [&]<class F>(FunctionErrors& errors, std::mt19937_64& random) {
     const Inputs in = held<F>(inputs.make(random, decades<F>));
-    const Model model = model_of<Model>(in);
-    errors.add(radiance<F>(model, in, 0), exactly(model, in), [&] { return text(in, Glossiness::used); });
+    const SomeFunction function = fragment_function_of<SomeFunction>(in);
+    errors.add(radiance<F>(function, in, 0), exactly(function, in), [&] { return text(in, Glossiness::used); });
   };
   std::mt19937_64 random_double(1), random_float(2);
   for (int k = 0; k < trials; ++k) {
@@ -75,11 +75,16 @@ ShadingRow measure_phong(const Family& inputs, int trials) {
     std::mt19937_64 again = before;
     const Inputs in = inputs.make(again, decades<float>);
     const Inputs of_double = held<double>(in), of_float = held<float>(in);
-    apart.add(float_from_double(model_of<Model>(of_double), model_of<Model>(of_float), of_double, of_float, 0),
+    apart.add(float_from_double(fragment_function_of<SomeFunction>(of_double),
+                                fragment_function_of<SomeFunction>(of_float), of_double, of_float, 0),
               [&] { return text(of_float, Glossiness::used); });
   }
-  return {bound_of(Model::name, inputs.name), in_double.terms.summary(), in_float.terms.summary(),
-          in_double.result.summary(),         in_float.result.summary(), apart.summary()};
+  return {bound_of(SomeFunction::name, inputs.name),
+          in_double.terms.summary(),
+          in_float.terms.summary(),
+          in_double.result.summary(),
+          in_float.result.summary(),
+          apart.summary()};
 }
 
 // MERL.
@@ -98,14 +103,14 @@ bool other_bin(const MerlPlace& place, const Inputs& in) {
 
 struct Lookup {
   MerlLookup lookup;
-  ModelErrors in_double, in_float;
+  FunctionErrors in_double, in_float;
   Errors apart;
   int other_bin_double = 0, other_bin_float = 0;
 };
 
 template <class F>
 void add_all(std::vector<Lookup>& lookups, const std::shared_ptr<const MerlTable>& table, const Inputs& in, int channel,
-             ModelErrors Lookup::*errors, int Lookup::*other) {
+             FunctionErrors Lookup::*errors, int Lookup::*other) {
   const MerlPlace place = exact_merl_place(in);
   const bool border = other_bin<F>(place, in);
   for (Lookup& one : lookups) {
@@ -131,8 +136,8 @@ std::vector<ShadingRow> measure_merl(const std::shared_ptr<const MerlTable>& tab
     const Inputs of_double = held<double>(in), of_float = held<float>(in);
     add_all<float>(lookups, table, of_float, channel, &Lookup::in_float, &Lookup::other_bin_float);
     for (Lookup& one : lookups) {
-      const Merl model{table, one.lookup, MerlAngles::closed};
-      one.apart.add(float_from_double(model, model, of_double, of_float, channel),
+      const Merl function{table, one.lookup, MerlAngles::closed};
+      one.apart.add(float_from_double(function, function, of_double, of_float, channel),
                     [&] { return text(of_float, Glossiness::unused); });
     }
   }
@@ -160,7 +165,7 @@ std::vector<ShadingRow> measure_shading(int trials) {
     for (ShadingRow& row : measure_merl(table, inputs, trials)) merl.push_back(std::move(row));
   // By lookup, then by inputs.
   std::stable_sort(merl.begin(), merl.end(),
-                   [](const ShadingRow& a, const ShadingRow& b) { return a.bound.model < b.bound.model; });
+                   [](const ShadingRow& a, const ShadingRow& b) { return a.bound.function < b.bound.function; });
   for (ShadingRow& row : merl) rows.push_back(std::move(row));
   return rows;
 }

@@ -57,7 +57,7 @@ std::string shading_table(const std::vector<ShadingRow>& rows) {
       "| function | inputs | double, ulp of the terms | float, ulp of the terms | double, ulp of the result "
       "| float, ulp of the result | float − double |\n|---|---|---|---|---|---|---|\n";
   for (const ShadingRow& row : rows) {
-    table += row_name(row.bound.model, row.bound.inputs) + cell(row.double_terms, row.bound.double_terms) +
+    table += row_name(row.bound.function, row.bound.inputs) + cell(row.double_terms, row.bound.double_terms) +
              cell(row.float_terms, row.bound.float_terms) + cell(row.double_result, row.bound.double_result) +
              cell(row.float_result, row.bound.float_result) +
              joined({" ", measured(row.float_from_double), " ≤ ", number(row.bound.float_from_double), " |\n"});
@@ -69,7 +69,7 @@ std::string shading_table(const std::vector<ShadingRow>& rows) {
 std::string borders_table(const std::vector<ShadingRow>& rows) {
   std::string table = "| inputs | double | float |\n|---|---|---|\n";
   for (const ShadingRow& row : rows)
-    if (row.bound.model == "merl nearest")
+    if (row.bound.function == "merl nearest")
       table += joined({"| ", row.bound.inputs, " | ", number(100 * row.double_other_bin), " % | ",
                        number(100 * row.float_other_bin), " % |\n"});
   return table;
@@ -85,9 +85,10 @@ std::string coordinates_table(const std::vector<CoordinateRow>& rows) {
 
 /// What the constants promise of the goals.
 std::string goals_table() {
-  const auto bound = [](std::string_view model) {
-    return *std::find_if(std::begin(precision_bounds), std::end(precision_bounds),
-                         [&](const PrecisionBound& one) { return one.model == model && one.inputs == "ordinary"; });
+  const auto bound = [](std::string_view function) {
+    return *std::find_if(std::begin(precision_bounds), std::end(precision_bounds), [&](const PrecisionBound& one) {
+      return one.function == function && one.inputs == "ordinary";
+    });
   };
   const auto bins = [](std::string_view coordinate, std::string_view inputs) {
     return std::find_if(std::begin(coordinate_bounds), std::end(coordinate_bounds),
@@ -98,9 +99,10 @@ std::string goals_table() {
   };
   std::string table = "| ordinary inputs | double, ulp of the terms | double, ulp of the result | float − double |\n"
                       "|---|---|---|---|\n";
-  for (const std::string_view model : {"phong", "blinn_phong", "merl trilinear"})
-    table += joined({"| ", model, " | ≤ ", number(bound(model).double_terms.max), " | ≤ ",
-                     number(bound(model).double_result.max), " | ≤ ", number(bound(model).float_from_double), " |\n"});
+  for (const std::string_view function : {"phong", "blinn_phong", "merl trilinear"})
+    table +=
+        joined({"| ", function, " | ≤ ", number(bound(function).double_terms.max), " | ≤ ",
+                number(bound(function).double_result.max), " | ≤ ", number(bound(function).float_from_double), " |\n"});
   table += "\n| float, bins | directions anywhere above the surface | specular |\n|---|---|---|\n";
   for (const std::string_view coordinate : {"u", "v", "w sin θh sin θd"})
     table += joined({"| ", coordinate, " | ≤ ", number(bins(coordinate, "uniform")), " | ≤ ",
@@ -124,8 +126,8 @@ std::string worst_inputs(const Measurements& all) {
     text += worst_line(name, row.bound.inputs, "float", row.float_bins);
   }
   for (const ShadingRow& row : all.shading) {
-    text += worst_line(row.bound.model, row.bound.inputs, "double", row.double_terms);
-    text += worst_line(row.bound.model, row.bound.inputs, "float", row.float_terms);
+    text += worst_line(row.bound.function, row.bound.inputs, "double", row.double_terms);
+    text += worst_line(row.bound.function, row.bound.inputs, "float", row.float_terms);
   }
   return text + "```\n";
 }
@@ -163,7 +165,7 @@ std::string row_name(std::string_view what, std::string_view inputs) {
 
 std::string updated_page(std::string page, const Measurements& measured) {
   std::vector<ShadingRow> phong, merl;
-  for (const ShadingRow& row : measured.shading) (row.bound.model.starts_with("merl") ? merl : phong).push_back(row);
+  for (const ShadingRow& row : measured.shading) (row.bound.function.starts_with("merl") ? merl : phong).push_back(row);
   replace_part(page, "goals", goals_table());
   replace_part(page, "functions", functions_table(measured.functions));
   replace_part(page, "phong", shading_table(phong));
@@ -177,7 +179,7 @@ std::string updated_page(std::string page, const Measurements& measured) {
 std::string suggested_bounds(const Measurements& measured) {
   std::string text;
   for (const ShadingRow& row : measured.shading)
-    text += joined({"    {", quoted(row.bound.model), ", ", quoted(row.bound.inputs), ", ", braces(row.double_terms),
+    text += joined({"    {", quoted(row.bound.function), ", ", quoted(row.bound.inputs), ", ", braces(row.double_terms),
                     ", ", braces(row.float_terms), ", ", braces(row.double_result), ", ", braces(row.float_result),
                     ", ", number(with_margin(row.float_from_double.max)), "},\n"});
   text += '\n';

@@ -12,7 +12,7 @@ namespace refraster::bench {
 /// - other programs wanted the CPUs that the threads ran on, by the load average at the start or the end;
 /// - times scatter so much from round to round that the second digit of their median means nothing: its standard error
 ///   is above 5 %, the most that rounding to two digits changes a number by;
-/// - there are fewer than three rounds, of which no spread is known.
+/// - there are fewer than three repetitions, of which no spread is known.
 std::vector<std::string> doubts(const Run& run);
 
 } // namespace refraster::bench

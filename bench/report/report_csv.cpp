@@ -87,7 +87,7 @@ Row scene_cells(const SceneResult& scene) {
 
 std::string frames(const Run& run) {
   Row headings = scene_headings();
-  append(headings, {"lights", "triangles", "shaded_pixels", "drawn_by", "threads", "rounds"});
+  append(headings, {"lights", "triangles", "shaded_pixels", "drawn_by", "threads", "repetitions"});
   append(headings, spread_headings("frame_ms"));
   append(headings, spread_headings("cpu_ms"));
   append(headings, {"wall_ns_per_pixel", "reference_cycles_per_pixel", "opengl_ratio"});
@@ -96,16 +96,16 @@ std::string frames(const Run& run) {
     const auto add = [&](const std::string& who, int threads, const Spread& frame, const Spread& cpu,
                          const Cell& ratio) {
       Row row = scene_cells(scene);
-      append(row, {scene.lights, scene.counts.triangles, scene.counts.shaded, who, threads, scene.rounds});
+      append(row, {scene.lights, scene.counts.triangles, scene.counts.shaded, who, threads, scene.repetitions});
       append(row, spread_cells(frame));
       append(row, spread_cells(cpu));
       const double ns = frame.median * 1e6 / scene.shaded();
       append(row, {ns, ns * run.machine.time_stamp_ghz, ratio});
       csv.add(row);
     };
-    for (const RungResult& rung : scene.rungs)
-      add(rung.rung, rung.threads, rung.frame_ms, rung.cpu_ms,
-          rung.opengl_ratio ? Cell(rung.opengl_ratio->median) : Cell(""));
+    for (const PrecisionResult& precision : scene.precisions)
+      add(precision.precision, precision.threads, precision.frame_ms, precision.cpu_ms,
+          precision.opengl_ratio ? Cell(precision.opengl_ratio->median) : Cell(""));
     for (const OpenGlResult& one : scene.opengl) add(one.renderer, one.threads, one.frame_ms, one.cpu_ms, "");
   }
   return csv.text();
@@ -113,16 +113,16 @@ std::string frames(const Run& run) {
 
 std::string split(const Run& run) {
   Row headings = scene_headings();
-  append(headings, {"rung", "threads"});
+  append(headings, {"precision", "threads"});
   for (const auto& [name, part] : split_parts) headings.emplace_back(std::string(name) + "_ns");
   append(headings, {"fragment_functions_resolved", "fragment_functions_below_ns"});
   Csv csv(headings);
   for (const SceneResult& scene : run.scenes)
-    for (const RungResult& rung : scene.rungs) {
+    for (const PrecisionResult& precision : scene.precisions) {
       Row row = scene_cells(scene);
-      append(row, {rung.rung, rung.threads});
-      for (const auto& [name, part] : split_parts) row.emplace_back(rung.split_ns.*part);
-      const Row difference = difference_cells(rung.lighting_ns);
+      append(row, {precision.precision, precision.threads});
+      for (const auto& [name, part] : split_parts) row.emplace_back(precision.split_ns.*part);
+      const Row difference = difference_cells(precision.lighting_ns);
       append(row, {difference.end() - 2, difference.end()});
       csv.add(row);
     }
@@ -131,37 +131,37 @@ std::string split(const Run& run) {
 
 std::string costs(const Run& run) {
   Row headings = scene_headings();
-  append(headings, {"rung", "threads", "what", "of"});
+  append(headings, {"precision", "threads", "what", "of"});
   append(headings, difference_headings());
   Csv csv(headings);
   for (const SceneResult& scene : run.scenes)
-    for (const RungResult& rung : scene.rungs) {
+    for (const PrecisionResult& precision : scene.precisions) {
       const auto add = [&](const std::string& what, const char* of, const Spread& ns) {
         Row row = scene_cells(scene);
-        append(row, {rung.rung, rung.threads, what, of});
+        append(row, {precision.precision, precision.threads, what, of});
         append(row, difference_cells(ns));
         csv.add(row);
       };
-      for (const FunctionCost& cost : rung.functions) add(name_of(cost.function), "fragment and light", cost.ns);
-      if (!rung.marginal) continue;
-      add("one more light", "pixel", rung.marginal->light);
-      if (rung.marginal->texture)
-        add(rung.marginal->texture_change == TextureChange::removed ? "its textures" : "a texture", "pixel",
-            *rung.marginal->texture);
-      if (rung.marginal->double_samples) add("twice the samples", "pixel", *rung.marginal->double_samples);
+      for (const FunctionCost& cost : precision.functions) add(name_of(cost.function), "fragment and light", cost.ns);
+      if (!precision.marginal) continue;
+      add("one more light", "pixel", precision.marginal->light);
+      if (precision.marginal->texture)
+        add(precision.marginal->texture_change == TextureChange::removed ? "its textures" : "a texture", "pixel",
+            *precision.marginal->texture);
+      if (precision.marginal->double_samples) add("twice the samples", "pixel", *precision.marginal->double_samples);
     }
   return csv.text();
 }
 
 std::string errors(const Run& run) {
   Row headings = scene_headings();
-  append(headings, {"rung", "against", "unit", "pixels", "max", "p99_9", "mean", "off_by_one", "off_by_more"});
+  append(headings, {"precision", "against", "unit", "pixels", "max", "p99_9", "mean", "off_by_one", "off_by_more"});
   Csv csv(headings);
   for (const SceneResult& scene : run.scenes)
-    for (const RungError& error : scene.errors) {
+    for (const PrecisionError& error : scene.errors) {
       const auto add = [&](const Row& cells) {
         Row row = scene_cells(scene);
-        row.emplace_back(error.rung);
+        row.emplace_back(error.precision);
         append(row, cells);
         csv.add(row);
       };
@@ -180,21 +180,17 @@ std::string errors(const Run& run) {
 }
 
 std::string scaling(const Run& run) {
-  Row headings = {"growth", "order", "rung", "n", "width", "height", "threads", "frames"};
+  Row headings = {"growth", "order", "precision", "n", "width", "height", "threads", "frames"};
   append(headings, spread_headings("frame_ms"));
   append(headings, spread_headings("cpu_ms"));
   append(headings, {"peak_memory_bytes", "triangles", "shaded_pixels", "fragments"});
   Csv csv(headings);
   for (const ScalingCurve& curve : run.scaling)
     for (const MeasuredPoint& one : curve.points) {
-      Row row = {name_of(curve.growth),
-                 curve.growth == Growth::overdraw ? name_of(curve.order) : std::string_view(),
-                 curve.rung,
-                 one.point.n,
-                 one.point.width,
-                 one.point.height,
-                 one.point.threads,
-                 one.frames};
+      Row row = {name_of(curve.growth), curve.growth == Growth::overdraw ? name_of(curve.order) : std::string_view(),
+                 curve.precision,       one.point.n,
+                 one.point.width,       one.point.height,
+                 one.point.threads,     one.frames};
       append(row, spread_cells(one.frame_ms));
       append(row, spread_cells(one.cpu_ms));
       append(row, {one.peak_memory_bytes, one.counts.triangles, one.counts.shaded, one.counts.fragments});

@@ -100,8 +100,8 @@ void write_machine(JsonWriter& json, const Run& run) {
 void write_method(JsonWriter& json, const Run& run) {
   json.key("method");
   json.begin_object();
-  json.member("warm_up_rounds", run.warm_up);
-  json.member("least_rounds", run.least_rounds);
+  json.member("warm_up_repetitions", run.warm_up);
+  json.member("min_repetitions", run.min_repetitions);
   json.member("seconds", run.seconds);
   json.member("cycles", "reference cycles: of the time stamp counter, at machine.time_stamp_ghz");
   json.end_object();
@@ -178,9 +178,9 @@ void write_exact(JsonWriter& json, const ExactError& error) {
   json.end_object();
 }
 
-void write_error(JsonWriter& json, const SceneResult& scene, const std::string& rung) {
+void write_error(JsonWriter& json, const SceneResult& scene, const std::string& precision) {
   const auto found = std::find_if(scene.errors.begin(), scene.errors.end(),
-                                  [&](const RungError& error) { return error.rung == rung; });
+                                  [&](const PrecisionError& error) { return error.precision == precision; });
   json.key("error");
   if (found == scene.errors.end()) return json.null();
   json.begin_object();
@@ -208,34 +208,34 @@ void write_scene_size(JsonWriter& json, const SceneResult& scene) {
   json.member("size", std::vector<int>{scene.width, scene.height});
 }
 
-void write_result(JsonWriter& json, const Run& run, const SceneResult& scene, const RungResult& rung) {
+void write_result(JsonWriter& json, const Run& run, const SceneResult& scene, const PrecisionResult& precision) {
   json.begin_object();
   write_scene_size(json, scene);
   json.member("samples", scene.samples);
   json.member("lights", scene.lights);
-  json.member("rung", rung.rung);
-  json.member("threads", rung.threads);
-  json.member("rounds", scene.rounds);
+  json.member("precision", precision.precision);
+  json.member("threads", precision.threads);
+  json.member("repetitions", scene.repetitions);
   write_counts(json, scene.counts);
-  spread_member(json, "frame_ms", rung.frame_ms);
-  spread_member(json, "cpu_ms", rung.cpu_ms);
-  const double ns = rung.frame_ms.median * 1e6 / scene.shaded();
+  spread_member(json, "frame_ms", precision.frame_ms);
+  spread_member(json, "cpu_ms", precision.cpu_ms);
+  const double ns = precision.frame_ms.median * 1e6 / scene.shaded();
   json.key("per_shaded_pixel");
   json.begin_object();
   json.member("wall_ns", ns);
-  json.member("cpu_ns", rung.cpu_ms.median * 1e6 / scene.shaded());
+  json.member("cpu_ns", precision.cpu_ms.median * 1e6 / scene.shaded());
   json.member("reference_cycles", ns * run.machine.time_stamp_ghz);
   json.end_object();
-  write_split(json, rung.split_ns);
-  difference_member(json, "split_fragment_functions", rung.lighting_ns);
-  write_functions(json, rung.functions);
-  write_marginal(json, rung.marginal);
-  write_error(json, scene, rung.rung);
-  optional_member(json, "opengl_ratio", rung.opengl_ratio, [&](const Spread& ratio) {
+  write_split(json, precision.split_ns);
+  difference_member(json, "split_fragment_functions", precision.lighting_ns);
+  write_functions(json, precision.functions);
+  write_marginal(json, precision.marginal);
+  write_error(json, scene, precision.precision);
+  optional_member(json, "opengl_ratio", precision.opengl_ratio, [&](const Spread& ratio) {
     json.begin_object();
-    const OpenGlResult& opengl = *opengl_of(scene, rung.threads);
-    json.member("of_medians", opengl.frame_ms.median / rung.frame_ms.median);
-    json.member("of_cpu_medians", opengl.cpu_ms.median / rung.cpu_ms.median);
+    const OpenGlResult& opengl = *opengl_of(scene, precision.threads);
+    json.member("of_medians", opengl.frame_ms.median / precision.frame_ms.median);
+    json.member("of_cpu_medians", opengl.cpu_ms.median / precision.cpu_ms.median);
     json.member("lower", ratio.lower);
     json.member("median", ratio.median);
     json.member("upper", ratio.upper);
@@ -280,7 +280,7 @@ void write_curve(JsonWriter& json, const ScalingCurve& curve) {
   json.key("order");
   if (curve.growth == Growth::overdraw) json.value(name_of(curve.order));
   else json.null();
-  json.member("rung", curve.rung);
+  json.member("precision", curve.precision);
   json.key("points");
   json.begin_array();
   for (const MeasuredPoint& point : curve.points) write_point(json, point, curve.points.front().frame_ms.median);
@@ -307,7 +307,7 @@ void write_curve(JsonWriter& json, const ScalingCurve& curve) {
 std::string run_json(const Run& run) {
   JsonWriter json;
   json.begin_object();
-  json.member("schema", 1);
+  json.member("schema", 2);
   write_program(json);
   json.member("command", run.command);
   json.member("started", run.started);
@@ -318,7 +318,7 @@ std::string run_json(const Run& run) {
   json.key("results");
   json.begin_array();
   for (const SceneResult& scene : run.scenes)
-    for (const RungResult& rung : scene.rungs) write_result(json, run, scene, rung);
+    for (const PrecisionResult& precision : scene.precisions) write_result(json, run, scene, precision);
   json.end_array();
   json.key("opengl");
   json.begin_array();

@@ -18,11 +18,11 @@ std::string header(const SceneResult& scene) {
   std::string text = format("%s: %d x %d, ", scene.scene.c_str(), scene.width, scene.height);
   text += counted(static_cast<std::size_t>(scene.samples), "sample") + " a pixel, " + counted(scene.lights, "light");
   text += ", " + counted(scene.counts.triangles, "triangle") + ", " + with_commas(scene.counts.shaded) +
-          " shaded pixels; " + counted(scene.rounds, "round") + "\n";
+          " shaded pixels; " + counted(scene.repetitions, "repetition") + "\n";
   return text;
 }
 
-/// How far the middle half reaches, as a share of the median.
+/// How far the middle half reaches, as a fraction of the median.
 std::string middle(const Spread& spread) {
   return format("%.1f%%", 100 * (spread.upper - spread.lower) / spread.median);
 }
@@ -35,21 +35,21 @@ std::string frames(const Run& run, const SceneResult& scene) {
     table.add({name, std::to_string(threads), format("%.3f", frame.median), middle(frame), format("%.3f", cpu.median),
                three_digits(ns), three_digits(ns * run.machine.time_stamp_ghz), ratio});
   };
-  for (const RungResult& rung : scene.rungs)
-    row(rung.rung, rung.threads, rung.frame_ms, rung.cpu_ms,
-        rung.opengl_ratio ? format("%.2f", rung.opengl_ratio->median) : none);
+  for (const PrecisionResult& precision : scene.precisions)
+    row(precision.precision, precision.threads, precision.frame_ms, precision.cpu_ms,
+        precision.opengl_ratio ? format("%.2f", precision.opengl_ratio->median) : none);
   for (const OpenGlResult& one : scene.opengl)
     row(one.renderer.substr(0, one.renderer.find(' ')), one.threads, one.frame_ms, one.cpu_ms, "");
   return table.text();
 }
 
 std::string split(const SceneResult& scene) {
-  TextTable table({"ns/px of wall time", "threads", "transform", "bin", "coverage", "surfaces", "interpolate", "light",
+  TextTable table({"ns/px of wall time", "threads", "transform", "bin", "coverage", "set-up", "interpolate", "light",
                    "resolve", "other"});
-  for (const RungResult& rung : scene.rungs) {
-    std::vector<std::string> row = {rung.rung, std::to_string(rung.threads)};
+  for (const PrecisionResult& precision : scene.precisions) {
+    std::vector<std::string> row = {precision.precision, std::to_string(precision.threads)};
     for (const auto& [name, part] : split_parts) {
-      row.push_back(part_text(rung, part));
+      row.push_back(part_text(precision, part));
     }
     table.add(row);
   }
@@ -58,20 +58,21 @@ std::string split(const SceneResult& scene) {
 
 std::string costs(const SceneResult& scene) {
   TextTable table({"what adds how much", "ns of CPU", "lower quartile", "upper quartile"});
-  const auto row = [&](const std::string& rung, const std::string& what, const Spread& ns) {
+  const auto row = [&](const std::string& precision, const std::string& what, const Spread& ns) {
     const CostText cost = cost_text(ns);
-    table.add({rung + ": " + what, cost.median, cost.lower, cost.upper});
+    table.add({precision + ": " + what, cost.median, cost.lower, cost.upper});
   };
-  for (const RungResult& rung : scene.rungs) {
-    for (const FunctionCost& cost : rung.functions)
-      row(rung.rung, name_of(cost.function) + ", a fragment and light, one thread", cost.ns);
-    if (!rung.marginal) continue;
-    row(rung.rung, "one more light, a pixel", rung.marginal->light);
-    if (rung.marginal->texture)
-      row(rung.rung,
-          rung.marginal->texture_change == TextureChange::removed ? "its textures, a pixel" : "a texture, a pixel",
-          *rung.marginal->texture);
-    if (rung.marginal->double_samples) row(rung.rung, "twice the samples, a pixel", *rung.marginal->double_samples);
+  for (const PrecisionResult& precision : scene.precisions) {
+    for (const FunctionCost& cost : precision.functions)
+      row(precision.precision, name_of(cost.function) + ", a fragment and light, one thread", cost.ns);
+    if (!precision.marginal) continue;
+    row(precision.precision, "one more light, a pixel", precision.marginal->light);
+    if (precision.marginal->texture)
+      row(precision.precision,
+          precision.marginal->texture_change == TextureChange::removed ? "its textures, a pixel" : "a texture, a pixel",
+          *precision.marginal->texture);
+    if (precision.marginal->double_samples)
+      row(precision.precision, "twice the samples, a pixel", *precision.marginal->double_samples);
   }
   return table.text();
 }
@@ -79,22 +80,22 @@ std::string costs(const SceneResult& scene) {
 std::string errors(const SceneResult& scene) {
   TextTable table({"error", "pixels", "max", "99.9%", "mean"});
   std::string more;
-  for (const RungError& rung : scene.errors) {
-    if (rung.against_double) {
-      const ImageError& error = *rung.against_double;
+  for (const PrecisionError& precision : scene.errors) {
+    if (precision.against_double) {
+      const ImageError& error = *precision.against_double;
       const auto row = [&](const char* what, const ImageError::Figures& f) {
-        table.add({rung.rung + what, with_commas(error.pixels), three_digits(f.max), three_digits(f.p99_9),
+        table.add({precision.precision + what, with_commas(error.pixels), three_digits(f.max), three_digits(f.p99_9),
                    three_digits(f.mean)});
       };
       row(" against double, levels of 255", error.levels);
       row(" against double, relative", error.relative);
-      more += rung.rung + ": in 8 bits " + with_commas(error.off_by_one) + " pixels are off by one, " +
+      more += precision.precision + ": in 8 bits " + with_commas(error.off_by_one) + " pixels are off by one, " +
               with_commas(error.off_by_more) + " by more\n";
     }
-    const ExactError& exact = rung.against_exact;
+    const ExactError& exact = precision.against_exact;
     if (exact.pixels > 0)
-      table.add({rung.rung + " against exact, relative", with_commas(exact.pixels), three_digits(exact.max_relative),
-                 none, three_digits(exact.mean_relative)});
+      table.add({precision.precision + " against exact, relative", with_commas(exact.pixels),
+                 three_digits(exact.max_relative), none, three_digits(exact.mean_relative)});
   }
   return table.text() + more;
 }
@@ -121,7 +122,7 @@ const char* heading_of_each(Growth growth) {
 }
 
 std::string scaling(const ScalingCurve& curve) {
-  std::string text = std::string(name_of(curve.growth)) + ", " + curve.rung;
+  std::string text = std::string(name_of(curve.growth)) + ", " + curve.precision;
   if (curve.growth == Growth::overdraw) text.append(", ").append(name_of(curve.order));
   if (const auto slope = curve.slope(); slope && curve.growth != Growth::threads) {
     text += format(": slope %.3f, standard error %.3f", slope->value, slope->error);
@@ -150,10 +151,11 @@ CostText cost_text(const Spread& difference) {
   return {(saves ? "saves " : "") + three_digits(cost.median), three_digits(cost.lower), three_digits(cost.upper)};
 }
 
-std::string part_text(const RungResult& rung, double Split::*part) {
-  const double ns = rung.split_ns.*part;
+std::string part_text(const PrecisionResult& precision, double Split::*part) {
+  const double ns = precision.split_ns.*part;
   if (!std::isfinite(ns)) return none; // of no pixel it is no number
-  if (part == &Split::lighting && !(is_resolved(rung.lighting_ns) && ns > 0)) return cost_text(rung.lighting_ns).median;
+  if (part == &Split::lighting && !(is_resolved(precision.lighting_ns) && ns > 0))
+    return cost_text(precision.lighting_ns).median;
   return format("%.2f", ns);
 }
 
@@ -173,7 +175,7 @@ std::string run_text(const Run& run) {
   for (const std::string& note : run.notes) text += "note: " + note + "\n";
   for (const SceneResult& scene : run.scenes) {
     text += "\n" + header(scene) + "\n" + frames(run, scene) + "\n" + split(scene);
-    if (scene.rungs.front().marginal) text += "\n" + costs(scene);
+    if (scene.precisions.front().marginal) text += "\n" + costs(scene);
     if (!scene.errors.empty()) text += "\n" + errors(scene);
   }
   for (const ScalingCurve& curve : run.scaling) text += "\n" + scaling(curve);

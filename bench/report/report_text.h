@@ -16,7 +16,7 @@ struct CostText {
 CostText cost_text(const Spread& difference);
 
 /// A part of a frame's time, "1.23": of the fragment functions, which are a difference, as cost_text has it.
-std::string part_text(const RungResult& rung, double Split::*part);
+std::string part_text(const PrecisionResult& precision, double Split::*part);
 
 /// Three digits that count: "0.0123", "1.23", "123", "1.2e-16".
 std::string three_digits(double x);

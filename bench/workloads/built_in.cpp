@@ -16,7 +16,7 @@ Scene built_in_scene() {
   ball.mesh = std::make_shared<Mesh>(sphere_mesh(100, 101));
   BlinnPhong plastic;
   plastic.ka = Double3(0.1), plastic.kd = {0.8, 0.3, 0.2}, plastic.ks = Double3(0.5), plastic.glossiness = 32;
-  ball.material.model = plastic;
+  ball.material.fragment_function = plastic;
   return scene;
 }
 

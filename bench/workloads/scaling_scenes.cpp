@@ -30,9 +30,9 @@ Object sheet(std::shared_ptr<const Mesh> mesh, double distance, double aspect) {
   object.rotate_degrees = {90, 0, 0};
   const double half = 1.01 * distance * tan_degrees(30) * std::max(aspect, 1.0);
   object.scale = {half, 1, half};
-  Phong model;
-  model.ka = Double3(0.05), model.kd = {0.7, 0.5, 0.3}, model.ks = Double3(0.4), model.glossiness = 20;
-  object.material.model = model;
+  Phong function;
+  function.ka = Double3(0.05), function.kd = {0.7, 0.5, 0.3}, function.ks = Double3(0.4), function.glossiness = 20;
+  object.material.fragment_function = function;
   return object;
 }
 

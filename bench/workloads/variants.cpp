@@ -6,11 +6,11 @@ namespace refraster::bench {
 namespace {
 
 bool shows_texture(const Object& object) {
-  return !std::holds_alternative<Merl>(object.material.model);
+  return !std::holds_alternative<Merl>(object.material.fragment_function);
 }
 
-std::string_view model_name(const Object& object) {
-  return std::visit([]<class M>(const M&) { return M::name; }, object.material.model);
+std::string_view function_name(const Object& object) {
+  return std::visit([]<class M>(const M&) { return M::name; }, object.material.fragment_function);
 }
 
 /// 64 x 64 texels in smooth colours, 48 kB: stays in the first caches, so that sampling is paid for and not memory.
@@ -67,30 +67,31 @@ bool shows_textures(const Scene& scene) {
   return std::any_of(scene.objects.begin(), scene.objects.end(), shows_texture);
 }
 
-std::string name_of(const Function& function) {
-  std::string name(function.model);
+std::string name_of(const FragmentFunctionVariant& function) {
+  std::string name(function.name);
   if (function.lookup) name.append(" ").append(refraster::name_of(*function.lookup));
   return name;
 }
 
-std::vector<Function> functions_of(const Scene& scene) {
-  std::vector<Function> functions;
-  const auto add = [&](const Function& function) {
+std::vector<FragmentFunctionVariant> functions_of(const Scene& scene) {
+  std::vector<FragmentFunctionVariant> functions;
+  const auto add = [&](const FragmentFunctionVariant& function) {
     if (std::find(functions.begin(), functions.end(), function) == functions.end()) functions.push_back(function);
   };
   for (const Object& object : scene.objects) {
-    if (const Merl* const merl = std::get_if<Merl>(&object.material.model))
+    if (const Merl* const merl = std::get_if<Merl>(&object.material.fragment_function))
       for (const MerlLookup lookup : {merl->lookup, MerlLookup::nearest, MerlLookup::trilinear})
         add({Merl::name, lookup});
-    else add({model_name(object), std::nullopt});
+    else add({function_name(object), std::nullopt});
   }
   return functions;
 }
 
-Scene only(Scene scene, const Function& function) {
-  std::erase_if(scene.objects, [&](const Object& object) { return model_name(object) != function.model; });
+Scene only(Scene scene, const FragmentFunctionVariant& function) {
+  std::erase_if(scene.objects, [&](const Object& object) { return function_name(object) != function.name; });
   for (Object& object : scene.objects)
-    if (Merl* const merl = std::get_if<Merl>(&object.material.model)) merl->lookup = function.lookup.value();
+    if (Merl* const merl = std::get_if<Merl>(&object.material.fragment_function))
+      merl->lookup = function.lookup.value();
   return scene;
 }
 

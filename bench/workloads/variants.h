@@ -27,21 +27,22 @@ Scene with_textures(Scene scene);
 bool has_textures(const Scene& scene);
 bool shows_textures(const Scene& scene);
 
-/// What shades a part of a scene: a fragment function of shading/models.h, and how it reads a measured BRDF.
-struct Function {
-  std::string_view model;
+/// What shades a part of a scene: a fragment function of shading/fragment_functions.h, and how it reads a measured
+/// BRDF.
+struct FragmentFunctionVariant {
+  std::string_view name;
   std::optional<MerlLookup> lookup;
-  bool operator==(const Function&) const = default;
+  bool operator==(const FragmentFunctionVariant&) const = default;
 };
 
 /// "blinn_phong", "merl trilinear".
-std::string name_of(const Function& function);
+std::string name_of(const FragmentFunctionVariant& function);
 
 /// Each function of the scene once, in the order of its objects. Of measured BRDFs also `nearest` and `trilinear`,
 /// whichever the scene uses: the two that most readers know.
-std::vector<Function> functions_of(const Scene& scene);
+std::vector<FragmentFunctionVariant> functions_of(const Scene& scene);
 
-/// Only the objects that have this model, measured BRDFs among them read with this lookup.
-Scene only(Scene scene, const Function& function);
+/// Only the objects that have this fragment function, measured BRDFs among them read with this lookup.
+Scene only(Scene scene, const FragmentFunctionVariant& function);
 
 } // namespace refraster::bench

@@ -106,7 +106,7 @@ void GlDrawing::upload_blocks(const MatricesBlock& matrices) {
 
 const GlDrawing::Program& GlDrawing::linked(const ShaderText& vertex, const ShaderText& fragment, const Object& object,
                                             WarningList& warnings) {
-  const std::size_t function = object.material.model.index();
+  const std::size_t function = object.material.fragment_function.index();
   for (const Program& program : programs_)
     if (program.vertex == vertex && program.fragment == fragment && program.function == function) return program;
   throw_if_error(gl_, "uploading the scene"); // asking about programs takes errors
@@ -140,7 +140,7 @@ GlDrawing::Part GlDrawing::part(const Object& object, const ShaderText& vertex, 
   part.program = &linked(vertex, fragment, object, warnings);
   const unsigned arrays = part.program->attributes.arrays;
   part.vertices = once(meshes_, {object.mesh.get(), arrays}, [&] { return upload_mesh(gl_, *object.mesh, arrays); });
-  const std::string_view function = std::visit([](const auto& m) { return m.name; }, object.material.model);
+  const std::string_view function = std::visit([](const auto& m) { return m.name; }, object.material.fragment_function);
   std::vector<std::string> found;
   part.uniforms = settings(gl_, part.program->name, values, function, dummies_, found);
   for (const std::string& warning : found) warnings.add(object.name, warning);
@@ -172,7 +172,7 @@ GlDrawing::Item GlDrawing::item(const Scene& scene, std::size_t number, const Gl
     shown = once(textures_, {texture, object.material.texture_filter},
                  [&] { return upload_texture(gl_, *texture, object.material.texture_filter); });
   item.runs = texture_runs(*object.mesh, shown, white_);
-  if (const Merl* const merl = std::get_if<Merl>(&object.material.model))
+  if (const Merl* const merl = std::get_if<Merl>(&object.material.fragment_function))
     item.table = once(tables_, {merl->table.get(), merl->lookup}, [&] {
       const TableContent content = reads_logarithms(merl->lookup) ? TableContent::logarithms : TableContent::values;
       return upload_table(gl_, *merl->table, content, merl->lookup);
@@ -185,7 +185,7 @@ GlDrawing::Item GlDrawing::item(const Scene& scene, std::size_t number, const Gl
   values.merge(object_uniforms(object, clip_from_world));
   const std::size_t colour = static_cast<std::size_t>(GlPass::colour), ids = static_cast<std::size_t>(GlPass::ids);
   item.parts[colour] = part(object, choice.vertex, choice.fragment, values, warnings_);
-  WarningList said_before; // the colour pass has told them, and of our own there is nothing to be told
+  WarningList said_before; // the colour pass has told them, and of our own there is nothing to be reported
   const ShaderText ids_shader{"our fragment shader of ids", ids_glsl};
   values["objectNumber"] = static_cast<float>(number + 1);
   values["triangleNumber"] = 0.0f; // set for each

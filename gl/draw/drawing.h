@@ -47,7 +47,7 @@ private:
 
   struct Program {
     ShaderText vertex, fragment;
-    std::size_t function = 0; // the fragment function's place in Model: what is set depends on it
+    std::size_t function = 0; // the fragment function's place in FragmentFunction: what is set depends on it
     GLuint name = 0;
     AttributeUse attributes;
     ColourMask mask{GL_TRUE, GL_TRUE, GL_TRUE};

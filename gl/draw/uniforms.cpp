@@ -36,18 +36,18 @@ UniformValues object_uniforms(const Object& object, const Double4x4& clip_from_w
   values["normalMatrix"] = Float3x3(transform.world_from_normal);
   values["tex"] = texture_unit;
   std::visit(
-      [&](const auto& model) {
-        if constexpr (std::is_base_of_v<PhongParameters, std::decay_t<decltype(model)>>) {
-          values["ka"] = Float3(model.ka);
-          values["kd"] = Float3(model.kd);
-          values["ks"] = Float3(model.ks);
-          values["glossiness"] = static_cast<float>(model.glossiness);
-          values["specularGate"] = model.specular_gate == SpecularGate::open ? 0 : 1;
-        } else if constexpr (std::is_same_v<Merl, std::decay_t<decltype(model)>>) {
+      [&](const auto& function) {
+        if constexpr (std::is_base_of_v<PhongParameters, std::decay_t<decltype(function)>>) {
+          values["ka"] = Float3(function.ka);
+          values["kd"] = Float3(function.kd);
+          values["ks"] = Float3(function.ks);
+          values["glossiness"] = static_cast<float>(function.glossiness);
+          values["specularGate"] = function.specular_gate == SpecularGate::open ? 0 : 1;
+        } else if constexpr (std::is_same_v<Merl, std::decay_t<decltype(function)>>) {
           values["merlBrdf"] = merl_unit;
         }
       },
-      object.material.model);
+      object.material.fragment_function);
   return values;
 }
 

@@ -33,33 +33,33 @@ void define(std::ostream& text, std::string_view name, bool wanted) {
   if (wanted) text << "#define " << name << "\n";
 }
 
-void define_model(std::ostream& text, const PhongParameters& model, const Material& material, MerlFilter) {
+void define_function(std::ostream& text, const PhongParameters& function, const Material& material, MerlFilter) {
   define(text, "TEXTURED", material.texture != nullptr);
-  define(text, "SPECULAR", model.ks != Double3(0));
-  define(text, "ZERO_GLOSSINESS", model.glossiness == 0);
-  define(text, "SPECULAR_GATE", model.specular_gate == SpecularGate::cut_below_horizon);
-  define(text, "BLINN", std::holds_alternative<BlinnPhong>(material.model));
+  define(text, "SPECULAR", function.ks != Double3(0));
+  define(text, "ZERO_GLOSSINESS", function.glossiness == 0);
+  define(text, "SPECULAR_GATE", function.specular_gate == SpecularGate::cut_below_horizon);
+  define(text, "BLINN", std::holds_alternative<BlinnPhong>(material.fragment_function));
 }
 
-void define_model(std::ostream& text, const Merl& model, const Material&, MerlFilter filter) {
-  define_choice(text, "MERL_LOOKUP", "LOOKUP_", model.lookup);
-  define_choice(text, "MERL_ANGLES", "ANGLES_", model.angles);
+void define_function(std::ostream& text, const Merl& function, const Material&, MerlFilter filter) {
+  define_choice(text, "MERL_LOOKUP", "LOOKUP_", function.lookup);
+  define_choice(text, "MERL_ANGLES", "ANGLES_", function.angles);
   define(text, "MERL_HARDWARE_FILTER", filter == MerlFilter::hardware);
   text << "#define MERL_LOG_EPSILON " << std::showpoint << MerlTable::log_epsilon << "\n";
 }
 
 /// The part of glsl_text; none of a fragment function that was added since.
-template <class Model>
-std::string_view formulas_of(const Model&) {
-  if constexpr (std::is_same_v<Model, Phong> || std::is_same_v<Model, BlinnPhong>) return glsl_text.phong;
-  if constexpr (std::is_same_v<Model, Merl>) return glsl_text.merl;
+template <class SomeFunction>
+std::string_view formulas_of(const SomeFunction&) {
+  if constexpr (std::is_same_v<SomeFunction, Phong> || std::is_same_v<SomeFunction, BlinnPhong>) return glsl_text.phong;
+  if constexpr (std::is_same_v<SomeFunction, Merl>) return glsl_text.merl;
   return {};
 }
 
 } // namespace
 
 bool has_own_glsl(const Material& material) {
-  return std::visit([](const auto& model) { return !formulas_of(model).empty(); }, material.model);
+  return std::visit([](const auto& function) { return !formulas_of(function).empty(); }, material.fragment_function);
 }
 
 bool reads_logarithms(MerlLookup lookup) {
@@ -77,12 +77,12 @@ std::string own_fragment_glsl(const Scene& scene, const Material& material, Merl
   text << "#define POINT_LIGHTS " << scene.point_lights.size() << "\n";
   text << "#define DIRECTION_LIGHTS " << scene.direction_lights.size() << "\n";
   const std::string_view formulas = std::visit(
-      [&](const auto& model) {
-        if constexpr (requires { define_model(text, model, material, filter); })
-          define_model(text, model, material, filter);
-        return formulas_of(model);
+      [&](const auto& function) {
+        if constexpr (requires { define_function(text, function, material, filter); })
+          define_function(text, function, material, filter);
+        return formulas_of(function);
       },
-      material.model);
+      material.fragment_function);
   text << glsl_text.surface << formulas << glsl_text.main;
   return text.str();
 }

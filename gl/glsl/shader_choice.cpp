@@ -39,19 +39,19 @@ std::pair<ShaderText, std::string> choose(const std::string& path, std::string o
 } // namespace
 
 ShaderChoice choose_shaders(const Scene& scene, const Object& object, MerlFilter filter, int newest_version) {
-  const std::string_view model = std::visit([](const auto& m) { return m.name; }, object.material.model);
+  const std::string_view function = std::visit([](const auto& m) { return m.name; }, object.material.fragment_function);
   if (std::error_code ignored;
       !has_own_glsl(object.material) && !std::filesystem::exists(object.fragment_shader_path, ignored))
     throw InputError({object.name, 0, 0, "/fragment_shader_file_path",
                       object.fragment_shader_path.empty() ? "none" : "no file " + object.fragment_shader_path,
-                      "a GLSL file: there is none of ours of " + std::string(model)});
+                      "a GLSL file: there is none of ours of " + std::string(function)});
   const auto [vertex, vertex_from] =
       choose(object.vertex_shader_path, own_vertex_glsl(GlslDialect::core_330), "our vertex shader", newest_version);
   const auto [fragment, fragment_from] =
       choose(object.fragment_shader_path, own_fragment_glsl(scene, object.material, filter, GlslDialect::core_330),
-             "our fragment shader of " + std::string(model), newest_version);
+             "our fragment shader of " + std::string(function), newest_version);
   return {vertex, fragment,
-          object.name + ": vertex shader " + vertex_from + ", fragment shader of " + std::string(model) + " " +
+          object.name + ": vertex shader " + vertex_from + ", fragment shader of " + std::string(function) + " " +
               fragment_from,
           vertex.file == object.vertex_shader_path, fragment.file == object.fragment_shader_path};
 }

@@ -82,11 +82,11 @@ GLint bind_blocks(const GlApi& gl, GLuint program, std::vector<std::string>& war
 
 std::vector<StorageUse> storage_use(const GlApi& gl, GLuint program, std::vector<std::string>& warnings) {
   // An array without a size counts as one element; shaders that index it find zeros in as much as this.
-  constexpr GLint least_bytes = 1 << 16;
+  constexpr GLint min_bytes = 1 << 16;
   std::vector<StorageUse> uses;
   const auto add = [&](GLenum interface, GLenum target) {
     for (const ProgramResource& buffer : resources(gl, program, interface, {GL_BUFFER_BINDING, GL_BUFFER_DATA_SIZE})) {
-      uses.push_back({target, static_cast<GLuint>(buffer.values[0]), std::max(buffer.values[1], least_bytes)});
+      uses.push_back({target, static_cast<GLuint>(buffer.values[0]), std::max(buffer.values[1], min_bytes)});
       warnings.push_back((buffer.name.empty()
                               ? "nobody sets the atomic counters at binding " + std::to_string(buffer.values[0])
                               : "buffer " + buffer.name + " is not one that refraster sets") +

@@ -26,15 +26,15 @@ void FaultList::sort_by_place() {
 void FaultList::throw_if_any() const {
   if (empty()) return;
   std::vector<InputFault> list = faults_;
-  if (count_ > kept) {
+  if (count_ > max_faults) {
     InputFault rest;
     const std::string& file = faults_.back().file;
     const auto is_there = [&](const InputFault& fault) { return fault.file == file; };
     if (std::all_of(faults_.begin(), faults_.end(), is_there)) rest.file = file;
-    rest.found = std::to_string(count_ - kept) + " more faults";
+    rest.found = std::to_string(count_ - max_faults) + " more faults";
     list.push_back(std::move(rest));
   }
-  throw InputError(std::move(list), count_ > kept ? count_ - kept : 0);
+  throw InputError(std::move(list), count_ > max_faults ? count_ - max_faults : 0);
 }
 
 } // namespace refraster

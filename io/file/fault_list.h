@@ -16,7 +16,7 @@ public:
   /// `make()` gives the fault; it is called only for those kept.
   template <class Make>
   void add_from(Make&& make) {
-    if (++count_ <= kept) faults_.push_back(std::forward<Make>(make)());
+    if (++count_ <= max_faults) faults_.push_back(std::forward<Make>(make)());
   }
   void add(InputFault fault) {
     add_from([&] { return std::move(fault); });
@@ -34,7 +34,7 @@ public:
   void throw_if_any() const;
 
 private:
-  static constexpr std::size_t kept = 100;
+  static constexpr std::size_t max_faults = 100;
   std::vector<InputFault> faults_;
   std::size_t count_ = 0;
 };

@@ -114,7 +114,7 @@ std::uint64_t file_size_bytes(const std::string& path) {
   return error ? 0 : size;
 }
 
-std::string identity(const std::string& path) {
+std::string canonical_path(const std::string& path) {
   std::error_code error;
   fs::path canonical = fs::absolute(path, error); // there may be no working folder any more
   if (!error) canonical = fs::weakly_canonical(canonical, error);

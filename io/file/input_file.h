@@ -45,8 +45,8 @@ std::string read_prefix(const std::string& path, std::size_t size_bytes);
 std::uint64_t file_size_bytes(const std::string& path);
 
 /// The same for every way to write the path of one file, also of one that is not there yet: absolute, links followed.
-/// `path` as it is where that cannot be told.
-std::string identity(const std::string& path);
+/// `path` as it is where that cannot be determined.
+std::string canonical_path(const std::string& path);
 
 /// Its extension in lower case, without the dot.
 std::string extension(const std::string& path);

@@ -23,7 +23,7 @@ class ExrStream : public Imf::OStream {
 public:
   ExrStream(const std::string& path, AtomicFile& file) : Imf::OStream(path.c_str()), file_(file) {}
   void write(const char bytes[], int size) override {
-    tell([&] { file_.write(bytes, static_cast<std::size_t>(size)); });
+    report_errors([&] { file_.write(bytes, static_cast<std::size_t>(size)); });
     if (!is_table_) return;
     for (int i = 0; i + 8 <= size; i += 8) {
       std::uint64_t offset = 0;
@@ -33,7 +33,7 @@ public:
   }
   std::uint64_t tellp() override { return file_.position(); }
   void seekp(std::uint64_t position) override {
-    tell([&] { file_.seek(position); });
+    report_errors([&] { file_.seek(position); });
     is_table_ = true;
   }
 
@@ -47,7 +47,7 @@ public:
 
 private:
   template <class Action>
-  void tell(Action&& action) {
+  void report_errors(Action&& action) {
     try {
       action();
     } catch (...) {

@@ -47,7 +47,7 @@ std::string factor_text(double factor) {
 /// Runs of up to 127 equal bytes, of two bytes each, in four planes: 16 pixels a byte are more than a row can have.
 constexpr std::uint64_t pixels_per_byte = 16;
 /// Rows of these widths may be coded.
-constexpr std::uint64_t least_coded = 8, most_coded = 32767;
+constexpr std::uint64_t min_coded = 8, max_coded = 32767;
 
 class HdrReader {
 public:
@@ -65,7 +65,7 @@ public:
     float* at = image.values.data();
     for (std::uint64_t y = 0; y < height; ++y) {
       place_ = "row " + std::to_string(y);
-      if (least_coded <= width && width <= most_coded && rest().starts_with("\2\2") && peek(2) < 128) coded(row);
+      if (min_coded <= width && width <= max_coded && rest().starts_with("\2\2") && peek(2) < 128) coded(row);
       else plain(row);
       for (const Rgbe& pixel : row) {
         const float unit = pixel[3] ? std::ldexp(1.0f, pixel[3] - 136) : 0;

@@ -82,12 +82,12 @@ public:
 
   bool String(const char* text, rapidjson::SizeType length, bool) {
     scalar(JsonKind::string, opening_quote());
-    nodes_.back().string = keep(text, length);
+    nodes_.back().string = store(text, length);
     return true;
   }
   bool Key(const char* text, rapidjson::SizeType length, bool) {
     key_begin_ = opening_quote();
-    key_ = keep(text, length);
+    key_ = store(text, length);
     return true;
   }
   bool StartObject() { return start(JsonKind::object); }
@@ -116,7 +116,7 @@ private:
   }
 
   /// The decoded text is never longer than the file, for which `decoded_` has room: views into it stay valid.
-  std::string_view keep(const char* text, std::size_t length) {
+  std::string_view store(const char* text, std::size_t length) {
     const std::size_t begin = decoded_.size();
     decoded_.append(text, length);
     return std::string_view(decoded_).substr(begin, length);

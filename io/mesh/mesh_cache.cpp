@@ -98,10 +98,10 @@ std::string mesh_key(const std::string& sha256, const MeshNormals& normals) {
   return sha256 + "." + name_of(normals);
 }
 
-std::optional<KeptMesh> kept_mesh(const std::string& folder, const std::string& key) try {
+std::optional<KeptMesh> cached_mesh(const std::string& folder, const std::string& key) try {
   const std::string path = file_of(folder, key);
   constexpr std::uint64_t any_size = std::numeric_limits<std::uint64_t>::max(); // the header says which
-  const InputFile file(path, "a kept mesh", any_size);
+  const InputFile file(path, "a cached mesh", any_size);
   const std::uint64_t size = file.size_bytes();
   if (size < sizeof(Header)) return {};
   Sha256 digest;
@@ -138,7 +138,7 @@ std::optional<KeptMesh> kept_mesh(const std::string& folder, const std::string& 
   return {};
 }
 
-void keep_mesh(const std::string& folder, const std::string& key, const KeptMesh& kept) {
+void store_mesh(const std::string& folder, const std::string& key, const KeptMesh& kept) {
   const Mesh& mesh = kept.mesh;
   AtomicFile file(file_of(folder, key));
   Sha256 digest;
@@ -167,8 +167,8 @@ void check_cache_folder(const std::string& folder) {
 }
 
 Mesh read_obj_by_cache(const std::string& path, const std::string& folder, const ObjOptions& options,
-                       std::uint64_t least_bytes) {
-  if (file_fault(path, "an OBJ file", limit::obj_bytes.value) || file_size_bytes(path) < least_bytes)
+                       std::uint64_t min_bytes) {
+  if (file_fault(path, "an OBJ file", limit::obj_bytes.value) || file_size_bytes(path) < min_bytes)
     return read_obj(path, options);
   const auto with_notes = [&](KeptMesh kept) {
     for (Note note : kept.notes.notes()) {
@@ -177,7 +177,7 @@ Mesh read_obj_by_cache(const std::string& path, const std::string& folder, const
     }
     return std::move(kept.mesh);
   };
-  if (std::optional<KeptMesh> kept = kept_mesh(folder, mesh_key(file_sha256(path), options.normals)))
+  if (std::optional<KeptMesh> kept = cached_mesh(folder, mesh_key(file_sha256(path), options.normals)))
     return with_notes(std::move(*kept));
   // Read once more: what is kept is the mesh of the very bytes that it is found by, also if the file changes meanwhile.
   std::string text = read_file(path, "an OBJ file", limit::obj_bytes.value);
@@ -189,7 +189,7 @@ Mesh read_obj_by_cache(const std::string& path, const std::string& folder, const
     note.file.clear(); // the same bytes may have another name
     kept.notes.add(std::move(note));
   }
-  keep_mesh(folder, key, kept);
+  store_mesh(folder, key, kept);
   return with_notes(std::move(kept));
 }
 

@@ -14,7 +14,7 @@ namespace refraster {
 /// is to note. Smaller files than this are read at once. Throws InputError as read_obj does, and OutputError if the
 /// folder lets nothing be written to it.
 Mesh read_obj_by_cache(const std::string& path, const std::string& folder, const ObjOptions& options = {},
-                       std::uint64_t least_bytes = std::uint64_t{1} << 20);
+                       std::uint64_t min_bytes = std::uint64_t{1} << 20);
 
 /// Part of what a mesh is found by. To be raised when read_obj makes another mesh of the same bytes, or when the format
 /// below changes: a test says when.
@@ -32,10 +32,10 @@ struct KeptMesh {
 /// What was kept under a key; nothing if nothing was, or if what is there is not, byte for byte, what was written under
 /// that key: another length, another digest at its end. A file is not believed beyond that: an index out of range is no
 /// mesh either.
-std::optional<KeptMesh> kept_mesh(const std::string& folder, const std::string& key);
+std::optional<KeptMesh> cached_mesh(const std::string& folder, const std::string& key);
 
 /// Keeps a mesh, whole or not at all. Throws OutputError.
-void keep_mesh(const std::string& folder, const std::string& key, const KeptMesh& kept);
+void store_mesh(const std::string& folder, const std::string& key, const KeptMesh& kept);
 
 /// Makes the folder if need be. Throws OutputError unless files can be written to it.
 void check_cache_folder(const std::string& folder);

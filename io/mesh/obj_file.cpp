@@ -65,7 +65,7 @@ ObjFaces parse_faces(ObjText& obj) {
 
 /// Steps that all polygons of a file together may take to be cut, and all its edges to be smoothed, beyond what is in
 /// proportion to the file: some five seconds. Any polygon of 10,000 corners keeps within them.
-constexpr std::uint64_t most_steps = std::uint64_t{1} << 29;
+constexpr std::uint64_t max_steps = std::uint64_t{1} << 29;
 
 InputError too_intricate(const std::string& path, std::size_t face, std::size_t corners) {
   return InputError(InputFault{path, 0, 0, "face " + std::to_string(face + 1),
@@ -179,7 +179,7 @@ Mesh mesh_of_obj(const std::string& path, std::string text, const ObjOptions& op
     throw InputError(InputFault{path, 0, 0, "", found_of(limit::triangles, triangles), at_most(limit::triangles)});
   drop_what_is_missing(obj, faces);
   note_rounding(path, obj, faces, notes);
-  std::uint64_t steps_left = most_steps;
+  std::uint64_t steps_left = max_steps;
   if (!add_missing_normals(obj, faces, options.normals, steps_left))
     throw InputError(InputFault{path, 0, 0, "", "edges that so many faces share that smoothing takes too long",
                                 "smoothing groups, or normals (vn)"});

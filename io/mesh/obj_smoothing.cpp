@@ -49,7 +49,7 @@ private:
 class Creases {
 public:
   Creases(const ObjFaces& faces, std::span<const FaceNormal> normals, double crease_degrees, std::uint64_t& steps_left)
-      : faces_(faces), normals_(normals), least_cosine_(cos_degrees(crease_degrees)), steps_left_(steps_left),
+      : faces_(faces), normals_(normals), min_cosine_(cos_degrees(crease_degrees)), steps_left_(steps_left),
         sets_(faces.corners.size()), face_of_(faces.corners.size()) {
     for (std::size_t f = 0; f < faces.count(); ++f)
       std::fill(face_of_.begin() + faces.begin[f], face_of_.begin() + faces.begin[f + 1],
@@ -138,12 +138,12 @@ private:
   /// Whether the angle is at most the crease, as far as double tells: no edge of a box that stands askew is smooth, and
   /// the next one not, where the crease is 90 degrees.
   bool belong_together(const FaceNormal& a, const FaceNormal& b) const {
-    return dot(a.n, b.n) >= least_cosine_ - (a.arithmetic_error + b.arithmetic_error);
+    return dot(a.n, b.n) >= min_cosine_ - (a.arithmetic_error + b.arithmetic_error);
   }
 
   const ObjFaces& faces_;
   std::span<const FaceNormal> normals_;
-  double least_cosine_;
+  double min_cosine_;
   std::uint64_t& steps_left_;
   std::uint64_t steps_ = 0; // of those at this vertex, what is left
   Sets sets_;

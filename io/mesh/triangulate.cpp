@@ -28,7 +28,7 @@ std::vector<Double2> flattened(std::span<const Float3> polygon) {
 /// "Computational geometry in C", 1998, section 1.6.
 class EarClipper {
 public:
-  EarClipper(std::vector<Double2> points, std::uint64_t most_steps) : at_(std::move(points)), steps_left_(most_steps) {
+  EarClipper(std::vector<Double2> points, std::uint64_t max_steps) : at_(std::move(points)), steps_left_(max_steps) {
     const std::uint32_t n = size();
     before_.resize(n), next_.resize(n), is_ear_.resize(n), is_reflex_.resize(n);
     for (std::uint32_t i = 0; i < n; ++i) before_[i] = (i + n - 1) % n, next_[i] = (i + 1) % n;
@@ -48,7 +48,7 @@ public:
       std::uint32_t tried = 0;
       for (; !is_ear_[i] && tried < left; ++tried) i = next_[i];
       spend(tried);
-      if (!is_ear_[i]) i = least_bad(i, left);
+      if (!is_ear_[i]) i = min_bad(i, left);
       if (steps_left_ == 0) return {};
       triangles.push_back({before_[i], i, next_[i]});
       i = clip(i);
@@ -85,7 +85,7 @@ private:
   }
 
   /// Without an ear the polygon touches or crosses itself, or has no area left: the corner that turns left the most.
-  std::uint32_t least_bad(std::uint32_t start, std::uint32_t left) {
+  std::uint32_t min_bad(std::uint32_t start, std::uint32_t left) {
     spend(left);
     std::uint32_t best = start;
     double most = -HUGE_VAL;

@@ -73,11 +73,11 @@ std::string scene_text(const std::string& mesh, const std::string& camera) {
 
 std::optional<Box> obj_vertex_box(const std::string& path) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  constexpr std::uint64_t most_bytes = std::uint64_t{1} << 30, part_bytes = std::uint64_t{1} << 20;
+  constexpr std::uint64_t max_bytes = std::uint64_t{1} << 30, part_bytes = std::uint64_t{1} << 20;
   Box box{Double3(infinity), Double3(-infinity)};
   try {
     const InputFile file(path, "an OBJ file", std::numeric_limits<std::uint64_t>::max());
-    const std::uint64_t end = std::min(file.size_bytes(), most_bytes);
+    const std::uint64_t end = std::min(file.size_bytes(), max_bytes);
     std::string text; // begins at the begin of a line
     for (std::uint64_t at = 0; at < end;) {
       const auto size = static_cast<std::size_t>(std::min(part_bytes, end - at));

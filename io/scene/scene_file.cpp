@@ -20,20 +20,20 @@ namespace refraster {
 namespace {
 namespace fs = std::filesystem;
 
-/// Everything that the objects name, loaded or made. Each file is loaded once, and its faults are told once.
+/// Everything that the objects name, loaded or made. Each file is loaded once, and its faults are reported once.
 class Loader {
 public:
   /// `faults`: of the scene file; `in_files`: of those that it names.
   Loader(const JsonDocument& document, const SceneOptions& options, FaultList& faults, FaultList& in_files)
       : document_(document), options_(options), folder_(fs::path(document.file()).parent_path()),
-        real_folder_(identity(folder_.empty() ? "." : folder_.string())), faults_(faults), in_files_(in_files) {}
+        real_folder_(canonical_path(folder_.empty() ? "." : folder_.string())), faults_(faults), in_files_(in_files) {}
 
   /// To be called for every object before the first is loaded: a loaded texture never changes, so it must be known
   /// whether it needs a mip chain; and shapes that are too many are not made.
   void note(const ObjectText& text) {
     if (text.shape) add(mesh_counts(*text.shape));
     if (!text.texture_file.given.empty() && text.object.material.texture_filter == TextureFilter::trilinear)
-      trilinear_.insert(identity(path_of(text.texture_file)));
+      trilinear_.insert(canonical_path(path_of(text.texture_file)));
   }
 
   Object object(const ObjectText& text) {
@@ -48,7 +48,7 @@ public:
       result.name = text.shape ? std::string(std::visit([](auto& s) { return s.name; }, *text.shape))
                                : fs::path(text.obj_file.given).stem().string();
     note_what_is_not_read(text);
-    if (Merl* const merl = std::get_if<Merl>(&result.material.model)) {
+    if (Merl* const merl = std::get_if<Merl>(&result.material.fragment_function)) {
       merl->table = load(tables_, text.brdf_file, "a MERL table", [&](const std::string& path) {
         options_.memory.need(std::min(file_size_bytes(path), merl_file_bytes), path);
         return read_merl(path);
@@ -56,7 +56,7 @@ public:
     } else {
       result.material.texture = load(textures_, text.texture_file, "an image", [&](const std::string& path) {
         auto texture = std::make_shared<Texture>(read_texture(path, options_.memory, options_.notes));
-        if (trilinear_.contains(identity(path))) {
+        if (trilinear_.contains(canonical_path(path))) {
           options_.memory.need(texture->levels.front().rgb.size() * sizeof(float) / 3, path); // 1/4 + 1/16 + …
           build_mip_levels(*texture);
         }
@@ -75,7 +75,7 @@ private:
     const auto read = [&](const std::string& path) {
       options_.memory.need(2 * file_size_bytes(path), path); // its text, and no less than as much for what it says
       // A file that is read once more, for other normals, has the same remarks.
-      const ObjOptions reading{text.normals, noted_.insert(identity(path)).second ? options_.notes : nullptr};
+      const ObjOptions reading{text.normals, noted_.insert(canonical_path(path)).second ? options_.notes : nullptr};
       const std::string& cache = options_.mesh_cache;
       return std::make_shared<const Mesh>(cache.empty() ? read_obj(path, reading)
                                                         : read_obj_by_cache(path, cache, reading));
@@ -87,7 +87,7 @@ private:
     if (!options_.notes || mesh.uvs.size() == mesh.positions.size()) return;
     const auto without = std::count_if(mesh.triangles.begin(), mesh.triangles.end(),
                                        [&](const auto& triangle) { return !has_uvs(mesh, triangle); });
-    if (without > 0 && untextured_.insert(identity(path_of(text.obj_file))).second)
+    if (without > 0 && untextured_.insert(canonical_path(path_of(text.obj_file))).second)
       options_.notes->add({path_of(text.obj_file), 0,
                            counted(static_cast<std::size_t>(without), "triangle") + " without vt",
                            "on which the texture is not shown"});
@@ -122,7 +122,7 @@ private:
   std::shared_ptr<const T> load(Files<T>& files, const PathText& text, std::string_view expected, Read&& read,
                                 const std::string& way = {}) {
     if (text.given.empty()) return nullptr;
-    const std::string path = path_of(text), file = identity(path);
+    const std::string path = path_of(text), file = canonical_path(path);
     const auto [entry, is_new] = files.try_emplace({file, way});
     if (!is_new || faulty_.contains(file)) return entry->second;
     if (const auto fault = outside_fault(text)) {
@@ -145,7 +145,7 @@ private:
     return entry->second;
   }
 
-  /// Whether a path leads out of the scene's folder. It may name nothing: whether something is there is not told.
+  /// Whether a path leads out of the scene's folder. It may name nothing: whether something is there is not reported.
   std::optional<InputFault> outside_fault(const PathText& text) const {
     if (text.given.empty() || !is_outside(path_of(text))) return {};
     return document_.fault_at(text.offset, text.json_path, in_quotes(text.given) + ", outside the scene's folder",
@@ -155,12 +155,12 @@ private:
   /// A material may name a file that its own fragment function has no use for: then its picture may surprise.
   void note_what_is_not_read(const ObjectText& text) const {
     if (!options_.notes) return;
-    const Model& model = text.object.material.model;
-    const bool measured = std::holds_alternative<Merl>(model);
+    const FragmentFunction& function = text.object.material.fragment_function;
+    const bool measured = std::holds_alternative<Merl>(function);
     const PathText& path = measured ? text.texture_file : text.brdf_file;
     if (path.given.empty()) return;
     const std::string key = measured ? "texture_file_path" : "brdf_file_path";
-    const std::string name(std::visit([](const auto& function) { return function.name; }, model));
+    const std::string name(std::visit([](const auto& function) { return function.name; }, function));
     options_.notes->add(
         {document_.file(), document_.fault_at(path.offset, "", "", "").line, key + ' ' + in_quotes(path.given),
          "not read: the fragment function " + name + (measured ? " shows no texture" : " uses no measured table")});
@@ -177,12 +177,12 @@ private:
     std::string given = text.given;
     std::replace(given.begin(), given.end(), '\\', '/');
     const std::string path = (folder_ / given).string();
-    // Of a place outside, whether something is there is not told.
+    // Of a place outside, whether something is there is not reported.
     return is_outside(path) || fs::exists(path, none) ? path : plain;
   }
   bool is_outside(const std::string& path) const {
     if (options_.outside == Outside::allowed) return false;
-    const fs::path real = identity(path);
+    const fs::path real = canonical_path(path);
     return std::mismatch(real_folder_.begin(), real_folder_.end(), real.begin(), real.end()).first !=
            real_folder_.end();
   }
@@ -205,7 +205,7 @@ private:
   Files<Texture> textures_;
   Files<MerlTable> tables_;
   std::set<std::string> trilinear_;                   // identities of textures
-  std::set<std::string> faulty_, noted_, untextured_; // identities of files whose faults, or remarks, are told
+  std::set<std::string> faulty_, noted_, untextured_; // identities of files whose faults, or remarks, are reported
   std::vector<std::pair<Shape, std::shared_ptr<const Mesh>>> shapes_;
 };
 
@@ -223,9 +223,9 @@ Scene read_scene(const std::string& path, const SceneOptions& options) {
         document.fault_at(document[0].begin, "", document.describe(document[0]), "an object with the key scene"));
   for (JsonIndex i = document[0].first_child; i; i = document[i].next)
     if (document[i].key == "asset" && document[i].kind == JsonKind::object) throw gltf_is_no_scene(path);
-  SceneReader root(document, 0, "", faults);
-  root.object("scene", required, "", [&](auto& keys) { scene_keys(scene, objects, keys); });
-  root.finish();
+  SceneReader top(document, 0, "", faults);
+  top.object("scene", required, "", [&](auto& keys) { scene_keys(scene, objects, keys); });
+  top.finish();
 
   FaultList in_files;
   Loader loader(document, options, faults, in_files);

@@ -9,7 +9,7 @@
 //   keys.shape("mesh", shape, "meaning")                             one of the shapes below
 //   keys.normals("normals", normals, "meaning")                      a word, or an object with an angle
 //   keys.check(value)                                                what a single key cannot show
-//   keys.parameters(model, use)                                      what a fragment function declares (fields.h)
+//   keys.parameters(function, use)                                      what a fragment function declares (fields.h)
 // A value that may be left out keeps what the member is initialised with.
 
 #include "io/file/limits.h"
@@ -43,8 +43,8 @@ struct PathText {
   std::string json_path;  // and its key
 };
 
-/// The name of a fragment function, as an index into Model. Empty when it is not given, or unknown.
-struct ModelName {
+/// The name of a fragment function, as an index into FragmentFunction. Empty when it is not given, or unknown.
+struct FragmentFunctionName {
   std::optional<std::size_t> index;
   bool given = false;
 };
@@ -107,7 +107,7 @@ void crease_keys(auto& normals, auto&& keys) {
 /// An object as the file describes it. What lies in other files is still to be loaded.
 struct ObjectText {
   Object object;
-  ModelName fragment_function;
+  FragmentFunctionName fragment_function;
   PathText obj_file, vertex_shader, fragment_shader;
   MeshNormals normals; // of obj_file
   std::optional<Shape> shape;
@@ -115,15 +115,15 @@ struct ObjectText {
 };
 
 /// The fragment function of an object: its own key, else the stem of fragment_shader_file_path. Empty: there is none.
-std::optional<std::size_t> model_of(const ObjectText& text);
+std::optional<std::size_t> fragment_function_of(const ObjectText& text);
 
 template <std::size_t... I>
-void for_each_model(auto&& visit, std::index_sequence<I...>) {
-  (visit(std::variant_alternative_t<I, Model>{}, I), ...);
+void for_each_fragment_function(auto&& visit, std::index_sequence<I...>) {
+  (visit(std::variant_alternative_t<I, FragmentFunction>{}, I), ...);
 }
-/// Calls visit(model, index) with a default-constructed object of every fragment function.
-void for_each_model(auto&& visit) {
-  for_each_model(visit, std::make_index_sequence<std::variant_size_v<Model>>{});
+/// Calls visit(function, index) with a default-constructed object of every fragment function.
+void for_each_fragment_function(auto&& visit) {
+  for_each_fragment_function(visit, std::make_index_sequence<std::variant_size_v<FragmentFunction>>{});
 }
 
 /// A material may hold the parameters of every fragment function: those of its own must be there, others may.
@@ -165,16 +165,16 @@ void direction_light_keys(auto& light, auto&& keys) {
 }
 
 void material_keys(auto& text, auto&& keys) {
-  const std::optional<std::size_t> own = model_of(text);
+  const std::optional<std::size_t> own = fragment_function_of(text);
   bool needs_table = false;
-  for_each_model([&](auto model, std::size_t index) {
+  for_each_fragment_function([&](auto function, std::size_t index) {
     if (own != index) return;
-    needs_table = std::is_same_v<decltype(model), Merl>;
-    keys.parameters(model, Use::own);
-    text.object.material.model = model;
+    needs_table = std::is_same_v<decltype(function), Merl>;
+    keys.parameters(function, Use::own);
+    text.object.material.fragment_function = function;
   });
-  for_each_model([&](auto model, std::size_t index) {
-    if (own != index) keys.parameters(model, Use::other);
+  for_each_fragment_function([&](auto function, std::size_t index) {
+    if (own != index) keys.parameters(function, Use::other);
   });
   keys("brdf_file_path", text.brdf_file, Range{},
        "a MERL `.binary` file: must be there for `merl`, not loaded for others",

@@ -25,7 +25,7 @@ std::string text_of(const std::string& text) {
 std::string text_of(const PathText&) {
   return "nothing";
 }
-std::string text_of(const ModelName&) {
+std::string text_of(const FragmentFunctionName&) {
   return "nothing";
 }
 std::string text_of(const Ignored&) {
@@ -78,9 +78,9 @@ public:
 
   /// The keys of every fragment function, each in a table of its own.
   template <class M>
-  void parameters(M& model, Use) {
+  void parameters(M& function, Use) {
     inside(place_ + " with `" + std::string(M::name) + '`', [&](MarkdownKeys& keys) {
-      M::fields(model,
+      M::fields(function,
                 [&]<class Value>(std::string_view key, Value& value, const Range& range, std::string_view meaning) {
                   keys(key, value, range, meaning, NamedEnum<Value> ? defaulted : required);
                 });
@@ -130,9 +130,9 @@ private:
 std::string scene_format_markdown() {
   Scene scene;
   std::vector<ObjectText> objects;
-  MarkdownKeys root("/scene");
-  scene_keys(scene, objects, root);
-  return root.text();
+  MarkdownKeys top("/scene");
+  scene_keys(scene, objects, top);
+  return top.text();
 }
 
 } // namespace refraster

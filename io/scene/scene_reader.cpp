@@ -24,12 +24,12 @@ bool is_zero(const Double3& a) {
 
 } // namespace
 
-std::optional<std::size_t> model_of(const ObjectText& text) {
+std::optional<std::size_t> fragment_function_of(const ObjectText& text) {
   if (text.fragment_function.given) return text.fragment_function.index;
   const std::string stem = std::filesystem::path(text.fragment_shader.given).stem().string();
   std::optional<std::size_t> result;
-  for_each_model([&](auto model, std::size_t index) {
-    for (const std::string_view listed : model.shader_stems)
+  for_each_fragment_function([&](auto function, std::size_t index) {
+    for (const std::string_view listed : function.shader_stems)
       if (stem == listed) result = index;
   });
   return result;
@@ -167,10 +167,11 @@ void SceneReader::check(ObjectText& text) {
   if (has_file && has_shape) fault("mesh", "both obj_file_path and mesh", "one of the two");
   if (!has_file && !has_shape) missing("obj_file_path", "the path of a file, or the key mesh");
   if (has_shape && find("normals")) fault("normals", "normals beside mesh", "obj_file_path: a shape has its own");
-  if (!text.fragment_shader.given.empty() && !model_of(text) && !text.fragment_function.given) {
+  if (!text.fragment_shader.given.empty() && !fragment_function_of(text) && !text.fragment_function.given) {
     std::string stems;
-    for_each_model([&](auto model, std::size_t) {
-      for (const std::string_view stem : model.shader_stems) stems += (stems.empty() ? "" : ", ") + std::string(stem);
+    for_each_fragment_function([&](auto function, std::size_t) {
+      for (const std::string_view stem : function.shader_stems)
+        stems += (stems.empty() ? "" : ", ") + std::string(stem);
     });
     fault("fragment_shader_file_path", in_quotes(text.fragment_shader.given),
           "a file with the stem " + stems + "; or the key fragment_function");

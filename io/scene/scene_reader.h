@@ -50,8 +50,8 @@ public:
   void normals(std::string_view key, MeshNormals& normals, std::string_view);
 
   template <class M>
-  void parameters(M& model, Use use) {
-    M::fields(model,
+  void parameters(M& function, Use use) {
+    M::fields(function,
               [&]<class Value>(std::string_view key, Value& value, const Range& range, std::string_view meaning) {
                 if (use == Use::other && is_known(key)) return; // a parameter of the same name has been read
                 (*this)(key, value, range, meaning, use == Use::own && !NamedEnum<Value> ? required : defaulted);

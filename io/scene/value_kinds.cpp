@@ -71,9 +71,10 @@ std::string expected_value(const std::string&, const Range&) {
 std::string expected_value(const PathText&, const Range&) {
   return "the path of a file";
 }
-std::string expected_value(const ModelName&, const Range&) {
+std::string expected_value(const FragmentFunctionName&, const Range&) {
   std::string result;
-  for_each_model([&](auto model, std::size_t) { result += (result.empty() ? "" : " or ") + json_word(model.name); });
+  for_each_fragment_function(
+      [&](auto function, std::size_t) { result += (result.empty() ? "" : " or ") + json_word(function.name); });
   return result;
 }
 
@@ -123,11 +124,11 @@ bool read_value(const JsonDocument&, const JsonNode& node, const Range&, PathTex
   return true;
 }
 
-bool read_value(const JsonDocument&, const JsonNode& node, const Range&, ModelName& value) {
+bool read_value(const JsonDocument&, const JsonNode& node, const Range&, FragmentFunctionName& value) {
   value.given = true;
   if (node.kind != JsonKind::string) return false;
-  for_each_model([&](auto model, std::size_t index) {
-    if (node.string == model.name) value.index = index;
+  for_each_fragment_function([&](auto function, std::size_t index) {
+    if (node.string == function.name) value.index = index;
   });
   return value.index.has_value();
 }

@@ -16,7 +16,7 @@ std::string expected_value(const int&, const Range& range);
 std::string expected_value(const Double3&, const Range& range);
 std::string expected_value(const std::string&, const Range&);
 std::string expected_value(const PathText&, const Range&);
-std::string expected_value(const ModelName&, const Range&);
+std::string expected_value(const FragmentFunctionName&, const Range&);
 
 /// A word as JSON has it: in quotes, but for the literals true and false.
 std::string json_word(std::string_view word);
@@ -38,7 +38,7 @@ bool read_value(const JsonDocument&, const JsonNode& node, const Range& range, i
 bool read_value(const JsonDocument&, const JsonNode& node, const Range& range, Double3& value);
 bool read_value(const JsonDocument&, const JsonNode& node, const Range&, std::string& value);
 bool read_value(const JsonDocument&, const JsonNode& node, const Range&, PathText& value);
-bool read_value(const JsonDocument&, const JsonNode& node, const Range&, ModelName& value);
+bool read_value(const JsonDocument&, const JsonNode& node, const Range&, FragmentFunctionName& value);
 
 template <NamedEnum Enum>
 bool read_value(const JsonDocument& document, const JsonNode& node, const Range&, Enum& value) {

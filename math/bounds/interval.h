@@ -147,7 +147,7 @@ private:
     const double sum = x + y;
     if (std::isnan(sum)) return anything();
     if (std::isinf(sum)) return std::isinf(x) || std::isinf(y) ? Interval{sum} : beyond_largest(sum);
-    return around(sum, exact_sum(x, y).lo);
+    return around(sum, two_sum(x, y).lo);
   }
   static Interval outward_product(double x, double y) {
     using namespace interval_detail;

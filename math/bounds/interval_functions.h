@@ -23,26 +23,26 @@ Interval<B> select(Certainty m, Interval<B> x, Interval<B> y) {
   return m == Certainty::yes ? x : m == Certainty::no ? y : join(x, y);
 }
 template <class B>
-Interval<B> maximum(Interval<B> x, Interval<B> y) {
+Interval<B> max(Interval<B> x, Interval<B> y) {
   return {std::max(x.lo, y.lo), std::max(x.hi, y.hi)};
 }
 template <class B>
-Interval<B> minimum(Interval<B> x, Interval<B> y) {
+Interval<B> min(Interval<B> x, Interval<B> y) {
   return {std::min(x.lo, y.lo), std::min(x.hi, y.hi)};
 }
 template <class B>
-Interval<B> magnitude(Interval<B> x) {
+Interval<B> abs(Interval<B> x) {
   const double a = std::abs(x.lo), b = std::abs(x.hi);
   return {x.contains(0) ? 0 : std::min(a, b), std::max(a, b)};
 }
 template <class B>
 Interval<B> square(Interval<B> x) {
-  const Interval<B> size = magnitude(x);
+  const Interval<B> size = abs(x);
   return size * size;
 }
 /// The square root of what is not negative in x; 0 where nothing is.
 template <class B>
-Interval<B> root(Interval<B> x) {
+Interval<B> sqrt(Interval<B> x) {
   using namespace interval_detail;
   const auto ends = [](double y) {
     const double r = std::sqrt(y);
@@ -104,11 +104,11 @@ Interval<B> exp2(Interval<B> x) {
 }
 /// Rising in x. Never above 1 for x <= 1, and exact for s = 0 and x = 0 or 1.
 template <class B>
-Interval<B> power(Interval<B> x, double s) {
+Interval<B> pow(Interval<B> x, double s) {
   using namespace interval_detail;
   if (s == 0) return {1.0};
   if (x.hi <= 0) return {0.0};
-  const auto f = [s](double y) { return power(y, s); };
+  const auto f = [s](double y) { return pow(y, s); };
   Interval<B> result = with_cut_off(of_rising(f, x, DoubleArithmetic::power_units, B::power_units));
   if (x.lo >= 1) result.lo = std::max(result.lo, 1.0);
   if (x.hi <= 1) result.hi = std::min(result.hi, 1.0);
@@ -124,7 +124,7 @@ Interval<B> cosine_power(const Vec3<Interval<B>>& a, const Vec3<Interval<B>>& b,
   const T half_square = T(0.5) * squared_length(a - b), dotted = dot(a, b);
   T cosine = dotted;
   if constexpr (std::same_as<B, DoubleArithmetic>) cosine = select(dotted > T(0.5), T(1) - half_square, dotted);
-  const T q = minimum(half_square, T(0.25));
+  const T q = min(half_square, T(0.25));
   // The errors of small_power in double and in the budget's arithmetic; the exponent may be rounded to float, which is
   // within the error that each bit of the result brings.
   const auto plain = [s](const OnePlus<double>& base) {
@@ -169,7 +169,7 @@ Interval<B> line_angle(const Vec2<Interval<B>>& point) {
 /// |a|: it grows with the size of each component. Our arithmetic of it makes fewer than five roundings.
 template <class B>
 Interval<B> length(const Vec3<Interval<B>>& a) {
-  const Interval<B> x = magnitude(a.x), y = magnitude(a.y), z = magnitude(a.z);
+  const Interval<B> x = abs(a.x), y = abs(a.y), z = abs(a.z);
   const Interval<B> ends =
       interval_detail::ordered<B>(length(Double3(x.lo, y.lo, z.lo)), length(Double3(x.hi, y.hi, z.hi)));
   return ends.widened(5 * (DoubleArithmetic::relative + B::relative) * (1 + 0x1p-20));
@@ -180,12 +180,12 @@ Interval<B> length(const Vec3<Interval<B>>& a) {
 template <class B>
 Vec3<Interval<B>> normalize(const Vec3<Interval<B>>& a) {
   const auto component = [](Interval<B> x, Interval<B> y, Interval<B> z) -> Interval<B> {
-    y = magnitude(y), z = magnitude(z);
+    y = abs(y), z = abs(z);
     const auto least = [&](double at) { // the lowest value for this x
       const Double3 across = at < 0 ? Double3(0, y.lo, z.lo) : Double3(0, y.hi, z.hi);
       if (at == 0) return 0.0;
       if (std::isinf(at)) return at < 0 ? -1.0 : 0.0;
-      return normalize(Double3(at, minimum(across.y, 0x1p1023), minimum(across.z, 0x1p1023))).x;
+      return normalize(Double3(at, min(across.y, 0x1p1023), min(across.z, 0x1p1023))).x;
     };
     const Interval<B> ends = interval_detail::ordered<B>(least(x.lo), -least(-x.hi));
     const Interval<B> rounded = ends.widened(6 * (DoubleArithmetic::relative + B::relative) * (1 + 0x1p-20));

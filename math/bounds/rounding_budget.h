@@ -4,7 +4,7 @@
 #include "math/elementary/atan2.h"
 #include "math/elementary/cosine_power.h"
 #include "math/elementary/exp_log.h"
-#include "math/elementary/power.h"
+#include "math/elementary/pow.h"
 
 #include <limits>
 
@@ -24,7 +24,7 @@ struct DoubleArithmetic {
   static constexpr double relative = 0x1p-53, absolute = 0x1p-1074;
   static constexpr double largest = std::numeric_limits<double>::max(), cut_off = lowest_power<double>;
   static constexpr double log2_units = log2_error<double>.max, exp2_units = exp2_error<double>.max,
-                          power_units = power_error<double>.max, atan2_units = 2; // of tiny results; else atan2_error
+                          power_units = pow_error<double>.max, atan2_units = 2; // of tiny results; else atan2_error
 };
 
 /// Strict arithmetic of the precision `float`.
@@ -32,7 +32,7 @@ struct FloatArithmetic {
   static constexpr double relative = 0x1p-24, absolute = 0x1p-150;
   static constexpr double largest = std::numeric_limits<float>::max(), cut_off = lowest_power<float>;
   static constexpr double log2_units = log2_error<float>.max, exp2_units = exp2_error<float>.max,
-                          power_units = power_error<float>.max, atan2_units = 2; // likewise
+                          power_units = pow_error<float>.max, atan2_units = 2; // likewise
 };
 
 } // namespace refraster

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "math/elementary/double_double.h"
 #include "math/elementary/polynomial.h"
-#include "math/elementary/twofold.h"
 #include "math/elementary/ulp_bound.h"
 
 #include <numbers>
@@ -9,20 +9,20 @@
 namespace refraster {
 
 template <class F>
-inline constexpr UlpBound atan2_error = {0.85, 0.56}; // results below least_wide_product: 2
+inline constexpr UlpBound atan2_error = {0.85, 0.56}; // results below min_two_product: 2
 
-inline constexpr Twofold<double> quarter_pi = {0x1.921fb54442d18p-1, 0x1.1a62633145c07p-55};
+inline constexpr DoubleDouble<double> quarter_pi = {0x1.921fb54442d18p-1, 0x1.1a62633145c07p-55};
 
 /// The angle of (x, y) against the x axis in radians, in (-pi, pi], or -pi for y = -0 and x < 0. atan2(+-0, 0) = +-0,
 /// whatever the sign of x = 0 is. An infinite x or y is infinitely longer than a finite one, and as long as the other.
 /// NaN counts as 0. Error: atan2_error.
 template <Lanes T>
-  requires(!is_quick<T>)
+  requires(!is_fast<T>)
 T atan2(const T& y, const T& x) {
   using F = RealOf<T>;
-  const T ax = maximum(magnitude(x), T(0)), ay = maximum(magnitude(y), T(0));
+  const T ax = max(abs(x), T(0)), ay = max(abs(y), T(0));
   const T largest(std::numeric_limits<F>::max());
-  const T unscaled_long = maximum(ax, ay), unscaled_short = minimum(ax, ay);
+  const T unscaled_long = max(ax, ay), unscaled_short = min(ax, ay);
   T longer = unscaled_long, shorter = unscaled_short;
   // Far from the borders of the range scaling would change no bit.
   constexpr F ordinary = sizeof(F) == 4 ? F(0x1p40) : F(0x1p200);
@@ -36,12 +36,12 @@ T atan2(const T& y, const T& x) {
 
   // atan(shorter / longer), in [0, pi/4]: above pi/8 as pi/4 - atan((longer - shorter) / (longer + shorter)).
   const MaskOf<T> steep = shorter > longer * as<T>(0x1.a827999fcef32p-2); // tan(pi/8)
-  const Twofold<T> sum = quick_sum(longer, shorter), gap = quick_sum(longer, -shorter);
-  const Twofold<T> numerator = {select(steep, -gap.hi, shorter), select(steep, -gap.lo, T(0))};
-  const Twofold<T> denominator = {select(steep, sum.hi, longer), select(steep, sum.lo, T(0))};
+  const DoubleDouble<T> sum = fast_two_sum(longer, shorter), gap = fast_two_sum(longer, -shorter);
+  const DoubleDouble<T> numerator = {select(steep, -gap.hi, shorter), select(steep, -gap.lo, T(0))};
+  const DoubleDouble<T> denominator = {select(steep, sum.hi, longer), select(steep, sum.lo, T(0))};
   const T reciprocal = T(1) / denominator.hi;
   const T a = numerator.hi * reciprocal;
-  const Twofold<T> back = wide_product(a, denominator.hi);
+  const DoubleDouble<T> back = two_product(a, denominator.hi);
   const T rest = (((numerator.hi - back.hi) - back.lo) + (numerator.lo - a * denominator.lo)) * reciprocal;
   const T a2 = a * a;
   T tail; // (atan(a) / a - 1) / a^2
@@ -72,21 +72,21 @@ T atan2(const T& y, const T& x) {
   // itself.)
   constexpr F high = sizeof(F) == 4 ? F(0x1.921fbp-1) : F(quarter_pi.hi);
   constexpr F low = F((quarter_pi.hi - static_cast<double>(high)) + quarter_pi.lo);
-  const Twofold<T> angle = quick_sum(quarters * T(high), sign * a);
+  const DoubleDouble<T> angle = fast_two_sum(quarters * T(high), sign * a);
   const T result = angle.hi + (angle.lo + (quarters * T(low) + sign * correction));
   return with_sign(result, y);
 }
 
 /// The same within 4.4e-6 of the angle, and a few roundings.
 template <Lanes T>
-  requires(is_quick<T>)
+  requires(is_fast<T>)
 T atan2(const T& y, const T& x) {
   // atan(a) / a in a^2, within 4.4e-6 of it for a <= 1.
   constexpr std::array p = {0x1.ffff6d6017f38p-1,  -0x1.54fc8ad72980dp-2, 0x1.90a9ac4720466p-3,
                             -0x1.f098eb21297f3p-4, 0x1.d6dbbea4b4fddp-5,  -0x1.b9bbdc3417257p-7};
   const T largest(std::numeric_limits<RealOf<T>>::max());
-  const T ax = minimum(maximum(magnitude(x), T(0)), largest), ay = minimum(maximum(magnitude(y), T(0)), largest);
-  const T longer = maximum(ax, ay), shorter = minimum(ax, ay);
+  const T ax = min(max(abs(x), T(0)), largest), ay = min(max(abs(y), T(0)), largest);
+  const T longer = max(ax, ay), shorter = min(ax, ay);
   const T a = shorter / select(longer > T(0), longer, T(1));
   const T octant = a * polynomial(square(a), p);
   const T quadrant = select(ay > ax, as<T>(std::numbers::pi / 2) - octant, octant);

@@ -21,7 +21,7 @@ T small_power(const OnePlus<T>& base, double s) {
   using F = RealOf<T>;
   const T exponent = as<T>(std::min(s, static_cast<double>(std::numeric_limits<F>::max())));
   const T y = (base.k + plain_log2_of_1_plus(base.t)) * exponent;
-  const auto [f, n] = rounded(maximum(y, as<T>(lowest_power<F> - 1)));
+  const auto [f, n] = rounded(max(y, as<T>(lowest_power<F> - 1)));
   const T result = times_power_of_2(T(1) + plain_exp2_minus_1(f), n);
   return select(result >= as<T>(smallest_result<F>), result, T(0));
 }
@@ -39,10 +39,10 @@ T cosine_power(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& gap, double s)
   T cosine = dot(a, b);
   // 1 - q is the better cosine down to 1/2: the lengths of a and b, which are not quite 1, enter by q instead of 1 - q.
   if constexpr (sizeof(F) == 8) cosine = select(cosine > T(F(0.5)), T(1) - half_square, cosine);
-  const T q = minimum(half_square, T(F(0.25))); // more only where a or b is not unit
+  const T q = min(half_square, T(F(0.25))); // more only where a or b is not unit
   const MaskOf<T> is_near = cosine > T(F(0.75));
   const T smallest(std::numeric_limits<F>::min());
-  const auto [m, k] = binary(maximum(cosine, smallest), F(sqrt_half));
+  const auto [m, k] = binary(max(cosine, smallest), F(sqrt_half));
   const OnePlus<T> base = {select(is_near, -q, m - T(1)), select(is_near, T(0), k)};
   return select(cosine >= smallest, small_power(base, s), T(0));
 }
@@ -51,7 +51,7 @@ T cosine_power(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& gap, double s)
 /// b, never above 1; zero to the zero is 1. Cosines below the smallest normal number count as 0, and results below
 /// 2^lowest_power are 0. Absolute error for s >= 1: cosine_power_max_error, however large s is.
 ///
-/// Why not power(dot(a, b), s): an exponent of a million turns the rounding of the dot product, 2^-24 in float, into an
+/// Why not pow(dot(a, b), s): an exponent of a million turns the rounding of the dot product, 2^-24 in float, into an
 /// error of 6 %, and lets a cosine of 1 + 2^-23 shine brighter than the light. But for unit vectors
 ///     1 - a.b = |a - b|^2 / 2 =: q,
 /// and each component of a - b is a difference with one rounding, so q is good to a few units in *its* last place,

@@ -1,8 +1,8 @@
 #pragma once
 // Angles as people write them, in degrees: rotations and fields of view of a scene. Plain double, once per scene.
 
+#include "math/elementary/double_double.h"
 #include "math/elementary/polynomial.h"
-#include "math/elementary/twofold.h"
 #include "math/elementary/ulp_bound.h"
 
 #include <array>
@@ -23,7 +23,7 @@ constexpr double radians(double degrees) {
 /// precision.
 struct QuarterTurns {
   int quarters; // modulo 4: in 0 .. 3
-  Twofold<double> sine, cosine;
+  DoubleDouble<double> sine, cosine;
 };
 
 /// For a finite angle; NaN and infinity count as 0.
@@ -37,12 +37,12 @@ inline QuarterTurns quarter_turns(double angle) {
   if (std::abs(rest) == 30)
     return {quarters, {std::copysign(0.5, rest), 0}, {0x1.bb67ae8584caap-1, 0x1.cec95d0b5c1e3p-55}};
   if (std::abs(rest) == 45) {
-    const Twofold<double> root_of_half = {0x1.6a09e667f3bcdp-1, -0x1.bdd3413b26456p-55};
+    const DoubleDouble<double> root_of_half = {0x1.6a09e667f3bcdp-1, -0x1.bdd3413b26456p-55};
     const double sign = std::copysign(1.0, rest);
     return {quarters, {sign * root_of_half.hi, sign * root_of_half.lo}, root_of_half};
   }
   // x + x_low = rest in radians: rest pi / 180.
-  const Twofold<double> product = wide_product(rest, radians_per_degree);
+  const DoubleDouble<double> product = two_product(rest, radians_per_degree);
   const double x = product.hi, x_low = product.lo + rest * 0x1.5c1d8becdd291p-62, x2 = x * x;
   // (sin(x) / x - 1) / x^2 within 9.3e-18, (cos(x) - 1 + x^2/2) / x^4 within 2.4e-18, for |x| <= pi/4.
   constexpr std::array s = {-0x1.5555555555555p-3, 0x1.1111111111110p-7,   -0x1.a01a01a019938p-13,
@@ -50,11 +50,11 @@ inline QuarterTurns quarter_turns(double angle) {
                             -0x1.ab17cc3395652p-41};
   constexpr std::array c = {0x1.5555555555555p-5,   -0x1.6c16c16c16967p-10, 0x1.a01a019f4eb44p-16,
                             -0x1.27e4fa17db697p-22, 0x1.1eeb68e764229p-29,  -0x1.907da02fc4a0fp-37};
-  const Twofold<double> sine = quick_sum(x, x * x2 * polynomial(x2, s) + x_low * (1 - x2 / 2));
-  const Twofold<double> square_of_x = wide_product(x, x);
-  const Twofold<double> one_minus = quick_sum(1.0, -square_of_x.hi / 2);
+  const DoubleDouble<double> sine = fast_two_sum(x, x * x2 * polynomial(x2, s) + x_low * (1 - x2 / 2));
+  const DoubleDouble<double> square_of_x = two_product(x, x);
+  const DoubleDouble<double> one_minus = fast_two_sum(1.0, -square_of_x.hi / 2);
   const double cosine_rest = x2 * x2 * polynomial(x2, c) - square_of_x.lo / 2 - x * x_low;
-  return {quarters, sine, quick_sum(one_minus.hi, one_minus.lo + cosine_rest)};
+  return {quarters, sine, fast_two_sum(one_minus.hi, one_minus.lo + cosine_rest)};
 }
 
 /// Sine and cosine of an angle in degrees, exact where they are 0, 1/2 or 1, and then never -0.
@@ -86,10 +86,10 @@ inline double cos_degrees(double angle) {
 inline double tan_degrees(double angle) {
   const QuarterTurns at = quarter_turns(angle);
   const bool swapped = at.quarters % 2 == 1; // tan(x + 90) = -1 / tan(x)
-  const Twofold<double> above = swapped ? at.cosine : at.sine, below = swapped ? at.sine : at.cosine;
+  const DoubleDouble<double> above = swapped ? at.cosine : at.sine, below = swapped ? at.sine : at.cosine;
   const double quotient = above.hi / below.hi;
   if (!std::isfinite(quotient)) return quotient;
-  const Twofold<double> back = wide_product(quotient, below.hi);
+  const DoubleDouble<double> back = two_product(quotient, below.hi);
   const double rest = ((above.hi - back.hi) - back.lo) + (above.lo - quotient * below.lo);
   const double tangent = quotient + rest / below.hi;
   return swapped ? -tangent : tangent + 0.0;

@@ -4,8 +4,8 @@
 // float is nearly the only error. Widening costs half the lanes, compensated float arithmetic would cost more.
 // The polynomials come from tests/unit/math/fit_polynomials.py.
 
+#include "math/elementary/double_double.h"
 #include "math/elementary/polynomial.h"
-#include "math/elementary/twofold.h"
 #include "math/elementary/ulp_bound.h"
 
 namespace refraster {
@@ -24,10 +24,10 @@ inline constexpr double smallest_result = sizeof(F) == 4 ? 0x1p-120 : 0x1p-1000;
 template <class F>
 inline constexpr double highest_power = std::numeric_limits<F>::max_exponent; // 2^this overflows
 
-inline constexpr Twofold<double> two_over_ln2 = {0x1.71547652b82fep+1, 0x1.777d0ffda0d24p-55};
-inline constexpr Twofold<double> two_thirds_over_ln2 = {0x1.ec709dc3a03fdp-1, 0x1.d27f05548af0cp-55};
-inline constexpr Twofold<double> ln_of_2 = {0x1.62e42fefa39efp-1, 0x1.abc9e3b39803fp-56};
-inline constexpr Twofold<double> log2_of_1_5 = {0x1.2b803473f7ad1p-1, -0x1.817fd3b7d7e5dp-58};
+inline constexpr DoubleDouble<double> two_over_ln2 = {0x1.71547652b82fep+1, 0x1.777d0ffda0d24p-55};
+inline constexpr DoubleDouble<double> two_thirds_over_ln2 = {0x1.ec709dc3a03fdp-1, 0x1.d27f05548af0cp-55};
+inline constexpr DoubleDouble<double> ln_of_2 = {0x1.62e42fefa39efp-1, 0x1.abc9e3b39803fp-56};
+inline constexpr DoubleDouble<double> log2_of_1_5 = {0x1.2b803473f7ad1p-1, -0x1.817fd3b7d7e5dp-58};
 
 /// x = m 2^exponent with m in [least, 2 least), for normal x > 0.
 template <class T>
@@ -56,9 +56,9 @@ struct Rounded {
 template <Lanes T>
 Rounded<T> rounded(const T& x) {
   // With 1.5 2^fraction_bits added, the last place is worth 1: the sum is rounded to it, and ends in the bits of n.
-  const T shelf(RealOf<T>(1.5) * integer_shelf<T>);
-  const T on_shelf = x + shelf;
-  return {x - (on_shelf - shelf), std::bit_cast<UnsignedLaneBits<T>>(on_shelf)};
+  const T bias(RealOf<T>(1.5) * integer_rounding_bias<T>);
+  const T biased = x + bias;
+  return {x - (biased - bias), std::bit_cast<UnsignedLaneBits<T>>(biased)};
 }
 
 /// m 2^n for m in [1/2, 2), where the result is normal.
@@ -74,7 +74,7 @@ struct Log2Argument {
   T k;
   T difference; // m - c: exact
   T c, m;       // c >= m, or both of one binade
-  Twofold<T> log2_c;
+  DoubleDouble<T> log2_c;
 };
 
 /// For finite x > 0. c is 1 or 3/2, so that |m - c| / (m + c) <= 0.1011.
@@ -85,7 +85,7 @@ Log2Argument<T> log2_argument(const T& x) {
   const auto [m, k] = binary(select(subnormal, x * T(0x1p54), x), 0x1.bb67ae8584caap-1); // m in [sqrt(3)/2, sqrt(3))
   const MaskOf<T> high = m > T(0x1.3988e1409212ep+0);                                    // sqrt(3/2)
   const T c = select(high, T(1.5), T(1));
-  const Twofold<T> log2_c = {select(high, T(log2_of_1_5.hi), T(0)), select(high, T(log2_of_1_5.lo), T(0))};
+  const DoubleDouble<T> log2_c = {select(high, T(log2_of_1_5.hi), T(0)), select(high, T(log2_of_1_5.lo), T(0))};
   return {k - select(subnormal, T(54), T(0)), m - c, c, m, log2_c};
 }
 
@@ -94,39 +94,39 @@ Log2Argument<T> log2_argument(const T& x) {
 /// The tail w q(w) adds at most 2^-7 of A/3, and w A/3 2^-8 of A: so q is needed to single, the rest to twice
 /// precision.
 template <Lanes T>
-Twofold<T> wide_log2(const Log2Argument<T>& x) {
+DoubleDouble<T> wide_log2(const Log2Argument<T>& x) {
   // q(w) within 5.5e-21 / w^2 for w in [0, 0.01021].
   constexpr std::array q = {0x1.2776c50ef9bd0p-1, 0x1.a61762a7cbc62p-2, 0x1.484b139e1606dp-2,
                             0x1.0c9abb3e965f5p-2, 0x1.c658d23e95b77p-3, 0x1.97aaebd9d94eep-3};
-  const Twofold<T> sum = quick_sum(x.c, x.m);
+  const DoubleDouble<T> sum = fast_two_sum(x.c, x.m);
   const T reciprocal = T(1) / sum.hi;
   const T quotient = x.difference * reciprocal;
-  const Twofold<T> back = wide_product(quotient, sum.hi);
+  const DoubleDouble<T> back = two_product(quotient, sum.hi);
   const T rest = ((x.difference - back.hi) - back.lo) - quotient * sum.lo;
-  const Twofold<T> z = quick_sum(quotient, rest * reciprocal);
-  const Twofold<T> w = wide_product(z, z);
-  const Twofold<T> third = as<T>(two_thirds_over_ln2), all = as<T>(two_over_ln2);
-  const Twofold<T> inner = quick_sum(third.hi, third.lo + w.hi * polynomial(w.hi, q));
-  const Twofold<T> tail = wide_product(w, inner);
-  const Twofold<T> factor = quick_sum(all.hi, tail.hi);
-  const Twofold<T> log2_m = wide_product(z, {factor.hi, factor.lo + (tail.lo + all.lo)});
-  const Twofold<T> whole = exact_sum(x.k, x.log2_c.hi);
-  const Twofold<T> result = exact_sum(whole.hi, log2_m.hi);
-  return quick_sum(result.hi, result.lo + (whole.lo + x.log2_c.lo + log2_m.lo));
+  const DoubleDouble<T> z = fast_two_sum(quotient, rest * reciprocal);
+  const DoubleDouble<T> w = two_product(z, z);
+  const DoubleDouble<T> third = as<T>(two_thirds_over_ln2), all = as<T>(two_over_ln2);
+  const DoubleDouble<T> inner = fast_two_sum(third.hi, third.lo + w.hi * polynomial(w.hi, q));
+  const DoubleDouble<T> tail = two_product(w, inner);
+  const DoubleDouble<T> factor = fast_two_sum(all.hi, tail.hi);
+  const DoubleDouble<T> log2_m = two_product(z, {factor.hi, factor.lo + (tail.lo + all.lo)});
+  const DoubleDouble<T> whole = two_sum(x.k, x.log2_c.hi);
+  const DoubleDouble<T> result = two_sum(whole.hi, log2_m.hi);
+  return fast_two_sum(result.hi, result.lo + (whole.lo + x.log2_c.lo + log2_m.lo));
 }
 
 /// 2^(y.hi + y.lo) for -1022 <= y.hi < 1024.
 template <Lanes T>
-T wide_exp2(const Twofold<T>& y) {
+T wide_exp2(const DoubleDouble<T>& y) {
   // (2^f - 1 - f ln2) / f^2 within 1.2e-17 for |f| <= 1/2.
   constexpr std::array p = {0x1.ebfbdff82c58fp-3,  0x1.c6b08d704a0c2p-5,  0x1.3b2ab6fba4e79p-7,  0x1.5d87fe78a5275p-10,
                             0x1.430912f86b061p-13, 0x1.ffcbfc670dfa0p-17, 0x1.62c0224555c35p-20, 0x1.b524fae5b6938p-24,
                             0x1.e4cf04ec53e47p-28, 0x1.e9d3feff50da6p-32, 0x1.c4b5aee3ce99ep-36};
   const auto [fraction, n] = rounded(y.hi);
-  const Twofold<T> f = quick_sum(fraction, y.lo);
+  const DoubleDouble<T> f = fast_two_sum(fraction, y.lo);
   // 2^f = 1 + ln2 f + f^2 p(f): the first two terms to twice the precision, the third is below 0.07.
-  const Twofold<T> linear = wide_product(f.hi, T(ln_of_2.hi));
-  const Twofold<T> sum = quick_sum(T(1), linear.hi);
+  const DoubleDouble<T> linear = two_product(f.hi, T(ln_of_2.hi));
+  const DoubleDouble<T> sum = fast_two_sum(T(1), linear.hi);
   const T rest = f.hi * f.hi * polynomial(f.hi, p) + (linear.lo + f.hi * T(ln_of_2.lo));
   const T m = sum.hi + (sum.lo + (rest + f.lo * (T(ln_of_2.hi) * sum.hi)));
   return times_power_of_2(m, n);
@@ -169,7 +169,7 @@ OnePlus<T> one_plus(const T& x) {
 /// log2(1 + t) for 1 + t in [sqrt(1/2), sqrt(2)], in plain arithmetic of T: a few units in the last place.
 template <Lanes T>
 T plain_log2_of_1_plus(const T& t) {
-  if constexpr (is_quick<T>) {
+  if constexpr (is_fast<T>) {
     // Within 7.4e-6 of it.
     constexpr std::array p = {0x1.7154e49cfc02ap+0,  -0x1.7141f66ec5556p-1, 0x1.eb53d547a4f18p-2,
                               -0x1.7749aa263ebd7p-2, 0x1.45d6043773532p-2,  -0x1.a646ca1906908p-3};
@@ -195,7 +195,7 @@ T plain_log2_of_1_plus(const T& t) {
 /// 2^f - 1 for |f| <= 1/2, likewise.
 template <Lanes T>
 T plain_exp2_minus_1(const T& f) {
-  if constexpr (is_quick<T>) {
+  if constexpr (is_fast<T>) {
     // Within 2.7e-6.
     constexpr std::array p = {0x1.62e0d32206b7bp-1, 0x1.ebf892df78400p-3, 0x1.ca181e5d46554p-5, 0x1.3d41b7d85cb6fp-7};
     return f * polynomial(f, p);
@@ -219,8 +219,8 @@ T plain_exp2_minus_1(const T& f) {
 template <Lanes T>
 T log2(const T& x) {
   using F = RealOf<T>;
-  const T inside = minimum(maximum(x, T(std::numeric_limits<F>::denorm_min())), T(std::numeric_limits<F>::max()));
-  if constexpr (is_quick<T>) {
+  const T inside = min(max(x, T(std::numeric_limits<F>::denorm_min())), T(std::numeric_limits<F>::max()));
+  if constexpr (is_fast<T>) {
     const auto [t, k] = one_plus(inside);
     return k + plain_log2_of_1_plus(t);
   } else if constexpr (sizeof(F) == 4) {
@@ -228,7 +228,7 @@ T log2(const T& x) {
     return in_double([]<class D>(const D& k_double, const D& t_double) { return narrow_log2(k_double, t_double); }, k,
                      t);
   } else {
-    const Twofold<T> result = wide_log2(log2_argument(inside));
+    const DoubleDouble<T> result = wide_log2(log2_argument(inside));
     return result.hi + result.lo;
   }
 }
@@ -238,15 +238,15 @@ T log2(const T& x) {
 template <Lanes T>
 T exp2(const T& x) {
   using F = RealOf<T>;
-  const T inside = minimum(maximum(x, T(F(lowest_power<F>) - 1)), T(F(highest_power<F>)));
+  const T inside = min(max(x, T(F(lowest_power<F>) - 1)), T(F(highest_power<F>)));
   T result;
-  if constexpr (is_quick<T>) {
+  if constexpr (is_fast<T>) {
     const auto [f, n] = rounded(inside);
-    result = minimum(times_power_of_2(T(1) + plain_exp2_minus_1(f), n), T(std::numeric_limits<F>::max()));
+    result = min(times_power_of_2(T(1) + plain_exp2_minus_1(f), n), T(std::numeric_limits<F>::max()));
   } else if constexpr (sizeof(F) == 4) {
-    result = in_double([]<class D>(const D& y) { return minimum(narrow_exp2(y), D(largest_float)); }, inside);
+    result = in_double([]<class D>(const D& y) { return min(narrow_exp2(y), D(largest_float)); }, inside);
   } else {
-    result = minimum(wide_exp2(Twofold<T>{inside, T(0)}), T(std::numeric_limits<double>::max()));
+    result = min(wide_exp2(DoubleDouble<T>{inside, T(0)}), T(std::numeric_limits<double>::max()));
   }
   return select(inside >= T(F(lowest_power<F>)), result, T(0));
 }

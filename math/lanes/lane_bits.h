@@ -56,13 +56,13 @@ inline constexpr BitsOf<RealOf<T>> one_bits = std::bit_cast<BitsOf<RealOf<T>>>(R
 /// 2^fraction_bits: adding it to a small integer n >= 0 puts n into the lowest bits. Conversion between integers and
 /// numbers goes this way because 64-bit lanes have no instruction for it before AVX-512.
 template <class T>
-inline constexpr RealOf<T> integer_shelf = RealOf<T>(BitsOf<RealOf<T>>(1) << fraction_bits<RealOf<T>>);
+inline constexpr RealOf<T> integer_rounding_bias = RealOf<T>(BitsOf<RealOf<T>>(1) << fraction_bits<RealOf<T>>);
 
 /// n + offset as a number, for 0 <= n < 2^fraction_bits.
 template <Lanes T>
 T to_number(LaneBits<T> n, BitsOf<RealOf<T>> offset) {
-  const RealOf<T> shelf = integer_shelf<T> - static_cast<RealOf<T>>(offset);
-  return from_bits<T>(n | std::bit_cast<BitsOf<RealOf<T>>>(integer_shelf<T>)) - T(shelf);
+  const RealOf<T> bias = integer_rounding_bias<T> - static_cast<RealOf<T>>(offset);
+  return from_bits<T>(n | std::bit_cast<BitsOf<RealOf<T>>>(integer_rounding_bias<T>)) - T(bias);
 }
 
 /// x with the sign bit of y wherever that is set, for x >= 0.

@@ -23,9 +23,9 @@ inline constexpr bool has_mask = false;
 template <int N>
 using LaneMask = std::conditional_t<N <= 8, std::uint8_t, std::uint16_t>;
 
-// Every name exists on every machine, so that `requires { root(v); }` can ask.
+// Every name exists on every machine, so that `requires { sqrt(v); }` can ask.
 struct NoRegister {};
-NoRegister root(NoRegister), minimum(NoRegister, NoRegister), maximum(NoRegister, NoRegister), widened(NoRegister);
+NoRegister sqrt(NoRegister), min(NoRegister, NoRegister), max(NoRegister, NoRegister), widened(NoRegister);
 void sign_bits(NoRegister), fused_difference(NoRegister, NoRegister, NoRegister),
     fused_sum(NoRegister, NoRegister, NoRegister), reciprocal_root_estimate(NoRegister),
     select(NoRegister, NoRegister, NoRegister);
@@ -36,67 +36,67 @@ void less(NoRegister, NoRegister), greater(NoRegister, NoRegister), less_equal(N
 
 // Square root, correctly rounded. 512 bits in the zero-masked forms: GCC 12 warns of its own undefined operand in the
 // plain ones.
-inline __m128 root(__m128 x) {
+inline __m128 sqrt(__m128 x) {
   return _mm_sqrt_ps(x);
 }
-inline __m128d root(__m128d x) {
+inline __m128d sqrt(__m128d x) {
   return _mm_sqrt_pd(x);
 }
 #if defined(__AVX__)
-inline __m256 root(__m256 x) {
+inline __m256 sqrt(__m256 x) {
   return _mm256_sqrt_ps(x);
 }
-inline __m256d root(__m256d x) {
+inline __m256d sqrt(__m256d x) {
   return _mm256_sqrt_pd(x);
 }
 #endif
 #if defined(__AVX512F__)
-inline __m512 root(__m512 x) {
+inline __m512 sqrt(__m512 x) {
   return _mm512_maskz_sqrt_ps(0xFFFF, x);
 }
-inline __m512d root(__m512d x) {
+inline __m512d sqrt(__m512d x) {
   return _mm512_maskz_sqrt_pd(0xFF, x);
 }
 #endif
 
 // x < y ? x : y and x > y ? x : y: y where either is NaN.
-inline __m128 minimum(__m128 x, __m128 y) {
+inline __m128 min(__m128 x, __m128 y) {
   return _mm_min_ps(x, y);
 }
-inline __m128d minimum(__m128d x, __m128d y) {
+inline __m128d min(__m128d x, __m128d y) {
   return _mm_min_pd(x, y);
 }
-inline __m128 maximum(__m128 x, __m128 y) {
+inline __m128 max(__m128 x, __m128 y) {
   return _mm_max_ps(x, y);
 }
-inline __m128d maximum(__m128d x, __m128d y) {
+inline __m128d max(__m128d x, __m128d y) {
   return _mm_max_pd(x, y);
 }
 #if defined(__AVX__)
-inline __m256 minimum(__m256 x, __m256 y) {
+inline __m256 min(__m256 x, __m256 y) {
   return _mm256_min_ps(x, y);
 }
-inline __m256d minimum(__m256d x, __m256d y) {
+inline __m256d min(__m256d x, __m256d y) {
   return _mm256_min_pd(x, y);
 }
-inline __m256 maximum(__m256 x, __m256 y) {
+inline __m256 max(__m256 x, __m256 y) {
   return _mm256_max_ps(x, y);
 }
-inline __m256d maximum(__m256d x, __m256d y) {
+inline __m256d max(__m256d x, __m256d y) {
   return _mm256_max_pd(x, y);
 }
 #endif
 #if defined(__AVX512F__)
-inline __m512 minimum(__m512 x, __m512 y) {
+inline __m512 min(__m512 x, __m512 y) {
   return _mm512_maskz_min_ps(0xFFFF, x, y);
 }
-inline __m512d minimum(__m512d x, __m512d y) {
+inline __m512d min(__m512d x, __m512d y) {
   return _mm512_maskz_min_pd(0xFF, x, y);
 }
-inline __m512 maximum(__m512 x, __m512 y) {
+inline __m512 max(__m512 x, __m512 y) {
   return _mm512_maskz_max_ps(0xFFFF, x, y);
 }
-inline __m512d maximum(__m512d x, __m512d y) {
+inline __m512d max(__m512d x, __m512d y) {
   return _mm512_maskz_max_pd(0xFF, x, y);
 }
 #endif

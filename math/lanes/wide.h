@@ -55,9 +55,9 @@ struct WideIndex {
 
 /// What an operation on lanes may do.
 ///   strict  IEEE operations only, each rounded once: the same bits in every lane as alone, and on every machine
-///   quick   multiplications and additions fused, reciprocal roots estimated and refined, shorter polynomials: a number
-///           type of its own, so that nothing strict can be compiled in a quick way. Last bits differ between machines.
-enum class Arithmetic { strict, quick };
+///   fast    multiplications and additions fused, reciprocal roots estimated and refined, shorter polynomials: a number
+///           type of its own, so that nothing strict can be compiled in a fast way. Last bits differ between machines.
+enum class Arithmetic { strict, fast };
 
 /// N lanes of F. Trivial, so that glm::vec can hold it; default construction leaves the lanes undefined.
 template <class F, int N, Arithmetic A = Arithmetic::strict>
@@ -109,7 +109,7 @@ struct Wide {
 };
 
 template <class F, int N>
-inline constexpr bool is_quick<Wide<F, N, Arithmetic::quick>> = true;
+inline constexpr bool is_fast<Wide<F, N, Arithmetic::fast>> = true;
 
 template <class F, int N, Arithmetic A>
 struct NumberTraits<Wide<F, N, A>> {
@@ -123,7 +123,7 @@ struct NumberTraits<Wide<F, N, A>> {
 
 struct Half; // math/half.h
 template <int N>
-struct NumberTraits<Wide<float, N, Arithmetic::quick>> {
+struct NumberTraits<Wide<float, N, Arithmetic::fast>> {
   using Real = float;
   using TableReal = Half;
   using Mask = WideMask<float, N>;
@@ -139,13 +139,13 @@ Wide<F, N, A> select(WideMask<F, N> m, Wide<F, N, A> x, Wide<F, N, A> y) {
   else return m.m ? x.v : y.v;
 }
 template <class F, int N, Arithmetic A>
-Wide<F, N, A> maximum(Wide<F, N, A> x, Wide<F, N, A> y) {
-  if constexpr (requires { registers::maximum(x.v, y.v); }) return VectorOf<F, N>(registers::maximum(x.v, y.v));
+Wide<F, N, A> max(Wide<F, N, A> x, Wide<F, N, A> y) {
+  if constexpr (requires { registers::max(x.v, y.v); }) return VectorOf<F, N>(registers::max(x.v, y.v));
   else return x.v > y.v ? x.v : y.v;
 }
 template <class F, int N, Arithmetic A>
-Wide<F, N, A> minimum(Wide<F, N, A> x, Wide<F, N, A> y) {
-  if constexpr (requires { registers::minimum(x.v, y.v); }) return VectorOf<F, N>(registers::minimum(x.v, y.v));
+Wide<F, N, A> min(Wide<F, N, A> x, Wide<F, N, A> y) {
+  if constexpr (requires { registers::min(x.v, y.v); }) return VectorOf<F, N>(registers::min(x.v, y.v));
   else return x.v < y.v ? x.v : y.v;
 }
 template <class F, int N, Arithmetic A>
@@ -164,22 +164,22 @@ Wide<F, N, A> from_bits(VectorOf<BitsOf<F>, N> bits) {
 }
 
 template <class F, int N, Arithmetic A>
-Wide<F, N, A> magnitude(Wide<F, N, A> x) {
+Wide<F, N, A> abs(Wide<F, N, A> x) {
   return from_bits<F, N, A>(bits_of(x) & std::numeric_limits<BitsOf<F>>::max());
 }
 
 template <class F, int N, Arithmetic A>
-Wide<F, N, A> root(Wide<F, N, A> x) {
-  if constexpr (requires { registers::root(x.v); }) return VectorOf<F, N>(registers::root(x.v));
+Wide<F, N, A> sqrt(Wide<F, N, A> x) {
+  if constexpr (requires { registers::sqrt(x.v); }) return VectorOf<F, N>(registers::sqrt(x.v));
   Wide<F, N, A> result;
-  for (int lane = 0; lane < N; ++lane) result.v[lane] = root(x.v[lane]);
+  for (int lane = 0; lane < N; ++lane) result.v[lane] = sqrt(x.v[lane]);
   return result;
 }
 
 /// a b + c in one rounding, where the machine can.
 template <class F, int N>
-Wide<F, N, Arithmetic::quick> multiply_add(Wide<F, N, Arithmetic::quick> a, Wide<F, N, Arithmetic::quick> b,
-                                           Wide<F, N, Arithmetic::quick> c) {
+Wide<F, N, Arithmetic::fast> multiply_add(Wide<F, N, Arithmetic::fast> a, Wide<F, N, Arithmetic::fast> b,
+                                          Wide<F, N, Arithmetic::fast> c) {
   if constexpr (requires { registers::fused_sum(a.v, b.v, c.v); })
     return VectorOf<F, N>(registers::fused_sum(a.v, b.v, c.v));
   else return a * b + c;
@@ -187,13 +187,13 @@ Wide<F, N, Arithmetic::quick> multiply_add(Wide<F, N, Arithmetic::quick> a, Wide
 
 /// 1 / sqrt(x) for 0 < x, neither tiny nor huge: an estimate of at least 11 bits, and one step of Newton's method.
 template <int N>
-Wide<float, N, Arithmetic::quick> reciprocal_root(Wide<float, N, Arithmetic::quick> x) {
-  using T = Wide<float, N, Arithmetic::quick>;
+Wide<float, N, Arithmetic::fast> reciprocal_root(Wide<float, N, Arithmetic::fast> x) {
+  using T = Wide<float, N, Arithmetic::fast>;
   if constexpr (requires { registers::reciprocal_root_estimate(x.v); }) {
     const T y = VectorOf<float, N>(registers::reciprocal_root_estimate(x.v));
     return y * multiply_add(x * T(-0.5f) * y, y, T(1.5f));
   } else {
-    return T(1) / root(x);
+    return T(1) / sqrt(x);
   }
 }
 
@@ -218,7 +218,7 @@ Wide<F, N, A> reciprocal_binade(Wide<F, N, A> x) {
   constexpr B exponent_mask = (2 * bias + 1) << fraction_bits<F>;
   constexpr F smallest = std::numeric_limits<F>::min();
   const Wide<F, N, A> binade = from_bits<F, N, A>(bits_of(x) & exponent_mask);
-  const Wide<F, N, A> inside = minimum(maximum(binade, Wide<F, N, A>(smallest)), Wide<F, N, A>(1 / smallest));
+  const Wide<F, N, A> inside = min(max(binade, Wide<F, N, A>(smallest)), Wide<F, N, A>(1 / smallest));
   return from_bits<F, N, A>((2 * bias << fraction_bits<F>)-bits_of(inside));
 }
 
@@ -227,12 +227,12 @@ template <class F, int N, Arithmetic A>
 Cell<Wide<F, N, A>> floor_and_fraction(Wide<F, N, A> x) {
   using T = Wide<F, N, A>;
   const T limit(cell_limit);
-  const T inside = minimum(maximum(x, -limit), limit);
+  const T inside = min(max(x, -limit), limit);
   // Truncate, then step down where that went up: no rounding-mode instruction is needed, and the result is exact.
   const VectorOf<std::int32_t, N> toward_zero = __builtin_convertvector(inside.v, VectorOf<std::int32_t, N>);
   const T truncated(__builtin_convertvector(toward_zero, VectorOf<F, N>));
   const T below = select(truncated > inside, truncated - T(1), truncated);
-  const T fraction = minimum(maximum(inside - below, T(F(0))), T(almost_one<F>)); // see the scalar
+  const T fraction = min(max(inside - below, T(F(0))), T(almost_one<F>)); // see the scalar
   return {{__builtin_convertvector(below.v, VectorOf<std::int32_t, N>)}, fraction};
 }
 

@@ -22,7 +22,7 @@ struct Bounds {
 
 /// The inverse of the sRGB curve, IEC 61966-2-1, for y in [0, 1].
 double srgb_decoded(double y) {
-  return y <= 0.04045 ? y / 12.92 : power((y + 0.055) / 1.055, 2.4);
+  return y <= 0.04045 ? y / 12.92 : pow((y + 0.055) / 1.055, 2.4);
 }
 
 /// A level stands for what is within half a level of it; the greatest one for everything above, too.
@@ -50,11 +50,11 @@ Bounds bounds_of_radiance(float value, int samples) {
 /// such samples it is.
 bool may_be_dark(const std::array<Bounds, 3>& pixel, const Double3& background, double dark, int samples) {
   for (int k = 0; k <= samples; ++k) {
-    const double share = static_cast<double>(k) / samples;
+    const double fraction = static_cast<double>(k) / samples;
     bool is_mean = true;
     for (int c = 0; c < 3; ++c) {
       const Bounds& value = pixel[static_cast<std::size_t>(c)];
-      const double least = (1 - share) * background[c], most = least + share * dark;
+      const double least = (1 - fraction) * background[c], most = least + fraction * dark;
       is_mean &= value.least <= most && value.most >= least;
     }
     if (is_mean) return true;
@@ -75,22 +75,22 @@ bool all_may_be_dark(const Image<Value>& image, const Double3& background, doubl
 
 /// The radiance up to which a surface is nearly black in the image that these options make.
 double dark_radiance(const RenderOptions& options) {
-  return options.want_levels ? bounds_of_levels(options.transfer)[nearly_black_level].most : nearly_black_radiance;
+  return options.want_rgb8 ? bounds_of_levels(options.transfer)[nearly_black_level].most : nearly_black_radiance;
 }
 
 bool all_may_be_dark(const Scene& scene, const RenderOptions& options, const ShownImages& images) {
   const double dark = dark_radiance(options);
   const auto bounds = bounds_of_levels(options.transfer);
-  if (!images.levels.empty() && !all_may_be_dark(images.levels, scene.background, dark, options.samples,
-                                                 [&](std::uint8_t level) { return bounds[level]; }))
+  if (!images.rgb8.empty() && !all_may_be_dark(images.rgb8, scene.background, dark, options.samples,
+                                               [&](std::uint8_t level) { return bounds[level]; }))
     return false;
   return images.radiance.empty() ||
          all_may_be_dark(images.radiance, scene.background, dark, options.samples,
                          [&](float value) { return bounds_of_radiance(value, options.samples); });
 }
 
-Crop region_of(const RenderOptions& options) {
-  return options.crop.empty() ? Crop{0, 0, options.width, options.height} : options.crop.front();
+PixelRect region_of(const RenderOptions& options) {
+  return options.crop.empty() ? PixelRect{0, 0, options.width, options.height} : options.crop.front();
 }
 
 /// The same view in at most 2^20 pixels.
@@ -98,16 +98,16 @@ RenderOptions options_to_look_with(const RenderOptions& options) {
   RenderOptions smaller;
   smaller.threads = options.threads;
   smaller.tile_size = options.tile_size;
-  smaller.want_levels = options.want_levels;
-  smaller.want_radiance = !options.want_levels;
+  smaller.want_rgb8 = options.want_rgb8;
+  smaller.want_radiance = !options.want_rgb8;
   smaller.transfer = options.transfer;
   smaller.aovs = {Aov::object, Aov::position, Aov::normal};
   smaller.cancel = options.cancel;
   smaller.memory = options.memory;
-  constexpr double most_pixels = 0x1p20;
-  const Crop region = region_of(options);
+  constexpr double max_pixels = 0x1p20;
+  const PixelRect region = region_of(options);
   const int divisor = static_cast<int>(
-      std::ceil(std::sqrt(std::max(1.0, static_cast<double>(region.width) * region.height / most_pixels))));
+      std::ceil(std::sqrt(std::max(1.0, static_cast<double>(region.width) * region.height / max_pixels))));
   smaller.width = std::max(1, options.width / divisor);
   smaller.height = std::max(1, options.height / divisor);
   if (options.crop.empty()) return smaller;
@@ -129,8 +129,8 @@ Value brightest_surface(const Image<Value>& image, const Image<float>& objects) 
 /// "the image is nearly black, no value above 12 of 255"; empty if a surface is brighter.
 std::string nearly_black(const Frame& frame, const Scene& scene, double dark) {
   std::string value;
-  if (!frame.levels.empty()) {
-    const std::uint8_t most = brightest_surface(frame.levels, frame.aovs[0]);
+  if (!frame.rgb8.empty()) {
+    const std::uint8_t most = brightest_surface(frame.rgb8, frame.aovs[0]);
     if (most > nearly_black_level) return {};
     value = std::to_string(most) + " of 255";
   } else {

@@ -79,8 +79,8 @@ Findings findings(const Scene& scene, const Frame& frame) {
   found.lights = point_lights.size() + direction_lights.size();
   found.objects.resize(scene.objects.size());
   // A second or so of work at most.
-  constexpr std::size_t most_pairs = std::size_t{1} << 25;
-  const std::size_t step = 1 + objects.size() * found.lights / most_pairs;
+  constexpr std::size_t max_pairs = std::size_t{1} << 25;
+  const std::size_t step = 1 + objects.size() * found.lights / max_pairs;
   for (std::size_t pixel = 0; pixel < objects.size(); pixel += step) {
     if (objects[pixel] == 0) continue;
     const auto object = static_cast<std::size_t>(objects[pixel]) - 1;
@@ -94,7 +94,7 @@ Findings findings(const Scene& scene, const Frame& frame) {
     Double3 arriving_here(0);
     shine(point_lights, at, arriving_here);
     shine(direction_lights, at, arriving_here);
-    if (from_behind && std::holds_alternative<Merl>(scene.objects[object].material.model)) {
+    if (from_behind && std::holds_alternative<Merl>(scene.objects[object].material.fragment_function)) {
       ++found.measured_from_behind;
       continue; // whatever arrives
     }
@@ -126,17 +126,17 @@ TableContent content_of(const MerlTable& table) {
 template <class Visit>
 void for_each_seen(const Scene& scene, const Findings& found, const Visit& visit) {
   for (std::size_t i = 0; i < scene.objects.size(); ++i)
-    if (found.objects[i]) std::visit(visit, scene.objects[i].material.model);
+    if (found.objects[i]) std::visit(visit, scene.objects[i].material.fragment_function);
 }
 
 /// What is wrong with the tables, if all objects that are seen are measured and no table holds any light.
 std::string about_tables(const Scene& scene, const Findings& found) {
   std::vector<const MerlTable*> tables; // each once
   bool all_measured = true;
-  for_each_seen(scene, found, [&]<class Model>(const Model& model) {
-    if constexpr (std::is_same_v<Model, Merl>) {
-      if (std::find(tables.begin(), tables.end(), model.table.get()) == tables.end())
-        tables.push_back(model.table.get());
+  for_each_seen(scene, found, [&]<class SomeFunction>(const SomeFunction& function) {
+    if constexpr (std::is_same_v<SomeFunction, Merl>) {
+      if (std::find(tables.begin(), tables.end(), function.table.get()) == tables.end())
+        tables.push_back(function.table.get());
     } else {
       all_measured = false;
     }
@@ -154,8 +154,8 @@ std::string about_tables(const Scene& scene, const Findings& found) {
 
 bool any_ambient(const Scene& scene, const Findings& found) {
   bool any = false;
-  for_each_seen(scene, found, [&](const auto& model) {
-    if constexpr (requires { model.ka; }) any |= brightest(model.ka) > 0;
+  for_each_seen(scene, found, [&](const auto& function) {
+    if constexpr (requires { function.ka; }) any |= brightest(function.ka) > 0;
   });
   return any;
 }
@@ -163,8 +163,9 @@ bool any_ambient(const Scene& scene, const Findings& found) {
 /// Whether no fragment function that is seen reflects anything, by its own parameters.
 bool all_black(const Scene& scene, const Findings& found) {
   bool black = true;
-  for_each_seen(scene, found, [&](const auto& model) {
-    if constexpr (requires { model.kd + model.ks; }) black &= brightest(model.kd) == 0 && brightest(model.ks) == 0;
+  for_each_seen(scene, found, [&](const auto& function) {
+    if constexpr (requires { function.kd + function.ks; })
+      black &= brightest(function.kd) == 0 && brightest(function.ks) == 0;
     else black = false;
   });
   return black;

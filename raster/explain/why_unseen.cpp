@@ -40,7 +40,7 @@ struct View {
   bool is_cropped;
 };
 
-View view_of(const Scene& scene, int width, int height, const Crop& region) {
+View view_of(const Scene& scene, int width, int height, const PixelRect& region) {
   View view{clip_from_world(scene.camera, static_cast<double>(width) / height),
             {{{0, 0, 1, 1}, {1, 0, 0, 1}, {-1, 0, 0, 1}, {0, 1, 0, 1}, {0, -1, 0, 1}}},
             {0, 0, -1, 1},
@@ -243,7 +243,7 @@ std::string sentence(const Group& group, std::size_t objects, const Camera& came
 
 } // namespace
 
-std::string why_unseen(const Scene& scene, int width, int height, const Crop& region) {
+std::string why_unseen(const Scene& scene, int width, int height, const PixelRect& region) {
   if (scene.objects.empty()) return "the scene has no objects";
   const View view = view_of(scene, width, height, region);
   std::vector<Group> groups; // in the order of their first objects

@@ -9,19 +9,19 @@ namespace refraster {
 
 namespace {
 
-using T = DoubleRung::Number;
-using Triangle = SurfaceTriangle<double>;
+using T = DoublePrecision::Number;
+using Triangle = AttributeSetup<double>;
 
 // The colour a surface would be called by: what it reflects of white light from the front.
-template <class Model>
-Rgb<T> albedo(const Model& model, const PacketSurface<T>& surface) {
-  if constexpr (requires { model.kd; }) {
-    return as<T>(model.kd) * surface.texture;
+template <class SomeFunction>
+Rgb<T> albedo(const SomeFunction& function, const PacketSurface<T>& surface) {
+  if constexpr (requires { function.kd; }) {
+    return as<T>(function.kd) * surface.texture;
   } else {
     // f at normal incidence and exitance, times pi: for a Lambertian surface, its reflectance.
     const Vec3<T> up(T(0), T(0), T(1));
     const Fragment<T> at{up, up, up, Rgb<T>(T(1)), nullptr};
-    return model(at, Incident<T>{up, Rgb<T>(T(std::numbers::pi))});
+    return function(at, Incident<T>{up, Rgb<T>(T(std::numbers::pi))});
   }
 }
 
@@ -29,7 +29,7 @@ Rgb<T> albedo(const Model& model, const PacketSurface<T>& surface) {
 
 void write_aov(const FrameContext& context, const VisibleTile& visible, std::span<const FragmentRun> runs, Aov aov,
                Image<float>& image) {
-  const Crop& tile = visible.tile;
+  const PixelRect& tile = visible.tile;
   const auto pixel = [&](int x, int y) {
     return image.at(tile.x - context.region.x + x, tile.y - context.region.y + y);
   };
@@ -42,16 +42,16 @@ void write_aov(const FrameContext& context, const VisibleTile& visible, std::spa
   for (const FragmentRun& run : runs)
     if (shown.empty() || shown.back().x != run.x || shown.back().y != run.y) shown.push_back(run);
 
-  TileSurfaces<double> surfaces;
+  TileAttributes<double> setups;
   std::vector<std::array<int, 2>> place(
-      surfaces.collect(context.scene, context.geometry, context.bins, visible.triangles, shown));
+      setups.collect(context.scene, context.geometry, context.bins, visible.triangles, shown));
   for (const FragmentRun& run : shown)
     for (int i = 0; i < run.length; ++i) place[run.first_fragment + static_cast<std::size_t>(i)] = {run.x + i, run.y};
 
   UndefinedCounts uncounted; // shading has counted these
-  for (const auto& group : surfaces.groups()) {
+  for (const auto& group : setups.groups()) {
     const Material& material = context.scene.objects[group.object].material;
-    for_each_packet<T>(surfaces, group, tile, [&](const Packet<T>& packet, std::uint32_t first) {
+    for_each_packet<T>(setups, group, tile, [&](const Packet<T>& packet, std::uint32_t first) {
       const UndefinedTally<T> tally(uncounted, first_lanes<double, NumberTraits<T>::lanes>(packet.count));
       const PacketData<T, Triangles::many> data(packet);
       const auto surface = [&] { return packet_surface(context.scene, context.geometry, material, data, tally); };
@@ -103,7 +103,7 @@ void write_aov(const FrameContext& context, const VisibleTile& visible, std::spa
         put3(surface().position);
         break;
       case Aov::albedo:
-        put3(std::visit([&](const auto& model) { return albedo(model, surface()); }, material.model));
+        put3(std::visit([&](const auto& function) { return albedo(function, surface()); }, material.fragment_function));
         break;
       case Aov::count_:
         break;

@@ -11,14 +11,14 @@
 namespace refraster {
 
 /// Normals count by their direction only. A power of two, common to the corners, keeps differences of huge ones in the
-/// range of a float rung, and tiny ones above its end; normals of ordinary size stay as they are.
+/// range of a float precision, and tiny ones above its end; normals of ordinary size stay as they are.
 [[gnu::always_inline]] inline double normal_scale(const WorldVertex& v0, const WorldVertex& v1, const WorldVertex& v2) {
-  const auto size = [](const Double3& n) { return maximum(magnitude(n.x), maximum(magnitude(n.y), magnitude(n.z))); };
+  const auto size = [](const Double3& n) { return max(abs(n.x), max(abs(n.y), abs(n.z))); };
   const double s0 = size(v0.normal), s1 = size(v1.normal), s2 = size(v2.normal);
   constexpr double ordinary = 1 << 20;
   const auto is_ordinary = [](double s) { return s >= 1 / ordinary && s <= ordinary; };
   if (is_ordinary(s0) && is_ordinary(s1) && is_ordinary(s2)) return 1;
-  return minimum(reciprocal_binade(s0), minimum(reciprocal_binade(s1), reciprocal_binade(s2)));
+  return min(reciprocal_binade(s0), min(reciprocal_binade(s1), reciprocal_binade(s2)));
 }
 
 /// Component c of the corners' texture coordinates, without whole repeats.
@@ -30,7 +30,7 @@ inline UvComponent uv_component(const Mesh& mesh, const std::array<std::uint32_t
   UvComponent uv;
   for (std::size_t k = 0; k < 3; ++k) uv.value[k] = static_cast<double>(mesh.uvs[vertices[k]][c]);
   const double least = std::min({uv.value[0], uv.value[1], uv.value[2]});
-  uv.whole = magnitude(least) < 1e300 ? std::floor(least) : 0; // only a finite uv has whole repeats
+  uv.whole = abs(least) < 1e300 ? std::floor(least) : 0; // only a finite uv has whole repeats
   // Exact: uv is a float and the difference of two doubles this close to it. Small negative ones stay as they are.
   if (least > -1 && least < 1) uv.whole = 0;
   for (double& value : uv.value) value -= uv.whole;

@@ -30,13 +30,13 @@ std::vector<ExactPiece> exact_pieces(const std::array<WindowVertex, 3>& v, const
     if (determinant == 0) continue;
     ExactPiece& piece = pieces.emplace_back();
     for (std::size_t k = 0; k < 3; ++k) {
-      const ExactLine line = line_through(*point[(k + 1) % 3], *point[(k + 2) % 3]);
+      const ExactLine edge = edge_through(*point[(k + 1) % 3], *point[(k + 2) % 3]);
       const Exact sign(determinant > 0 ? 1 : -1);
-      piece.line[k] = {exact(line.a) * sign, exact(line.b) * sign, exact(line.c) * sign};
+      piece.edge[k] = {exact(edge.a) * sign, exact(edge.b) * sign, exact(edge.c) * sign};
       // As in piece_of: the clip point of a sample is the sum of nu_k clip_k with nu_k = lambda_k times this.
       const Exact weight = times_power_of_two(Exact(point[k]->factor), -point[k]->exponent);
       for (std::size_t c = 0; c < 3; ++c)
-        piece.factor[k][c] = weight * times_power_of_two(exact(point[k]->share[c]), -point[k]->share_bits);
+        piece.factor[k][c] = weight * times_power_of_two(exact(point[k]->fraction[c]), -point[k]->share_bits);
     }
   }
   return pieces;

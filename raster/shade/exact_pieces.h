@@ -15,7 +15,7 @@ struct ExactPiece {
   struct Line {
     Exact a, b, c; // of a x + b y + c over subpixels, positive inside
   };
-  std::array<Line, 3> line;                     // of vertex v
+  std::array<Line, 3> edge;                     // of vertex v
   std::array<std::array<Exact, 3>, 3> factor{}; // [v][k]: times this, the line's value goes into that of corner k
 };
 

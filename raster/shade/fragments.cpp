@@ -6,39 +6,40 @@ namespace refraster {
 
 namespace {
 
-void list_single_sample(const TileVisibility& visibility, const Crop& tile, std::vector<FragmentRun>& runs) {
+void list_single_sample(const TileVisibility& visibility, const PixelRect& tile, std::vector<FragmentRun>& runs) {
   for (int y = 0; y < tile.height; ++y) {
     const std::int32_t* const row = visibility.row(0, y);
     for (int x = 0; x < tile.width;) {
-      const std::int32_t place = row[x];
+      const std::int32_t slot = row[x];
       int end = x + 1;
-      while (end < tile.width && row[end] == place) ++end;
-      if (place != nothing)
-        runs.push_back({place, 0, static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y),
+      while (end < tile.width && row[end] == slot) ++end;
+      if (slot != nothing)
+        runs.push_back({slot, 0, static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y),
                         static_cast<std::uint8_t>(end - x), 1});
       x = end;
     }
   }
 }
 
-void list_multisample(const TileVisibility& visibility, const Crop& tile, int samples, std::vector<FragmentRun>& runs) {
+void list_multisample(const TileVisibility& visibility, const PixelRect& tile, int samples,
+                      std::vector<FragmentRun>& runs) {
   for (int y = 0; y < tile.height; ++y)
     for (int x = 0; x < tile.width; ++x) {
       const std::size_t first = runs.size();
       for (int s = 0; s < samples; ++s) {
-        const std::int32_t place = visibility.row(s, y)[x];
-        if (place == nothing) continue;
+        const std::int32_t slot = visibility.row(s, y)[x];
+        if (slot == nothing) continue;
         const auto same = std::find_if(runs.begin() + static_cast<std::ptrdiff_t>(first), runs.end(),
-                                       [=](const FragmentRun& run) { return run.place == place; });
+                                       [=](const FragmentRun& run) { return run.slot == slot; });
         if (same != runs.end()) ++same->samples;
-        else runs.push_back({place, 0, static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y), 1, 1});
+        else runs.push_back({slot, 0, static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y), 1, 1});
       }
     }
 }
 
 } // namespace
 
-void list_runs(const TileVisibility& visibility, const Crop& tile, int samples, std::vector<FragmentRun>& runs) {
+void list_runs(const TileVisibility& visibility, const PixelRect& tile, int samples, std::vector<FragmentRun>& runs) {
   runs.clear();
   if (samples == 1) list_single_sample(visibility, tile, runs);
   else list_multisample(visibility, tile, samples, runs);
@@ -46,20 +47,20 @@ void list_runs(const TileVisibility& visibility, const Crop& tile, int samples, 
 
 // Each triangle that is seen, in submission order. Triangles of one object follow one another: an object is a group.
 template <class Real>
-void TileSurfaces<Real>::set_up(const Scene& scene, const Geometry& geometry, const Bins& bins,
-                                std::span<const std::uint32_t> triangles) {
+void TileAttributes<Real>::set_up(const Scene& scene, const Geometry& geometry, const Bins& bins,
+                                  std::span<const std::uint32_t> triangles) {
   groups_.clear();
   next_.clear();
   visible_.clear();
   surface_of_.resize(triangles.size());
   TriangleCursor cursor(scene, geometry);
   std::uint32_t runs = 0;
-  for (std::size_t place = 0; place < triangles.size(); ++place) {
-    const Seen seen = seen_[place];
+  for (std::size_t slot = 0; slot < triangles.size(); ++slot) {
+    const Seen seen = seen_[slot];
     if (seen.runs == 0) continue;
-    const TriangleRef ref = cursor.at(triangles[place]);
-    surface_of_[place] = static_cast<std::int32_t>(visible_.size());
-    visible_.push_back({ref, triangles[place]});
+    const TriangleRef ref = cursor.at(triangles[slot]);
+    surface_of_[slot] = static_cast<std::int32_t>(visible_.size());
+    visible_.push_back({ref, triangles[slot]});
     if (groups_.empty() || groups_.back().object != ref.object) groups_.push_back({ref.object, runs, runs, 0});
     next_.push_back(runs);
     runs += seen.runs;
@@ -67,17 +68,17 @@ void TileSurfaces<Real>::set_up(const Scene& scene, const Geometry& geometry, co
     groups_.back().fragments += seen.fragments;
   }
 
-  uncommon_lines_ = {};
-  surfaces_.resize(visible_.size());
-  set_up_surfaces<Real>(scene, geometry, bins, visible_, surfaces_, uncommon_lines_);
+  uncommon_edges_ = {};
+  setups_.resize(visible_.size());
+  set_up_attributes<Real>(scene, geometry, bins, visible_, setups_, uncommon_edges_);
 }
 
 // A counting sort: runs of a triangle stay in the order in which they came.
 template <class Real>
-std::uint32_t TileSurfaces<Real>::sort(std::span<FragmentRun> runs) {
+std::uint32_t TileAttributes<Real>::sort(std::span<FragmentRun> runs) {
   sorted_.resize(runs.size());
   for (FragmentRun& run : runs) {
-    const std::int32_t surface = surface_of_[static_cast<std::size_t>(run.place)];
+    const std::int32_t surface = surface_of_[static_cast<std::size_t>(run.slot)];
     std::uint32_t& next = next_[static_cast<std::size_t>(surface)];
     run.first_fragment = next; // its place in sorted_, until the fragments are numbered
     sorted_[next++] = {surface, 0, run.x, run.y, run.length, run.samples};
@@ -92,11 +93,11 @@ std::uint32_t TileSurfaces<Real>::sort(std::span<FragmentRun> runs) {
 }
 
 template <class Real>
-std::uint32_t TileSurfaces<Real>::collect(const Scene& scene, const Geometry& geometry, const Bins& bins,
-                                          std::span<const std::uint32_t> triangles, std::span<FragmentRun> runs) {
+std::uint32_t TileAttributes<Real>::collect(const Scene& scene, const Geometry& geometry, const Bins& bins,
+                                            std::span<const std::uint32_t> triangles, std::span<FragmentRun> runs) {
   seen_.assign(triangles.size(), {});
   for (const FragmentRun& run : runs) {
-    Seen& seen = seen_[static_cast<std::size_t>(run.place)];
+    Seen& seen = seen_[static_cast<std::size_t>(run.slot)];
     ++seen.runs;
     seen.fragments += run.length;
   }
@@ -104,7 +105,7 @@ std::uint32_t TileSurfaces<Real>::collect(const Scene& scene, const Geometry& ge
   return sort(runs);
 }
 
-template class TileSurfaces<double>;
-template class TileSurfaces<float>;
+template class TileAttributes<double>;
+template class TileAttributes<float>;
 
 } // namespace refraster

@@ -1,6 +1,6 @@
 #pragma once
-// Perspective-correct interpolation. Here the rung begins. The formulas are written over where their data come from: a
-// packet of fragments in lanes (PacketData), or a sample in any Number (raster/shade/sample_data.h).
+// Perspective-correct interpolation. Here the precision begins. The formulas are written over where their data come
+// from: a packet of fragments in lanes (PacketData), or a sample in any Number (raster/shade/sample_data.h).
 
 #include "math/lanes/rows.h"
 #include "raster/shade/fragments.h"
@@ -48,7 +48,7 @@ public:
     else at_[0] = &packet.triangle(0);
   }
 
-  /// A row of SurfaceTriangle.
+  /// A row of AttributeSetup.
   Row row(int r) const {
     const auto place = [&](int lane) {
       return at_[static_cast<std::size_t>(lane)]->row[static_cast<std::size_t>(r)].data();
@@ -59,9 +59,9 @@ public:
     } else return {T(place(0)[0]), T(place(0)[1]), T(place(0)[2]), T(place(0)[3])};
   }
   /// a, b, c of a wrapped line.
-  std::array<Ints, 3> line(int k) const {
+  std::array<Ints, 3> edge(int k) const {
     const auto place = [&](int lane) {
-      return &at_[static_cast<std::size_t>(lane)]->line[static_cast<std::size_t>(k)];
+      return &at_[static_cast<std::size_t>(lane)]->edge[static_cast<std::size_t>(k)];
     };
     if constexpr (triangles == Triangles::many) {
       // Only moved about, never computed with: any bits are good floats.
@@ -93,16 +93,16 @@ public:
 
 private:
   const Packet<T>& packet_;
-  std::array<const SurfaceTriangle<Real>*, triangles == Triangles::many ? lanes : 1> at_;
+  std::array<const AttributeSetup<Real>*, triangles == Triangles::many ? lanes : 1> at_;
 };
 
 /// Of a large triangle, exact in double.
 template <Lanes D>
-DoubleValues<D> large_values(const LargeLines& lines, const D& x, const D& y) {
+DoubleValues<D> large_values(const LargeEdges& edges, const D& x, const D& y) {
   DoubleValues<D> result;
   for (std::size_t k = 0; k < 3; ++k) {
-    const auto a = static_cast<double>(lines.line[k].a), b = static_cast<double>(lines.line[k].b),
-               c = static_cast<double>(lines.line[k].c);
+    const auto a = static_cast<double>(edges.edge[k].a), b = static_cast<double>(edges.edge[k].b),
+               c = static_cast<double>(edges.edge[k].c);
     result.value[k] = D(a) * x + (D(b) * y + D(c));
     result.right[k] = D(a * subpixels);
     result.down[k] = D(b * subpixels);
@@ -111,15 +111,15 @@ DoubleValues<D> large_values(const LargeLines& lines, const D& x, const D& y) {
 }
 
 /// Wrapped lines in full: c follows from a value that is exact, at (x, y).
-inline LargeLines unwrapped(const std::array<WrappedLine, 3>& lines, std::int32_t x, std::int32_t y) {
-  LargeLines result;
+inline LargeEdges unwrapped(const std::array<WrappedEdge, 3>& edges, std::int32_t x, std::int32_t y) {
+  LargeEdges result;
   for (std::size_t k = 0; k < 3; ++k) {
-    const WrappedLine& l = lines[k];
+    const WrappedEdge& l = edges[k];
     const auto value = static_cast<std::int32_t>(static_cast<std::uint32_t>(l.a) * static_cast<std::uint32_t>(x) +
                                                  static_cast<std::uint32_t>(l.b) * static_cast<std::uint32_t>(y) +
                                                  static_cast<std::uint32_t>(l.c));
     const std::int64_t a = l.a, b = l.b;
-    result.line[k] = {a, b, value - a * x - b * y};
+    result.edge[k] = {a, b, value - a * x - b * y};
   }
   return result;
 }
@@ -130,35 +130,35 @@ enum class Derivatives { no, yes };
 /// Of the three lines: the value at the sample, exact and then rounded once; and its change by one pixel to the right
 /// and down. For a projective triangle all are times one factor: only ratios are used.
 template <class T>
-struct LineValues {
+struct EdgeValues {
   std::array<T, 3> value, right, down;
 };
 
 template <Derivatives derivatives, class T, Triangles triangles>
-LineValues<T> line_values(const PacketData<T, triangles>& data) {
+EdgeValues<T> edge_values(const PacketData<T, triangles>& data) {
   using Ints = typename Packet<T>::Ints;
   using Unsigned = VectorOf<std::uint32_t, NumberTraits<T>::lanes>; // which may overflow
   const auto rounded = [](const Unsigned& bits) {
     return T(__builtin_convertvector(std::bit_cast<Ints>(bits), typename T::Lanes));
   };
-  LineValues<T> lines;
+  EdgeValues<T> edges;
   const auto x = std::bit_cast<Unsigned>(data.packet().x), y = std::bit_cast<Unsigned>(data.packet().y);
   for (int k = 0; k < 3; ++k) {
-    const std::array<Ints, 3> line = data.line(k);
-    const auto a = std::bit_cast<Unsigned>(line[0]), b = std::bit_cast<Unsigned>(line[1]);
+    const std::array<Ints, 3> edge = data.edge(k);
+    const auto a = std::bit_cast<Unsigned>(edge[0]), b = std::bit_cast<Unsigned>(edge[1]);
     const auto i = static_cast<std::size_t>(k);
-    lines.value[i] = rounded(a * x + b * y + std::bit_cast<Unsigned>(line[2]));
+    edges.value[i] = rounded(a * x + b * y + std::bit_cast<Unsigned>(edge[2]));
     if constexpr (derivatives == Derivatives::yes) {
-      lines.right[i] = rounded(a * subpixels);
-      lines.down[i] = rounded(b * subpixels);
+      edges.right[i] = rounded(a * subpixels);
+      edges.down[i] = rounded(b * subpixels);
     }
   }
-  return lines;
+  return edges;
 }
 
 /// The same for a packet that lies in one large or projective triangle: in double.
 template <Derivatives derivatives, class T>
-LineValues<T> uncommon_line_values(const Packet<T>& packet) {
+EdgeValues<T> uncommon_edge_values(const Packet<T>& packet) {
   using Part = Parts<T>;
   const auto& triangle = packet.triangle(0);
   const auto part = [&]<int p>(std::integral_constant<int, p>) {
@@ -170,34 +170,34 @@ LineValues<T> uncommon_line_values(const Packet<T>& packet) {
     else return joined(Part::narrowed(low), Part::narrowed(high)).v;
   };
   const auto low = part(std::integral_constant<int, 0>{}), high = part(std::integral_constant<int, Part::count - 1>{});
-  LineValues<T> lines;
+  EdgeValues<T> edges;
   for (std::size_t k = 0; k < 3; ++k) {
-    lines.value[k] = rounded(low.value[k], high.value[k]);
+    edges.value[k] = rounded(low.value[k], high.value[k]);
     if constexpr (derivatives == Derivatives::yes) {
-      lines.right[k] = rounded(low.right[k], high.right[k]);
-      lines.down[k] = rounded(low.down[k], high.down[k]);
+      edges.right[k] = rounded(low.right[k], high.right[k]);
+      edges.down[k] = rounded(low.down[k], high.down[k]);
     }
   }
-  return lines;
+  return edges;
 }
 
 /// The same for any other packet: lane by lane. Kept out of line: few packets come here.
 template <class T>
-[[gnu::noinline]] LineValues<T> mixed_line_values(const Packet<T>& packet) {
-  LineValues<T> lines;
+[[gnu::noinline]] EdgeValues<T> mixed_edge_values(const Packet<T>& packet) {
+  EdgeValues<T> edges;
   for (int lane = 0; lane < NumberTraits<T>::lanes; ++lane) {
     const auto& t = packet.triangle(lane);
     const std::int32_t x = packet.x[lane], y = packet.y[lane];
     const DoubleValues<double> values = t.projective ? projective_values<double>(*t.projective, x, y)
                                         : t.large    ? large_values<double>(*t.large, x, y)
-                                                     : large_values<double>(unwrapped(t.line, x, y), x, y);
+                                                     : large_values<double>(unwrapped(t.edge, x, y), x, y);
     for (std::size_t k = 0; k < 3; ++k) {
-      lines.value[k].set(lane, static_cast<RealOf<T>>(values.value[k]));
-      lines.right[k].set(lane, static_cast<RealOf<T>>(values.right[k]));
-      lines.down[k].set(lane, static_cast<RealOf<T>>(values.down[k]));
+      edges.value[k].set(lane, static_cast<RealOf<T>>(values.value[k]));
+      edges.right[k].set(lane, static_cast<RealOf<T>>(values.right[k]));
+      edges.down[k].set(lane, static_cast<RealOf<T>>(values.down[k]));
     }
   }
-  return lines;
+  return edges;
 }
 
 /// Weights of the two corners that are not the anchor: perspective-correct, each in [0, 1] inside the triangle.
@@ -215,21 +215,21 @@ struct PacketBarycentrics {
 };
 
 template <Derivatives derivatives, class T, Triangles triangles>
-LineValues<T> edge_values(const PacketData<T, triangles>& data) {
-  if (data.packet().lines == LineKind::wrapped) [[likely]]
-    return line_values<derivatives>(data);
-  if (triangles == Triangles::one) return uncommon_line_values<derivatives>(data.packet());
-  return mixed_line_values(data.packet());
+EdgeValues<T> edge_values(const PacketData<T, triangles>& data) {
+  if (data.packet().edges == EdgeKind::wrapped) [[likely]]
+    return edge_values<derivatives>(data);
+  if (triangles == Triangles::one) return uncommon_edge_values<derivatives>(data.packet());
+  return mixed_edge_values(data.packet());
 }
 
 template <Derivatives derivatives, class Data, class T = typename Data::Number>
 PacketBarycentrics<T> barycentrics(const Data& data) {
-  const LineValues<T> lines = edge_values<derivatives>(data);
+  const EdgeValues<T> edges = edge_values<derivatives>(data);
   const std::array<T, 3> weight{data.row(0)[3], data.row(1)[3], data.row(2)[3]};
   const auto weighted = [&](const std::array<T, 3>& of, std::size_t k) { return of[k] * weight[k]; };
   PacketBarycentrics<T> result;
-  const T mu0 = weighted(lines.value, 0), mu1 = weighted(lines.value, 1), mu2 = weighted(lines.value, 2);
-  result.inside = minimum(mu0, minimum(mu1, mu2)) >= T(0);
+  const T mu0 = weighted(edges.value, 0), mu1 = weighted(edges.value, 1), mu2 = weighted(edges.value, 2);
+  result.inside = min(mu0, min(mu1, mu2)) >= T(0);
   const T reciprocal = T(1) / (mu0 + mu1 + mu2);
   result.at = {mu1 * reciprocal, mu2 * reciprocal};
   if constexpr (derivatives == Derivatives::yes) {
@@ -238,8 +238,8 @@ PacketBarycentrics<T> barycentrics(const Data& data) {
       const T step_sum = weighted(step, 0) + step1 + step2;
       return {(step1 - result.at.b1 * step_sum) * reciprocal, (step2 - result.at.b2 * step_sum) * reciprocal};
     };
-    result.right = change(lines.right);
-    result.down = change(lines.down);
+    result.right = change(edges.right);
+    result.down = change(edges.down);
   }
   return result;
 }
@@ -254,7 +254,7 @@ T changed(const std::array<T, 4>& row, const Barycentric<T>& by) {
 template <class Data, class T = typename Data::Number>
 T interpolated(const Data& data, Attribute attribute, int c, const Barycentric<T>& at) {
   const std::array<T, 4> row = data.row(static_cast<int>(attribute) + c);
-  if constexpr (is_quick<T>) return multiply_add(at.b1, row[1], multiply_add(at.b2, row[2], row[0]));
+  if constexpr (is_fast<T>) return multiply_add(at.b1, row[1], multiply_add(at.b2, row[2], row[0]));
   else return row[0] + changed(row, at);
 }
 
@@ -263,13 +263,13 @@ T interpolated(const Data& data, Attribute attribute, int c, const Barycentric<T
 template <class Data, class T = typename Data::Number>
 T interpolated_uv(const Data& data, int c, const PacketBarycentrics<T>& at) {
   const T uv = interpolated(data, Attribute::uv, c, at.at);
-  return select(at.inside, minimum(data.row(most_uv_row + c)[3], maximum(data.row(least_uv_row + c)[3], uv)), uv);
+  return select(at.inside, min(data.row(max_uv_row + c)[3], max(data.row(min_uv_row + c)[3], uv)), uv);
 }
 
 /// Where triangles have no texture coordinates: the least is greater than the greatest. No other triangle's is.
 template <class Data, class T = typename Data::Number>
 MaskOf<T> without_uv(const Data& data) {
-  return data.row(least_uv_row)[3] > data.row(most_uv_row)[3];
+  return data.row(min_uv_row)[3] > data.row(max_uv_row)[3];
 }
 
 template <class Data, class T = typename Data::Number>

@@ -62,14 +62,14 @@ private:
 /// The sRGB transfer curve, IEC 61966-2-1, of x in [0, 1].
 template <class T>
 T srgb_encoded(const T& x) {
-  return select(x <= as<T>(0.0031308), as<T>(12.92) * x, as<T>(1.055) * power(x, 1 / 2.4) - as<T>(0.055));
+  return select(x <= as<T>(0.0031308), as<T>(12.92) * x, as<T>(1.055) * pow(x, 1 / 2.4) - as<T>(0.055));
 }
 
 /// 255 times x clamped to [0, 1], rounded to the nearest integer, half to even. For a number without lanes that a
 /// double can be made of.
 template <class T>
 std::uint8_t level_of(const T& x, Transfer transfer) {
-  const T in_range = minimum(positive(x), T(1));
+  const T in_range = min(max0(x), T(1));
   const Cell<T> at = floor_and_fraction((transfer == Transfer::srgb ? srgb_encoded(in_range) : in_range) * T(255));
   const bool up = at.fraction > T(0.5) || (!(at.fraction < T(0.5)) && at.index % 2 != 0);
   return static_cast<std::uint8_t>(at.index + (up ? 1 : 0));
@@ -80,7 +80,7 @@ std::uint8_t level_of(const T& x, Transfer transfer) {
 template <class T>
 auto level_bits(const T& x, Transfer transfer) {
   using Real = RealOf<T>;
-  const T in_range = minimum(positive(x), T(1));
+  const T in_range = min(max0(x), T(1));
   const T scaled = (transfer == Transfer::srgb ? srgb_encoded(in_range) : in_range) * T(255);
   // Adding 2^p, with p the number of fraction bits, leaves the rounded integer in the lowest bits.
   return bits_of(scaled + T(static_cast<Real>(BitsOf<Real>(1) << fraction_bits<Real>))) & 255;
@@ -90,7 +90,7 @@ auto level_bits(const T& x, Transfer transfer) {
 template <class T>
 class TileResolver {
 public:
-  void resolve(const FrameContext& context, const Crop& tile, std::span<const FragmentRun> runs,
+  void resolve(const FrameContext& context, const PixelRect& tile, std::span<const FragmentRun> runs,
                const FragmentColours<T>& colours, Frame& frame, FrameCounts& counts) {
     if (context.options.samples == 1) {
       write(context, tile, runs, colours, frame, counts);
@@ -104,7 +104,7 @@ public:
 
   /// take(x, y, colour) for each pixel of the tile just resolved that shows a surface; x, y of the full image.
   template <class Take>
-  void for_each_pixel(const Crop& tile, const Take& take) const {
+  void for_each_pixel(const PixelRect& tile, const Take& take) const {
     for (const FragmentRun& run : resolved_runs_)
       for (std::uint32_t i = 0; i < run.length; ++i)
         take(tile.x + run.x + static_cast<int>(i), tile.y + run.y, (*resolved_)[run.first_fragment + i]);
@@ -114,11 +114,11 @@ private:
   using Real = typename FragmentColours<T>::Real;
   static constexpr int lanes = NumberTraits<T>::lanes;
 
-  /// A background beyond the largest number of the rung is that number, as any other colour is.
+  /// A background beyond the largest number of the precision is that number, as any other colour is.
   static Rgb<Real> finite_background(const FrameContext& context) {
     const Rgb<Real> rgb = as<Real>(context.scene.background);
     const Real largest = largest_number<Real>();
-    return {minimum(rgb.x, largest), minimum(rgb.y, largest), minimum(rgb.z, largest)};
+    return {min(rgb.x, largest), min(rgb.y, largest), min(rgb.z, largest)};
   }
 
   // One colour for each pixel that any run touches: the first colour plus the mean difference to it, so that equal
@@ -127,7 +127,7 @@ private:
   void average(const FrameContext& context, std::span<const FragmentRun> runs, const FragmentColours<T>& colours) {
     const Rgb<Real> background = finite_background(context);
     const int samples = context.options.samples;
-    const auto share = [samples](int count) {
+    const auto weight = [samples](int count) {
       return Real(static_cast<RealOf<Real>>(count)) / Real(static_cast<RealOf<Real>>(samples));
     };
     pixel_runs_.clear();
@@ -138,17 +138,17 @@ private:
       Rgb<Real> difference(Real(0));
       int covered = 0;
       for (; i < runs.size() && runs[i].x == run.x && runs[i].y == run.y; ++i) {
-        difference += (colours[runs[i].first_fragment] - first) * share(runs[i].samples);
+        difference += (colours[runs[i].first_fragment] - first) * weight(runs[i].samples);
         covered += runs[i].samples;
       }
-      if (covered < samples) difference += (background - first) * share(samples - covered);
+      if (covered < samples) difference += (background - first) * weight(samples - covered);
       const auto pixel = static_cast<std::uint32_t>(pixel_runs_.size());
       pixels_.set(pixel, first + difference);
       pixel_runs_.push_back({0, pixel, run.x, run.y, 1, 1});
     }
   }
 
-  void write(const FrameContext& context, const Crop& tile, std::span<const FragmentRun> runs,
+  void write(const FrameContext& context, const PixelRect& tile, std::span<const FragmentRun> runs,
              const FragmentColours<T>& colours, Frame& frame, FrameCounts& counts) {
     std::uint32_t pixels = 0;
     for (const FragmentRun& run : runs) pixels += run.length;
@@ -156,18 +156,18 @@ private:
     if constexpr (NumberTraits<T>::decides) write_images(context, tile, runs, colours, pixels, frame);
   }
 
-  void write_images(const FrameContext& context, const Crop& tile, std::span<const FragmentRun> runs,
+  void write_images(const FrameContext& context, const PixelRect& tile, std::span<const FragmentRun> runs,
                     const FragmentColours<T>& colours, std::uint32_t pixels, Frame& frame) {
     const int left = tile.x - context.region.x, top = tile.y - context.region.y;
     if (!frame.radiance.empty()) write_radiance(context, tile, runs, colours, left, top, frame.radiance);
     if (!frame.radiance_double.empty()) write_radiance(context, tile, runs, colours, left, top, frame.radiance_double);
-    if (!frame.levels.empty()) write_levels(context, tile, runs, colours, pixels, left, top, frame.levels);
+    if (!frame.rgb8.empty()) write_rgb8(context, tile, runs, colours, pixels, left, top, frame.rgb8);
   }
 
-  static Real within(const Real& x, const Real& largest) { return minimum(maximum(x, -largest), largest); }
+  static Real within(const Real& x, const Real& largest) { return min(max(x, -largest), largest); }
 
   template <class Value>
-  static void write_radiance(const FrameContext& context, const Crop& tile, std::span<const FragmentRun> runs,
+  static void write_radiance(const FrameContext& context, const PixelRect& tile, std::span<const FragmentRun> runs,
                              const FragmentColours<T>& colours, int left, int top, Image<Value>& image) {
     const Rgb<Real> background = as<Real>(context.scene.background);
     const auto put = [](Value* at, const Rgb<Real>& rgb) {
@@ -186,9 +186,9 @@ private:
 
   // The three levels of a pixel are packed into 32 bits, whole registers at a time; runs are copied to their place in
   // the tile; rows go to the image.
-  void write_levels(const FrameContext& context, const Crop& tile, std::span<const FragmentRun> runs,
-                    const FragmentColours<T>& colours, std::uint32_t pixels, int left, int top,
-                    Image<std::uint8_t>& image) {
+  void write_rgb8(const FrameContext& context, const PixelRect& tile, std::span<const FragmentRun> runs,
+                  const FragmentColours<T>& colours, std::uint32_t pixels, int left, int top,
+                  Image<std::uint8_t>& image) {
     const Transfer transfer = context.options.transfer;
     if constexpr (!NumberTraits<T>::has_lanes) {
       const auto put = [&](int x, int y, const Rgb<T>& rgb) {
@@ -212,11 +212,11 @@ private:
         std::memcpy(&packed_[i], &levels, sizeof levels);
       }
       const auto width = static_cast<std::size_t>(tile.width);
-      tile_levels_.assign(width * static_cast<std::size_t>(tile.height), packed(as<T>(context.scene.background))[0]);
+      tile_rgb8_.assign(width * static_cast<std::size_t>(tile.height), packed(as<T>(context.scene.background))[0]);
       for (const FragmentRun& run : runs)
-        std::copy_n(&packed_[run.first_fragment], run.length, &tile_levels_[run.y * width + run.x]);
+        std::copy_n(&packed_[run.first_fragment], run.length, &tile_rgb8_[run.y * width + run.x]);
       for (int y = 0; y < tile.height; ++y) {
-        const std::int32_t* const from = &tile_levels_[static_cast<std::size_t>(y) * width];
+        const std::int32_t* const from = &tile_rgb8_[static_cast<std::size_t>(y) * width];
         std::uint8_t* const to = image.at(left, top + y);
         for (std::size_t x = 0; x < width; ++x) {
           to[3 * x] = static_cast<std::uint8_t>(from[x]);
@@ -231,7 +231,7 @@ private:
   FragmentColours<T> pixels_;
   std::span<const FragmentRun> resolved_runs_; // of the last tile
   const FragmentColours<T>* resolved_ = nullptr;
-  std::vector<std::int32_t> packed_, tile_levels_;
+  std::vector<std::int32_t> packed_, tile_rgb8_;
 };
 
 } // namespace refraster

@@ -92,20 +92,20 @@ public:
   const std::array<T, 4>& row(int r) const { return row_[static_cast<std::size_t>(r)]; }
 
   /// Of the three edge functions: the value at the sample, and the change by one pixel to the right and down.
-  LineValues<T> edges() const {
+  EdgeValues<T> edges() const {
     std::array<EdgeValue, 3> value, right, down;
     if (snapped_) {
-      for (std::size_t k = 0; k < 3; ++k) at(snapped_->line[k], value[k], right[k], down[k]);
+      for (std::size_t k = 0; k < 3; ++k) at(snapped_->edge[k], value[k], right[k], down[k]);
     } else {
       projective_edges(value, right, down);
     }
-    LineValues<T> lines;
+    EdgeValues<T> edges;
     for (std::size_t k = 0; k < 3; ++k) {
-      lines.value[k] = Edge::rounded(value[k]);
-      lines.right[k] = Edge::rounded(right[k] * EdgeValue(subpixels));
-      lines.down[k] = Edge::rounded(down[k] * EdgeValue(subpixels));
+      edges.value[k] = Edge::rounded(value[k]);
+      edges.right[k] = Edge::rounded(right[k] * EdgeValue(subpixels));
+      edges.down[k] = Edge::rounded(down[k] * EdgeValue(subpixels));
     }
-    return lines;
+    return edges;
   }
 
   bool may_have_texture_coordinates() const {
@@ -129,9 +129,9 @@ private:
   };
 
   template <class Line>
-  void at(const Line& line, EdgeValue& value, EdgeValue& a, EdgeValue& b) const {
-    a = Edge::whole(line.a), b = Edge::whole(line.b);
-    value = Edge::whole(line.at(x_, y_)) + a * dx_ + b * dy_;
+  void at(const Line& edge, EdgeValue& value, EdgeValue& a, EdgeValue& b) const {
+    a = Edge::whole(edge.a), b = Edge::whole(edge.b);
+    value = Edge::whole(edge.at(x_, y_)) + a * dx_ + b * dy_;
   }
 
   SampleCorners<T> corners(const std::array<WindowVertex, 3>& window) const {
@@ -155,7 +155,7 @@ private:
     return result;
   }
 
-  /// The rows of SurfaceTriangle.
+  /// The rows of AttributeSetup.
   void set_rows(const SampleCorners<T>& corner) {
     const auto set = [this](int r, const T& f0, const T& f1, const T& f2) {
       row_[static_cast<std::size_t>(r)] = {f0, f1 - f0, f2 - f0, T(0)};
@@ -168,11 +168,11 @@ private:
     for (int c = 0; c < 2; ++c) {
       const auto& uv = corner.uv;
       set(static_cast<int>(Attribute::uv) + c, uv[0][c], uv[1][c], uv[2][c]);
-      row_[static_cast<std::size_t>(least_uv_row + c)][3] = minimum(uv[0][c], minimum(uv[1][c], uv[2][c]));
-      row_[static_cast<std::size_t>(most_uv_row + c)][3] = maximum(uv[0][c], maximum(uv[1][c], uv[2][c]));
+      row_[static_cast<std::size_t>(min_uv_row + c)][3] = min(uv[0][c], min(uv[1][c], uv[2][c]));
+      row_[static_cast<std::size_t>(max_uv_row + c)][3] = max(uv[0][c], max(uv[1][c], uv[2][c]));
     }
     // perspective_weights; of projective triangles, edges() bring their weights.
-    const T nearest = maximum(corner.inverse_w[0], maximum(corner.inverse_w[1], corner.inverse_w[2]));
+    const T nearest = max(corner.inverse_w[0], max(corner.inverse_w[1], corner.inverse_w[2]));
     for (std::size_t k = 0; k < 3; ++k) row_[k][3] = snapped_ ? corner.inverse_w[k] / nearest : T(1);
   }
 
@@ -192,25 +192,25 @@ private:
     if constexpr (std::same_as<T, Exact>) {
       const EdgeValue x = EdgeValue(x_) + dx_, y = EdgeValue(y_) + dy_;
       for (std::size_t v = 0; v < 3; ++v) {
-        const ExactPiece::Line& line = exact_[p].line[v];
-        result.a[v] = line.a, result.b[v] = line.b;
-        result.value[v] = line.a * x + line.b * y + line.c;
+        const ExactPiece::Line& edge = exact_[p].edge[v];
+        result.a[v] = edge.a, result.b[v] = edge.b;
+        result.value[v] = edge.a * x + edge.b * y + edge.c;
         result.factor[v] = exact_[p].factor[v];
       }
     } else {
       const ProjectivePiece& from = projective_->piece[p];
       for (std::size_t v = 0; v < 3; ++v) {
-        at(from.line[v], result.value[v], result.a[v], result.b[v]);
-        // SplitLine::at rounds its sum of three pieces, and three times within it: four roundings at most.
+        at(from.edge[v], result.value[v], result.a[v], result.b[v]);
+        // SplitEdge::at rounds its sum of three pieces, and three times within it: four roundings at most.
         if constexpr (requires { result.value[v].widened(0.0); }) result.value[v] = result.value[v].widened(0x1p-51);
         for (std::size_t k = 0; k < 3; ++k)
-          result.factor[v][k] = EdgeValue(from.weight[v]) * EdgeValue(from.share[v][k]);
+          result.factor[v][k] = EdgeValue(from.weight[v]) * EdgeValue(from.fraction[v][k]);
       }
     }
     return result;
   }
 
-  /// projective_values (raster/shade/projective_lines.h), scaled by a power of two as there.
+  /// projective_values (raster/shade/projective_edges.h), scaled by a power of two as there.
   void projective_edges(std::array<EdgeValue, 3>& value, std::array<EdgeValue, 3>& right,
                         std::array<EdgeValue, 3>& down) const {
     const auto sums = [&](const Piece& piece, const std::array<EdgeValue, 3>& of, std::array<EdgeValue, 3>& into) {
@@ -225,7 +225,7 @@ private:
       const Piece second = piece(1);
       std::array<EdgeValue, 3> value2, right2, down2;
       sums(second, second.value, value2), sums(second, second.a, right2), sums(second, second.b, down2);
-      const bool owns_ties = projective_->piece[0].line[1].owns_ties();
+      const bool owns_ties = projective_->piece[0].edge[1].owns_ties();
       const EdgeValue& between = first.value[1];
       const auto in_first = owns_ties ? between >= EdgeValue(0) : between > EdgeValue(0);
       for (std::size_t k = 0; k < 3; ++k) {
@@ -235,7 +235,7 @@ private:
       }
     }
     if constexpr (requires { value[0].hi; }) { // bounds: into the range of float, as lanes are
-      const double largest = std::max({magnitude(value[0]).hi, magnitude(value[1]).hi, magnitude(value[2]).hi});
+      const double largest = std::max({abs(value[0]).hi, abs(value[1]).hi, abs(value[2]).hi});
       const EdgeValue scale(reciprocal_binade(largest));
       for (std::size_t k = 0; k < 3; ++k) value[k] *= scale, right[k] *= scale, down[k] *= scale;
     }
@@ -253,7 +253,7 @@ private:
 };
 
 template <Derivatives, class T>
-LineValues<T> edge_values(const SampleData<T>& data) {
+EdgeValues<T> edge_values(const SampleData<T>& data) {
   return data.edges();
 }
 

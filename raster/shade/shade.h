@@ -1,5 +1,5 @@
 #pragma once
-// From what a tile sees to its pixels, in the number of a rung.
+// From what a tile sees to its pixels, in the number of a precision.
 
 #include "raster/frame.h"
 #include "raster/shade/fragments.h"
@@ -19,12 +19,12 @@ struct FrameContext {
   const Geometry& geometry;
   const Bins& bins;
   const RenderOptions& options;
-  Crop region; // pixels of the full image that the frame's images hold
+  PixelRect region; // pixels of the full image that the frame's images hold
 };
 
 /// What is known of a tile once visibility is decided.
 struct VisibleTile {
-  Crop tile;
+  PixelRect tile;
   std::span<const std::uint32_t> triangles;
   const TileVisibility& visibility;
 };
@@ -36,33 +36,34 @@ struct TileMeasures {
 };
 
 /// Shades tiles one after the other. Holds scratch memory: one for each thread.
-class TileShader {
+class TileShading {
 public:
-  virtual ~TileShader() = default;
+  virtual ~TileShading() = default;
   /// Shades each fragment of the tile once, resolves the samples, and writes the tile's pixels to the images that
   /// `frame` holds; adds to `measures`. Values are finite.
   virtual void shade(const FrameContext& context, const VisibleTile& visible, Frame& frame,
                      const TileMeasures& measures) = 0;
 };
 
-/// For a rung by its name; null if there is none of that name.
-std::unique_ptr<TileShader> make_tile_shader(std::string_view rung);
+/// For a precision by its name; null if there is none of that name.
+std::unique_ptr<TileShading> make_tile_shading(std::string_view precision);
 
 // Each defined in a file of its own, raster/shade/precisions/<name>.cpp: a full instantiation of everything above the
 // number.
-std::unique_ptr<TileShader> make_double_shader();
-std::unique_ptr<TileShader> make_float_shader();
-std::unique_ptr<TileShader> make_fast_shader();
-std::unique_ptr<TileShader> make_exact_shader();
+std::unique_ptr<TileShading> make_double_shading();
+std::unique_ptr<TileShading> make_float_shading();
+std::unique_ptr<TileShading> make_fast_shading();
+std::unique_ptr<TileShading> make_exact_shader();
 
-/// A single frame by a shader of one's own, of which `make_shader` makes one for each thread; options.rung is not read.
-using MakeShader = std::function<std::unique_ptr<TileShader>()>;
+/// A single frame by a shader of one's own, of which `make_shader` makes one for each thread; options.precision is not
+/// read.
+using MakeShader = std::function<std::unique_ptr<TileShading>()>;
 void render_with(const Scene& scene, const RenderOptions& options, const MakeShader& make_shader, Frame& frame);
 
 /// The pixels that a frame's images hold: those of the crop, or all.
-Crop rendered_region(const RenderOptions& options);
+PixelRect rendered_region(const RenderOptions& options);
 
-/// Writes the tile's part of an image of `aov`. Computed in double whatever the rung: of the first of each pixel's
+/// Writes the tile's part of an image of `aov`. Computed in double whatever the precision: of the first of each pixel's
 /// `runs`.
 void write_aov(const FrameContext& context, const VisibleTile& visible, std::span<const FragmentRun> runs, Aov aov,
                Image<float>& image);

@@ -2,8 +2,8 @@
 // Fragments of one material, a packet in lanes or a single one in any Number: interpolate, light, sum.
 
 #include "raster/shade/interpolate.h"
+#include "shading/fragment_functions.h"
 #include "shading/light.h"
-#include "shading/models.h"
 #include "shading/texture.h"
 
 #include <array>
@@ -22,9 +22,7 @@ struct PacketSurface {
 template <class Data, class T = typename Data::Number>
 Vec3<T> shading_normal(const Scene& scene, const Geometry& geometry, const Data& data, const Vec3<T>& interpolated,
                        const UndefinedTally<T>& tally) {
-  const auto is_zero = [](const Vec3<T>& n) {
-    return maximum(magnitude(n.x), maximum(magnitude(n.y), magnitude(n.z))) <= T(0);
-  };
+  const auto is_zero = [](const Vec3<T>& n) { return max(abs(n.x), max(abs(n.y), abs(n.z))) <= T(0); };
   const MaskOf<T> zero = is_zero(interpolated);
   if (!any(zero)) return normalize(interpolated);
   tally.note(Undefined::zero_normal, zero);
@@ -40,7 +38,7 @@ Rgb<T> texture_colour(const Material& material, const Data& data, const PacketBa
                       const UndefinedTally<T>& tally) {
   const auto uv = [&](int c) { return interpolated_uv(data, c, at); };
   const Vec2<T> point(uv(0), uv(1));
-  const auto finite = [](const T& x) { return magnitude(x) <= largest_number<T>(); };
+  const auto finite = [](const T& x) { return abs(x) <= largest_number<T>(); };
   const MaskOf<T> bad = !(finite(point.x) & finite(point.y));
   Vec2<T> right(T(0)), down(T(0));
   if (material.texture_filter == TextureFilter::trilinear) {
@@ -79,14 +77,14 @@ PacketSurface<T> packet_surface(const Scene& scene, const Geometry& geometry, co
 template <class T>
 T finite(const T& x, const UndefinedTally<T>& tally) {
   const T most = largest_number<T>();
-  tally.note(Undefined::not_finite, !(magnitude(x) <= most));
-  const T kept = minimum(maximum(x, -most), most);
+  tally.note(Undefined::not_finite, !(abs(x) <= most));
+  const T kept = min(max(x, -most), most);
   return select((x > T(0)) | (x <= T(0)), kept, T(0));
 }
 
 template <class T>
 Rgb<T> finite(const Rgb<T>& rgb, const UndefinedTally<T>& tally) {
-  const T sum = magnitude(rgb.x) + magnitude(rgb.y) + magnitude(rgb.z);
+  const T sum = abs(rgb.x) + abs(rgb.y) + abs(rgb.z);
   if (!any(!(sum <= largest_number<T>()))) return rgb; // nearly always
   return {finite(rgb.x, tally), finite(rgb.y, tally), finite(rgb.z, tally)};
 }
@@ -116,14 +114,14 @@ struct PacketBatch {
 
 /// Radiance toward the eye, into batch.sum: the ambient term, then point lights and direction lights, summed in the
 /// order of the scene.
-template <class T, class Model>
-void sum_light(const Scene& scene, const Model& model, PacketBatch<T>& batch, UndefinedCounts& counts) {
-  Model copy = model; // nothing that is written below can be part of it
+template <class T, class SomeFunction>
+void sum_light(const Scene& scene, const SomeFunction& function, PacketBatch<T>& batch, UndefinedCounts& counts) {
+  SomeFunction copy = function; // nothing that is written below can be part of it
   if constexpr (NumberTraits<T>::largest < std::numeric_limits<double>::max())
-    Model::fields(copy, [](auto&&, auto& value, auto&&...) {
+    SomeFunction::fields(copy, [](auto&&, auto& value, auto&&...) {
       if constexpr (requires { value = within_range<T>(value); }) value = within_range<T>(value);
     });
-  const Model& here = copy;
+  const SomeFunction& here = copy;
   batch.for_each(counts, [&](Rgb<T>& sum, const Fragment<T>& at, const auto&) { sum = here.ambient(at); });
   const auto add = [&](const auto& lights) {
     for (const auto& light : lights) {
@@ -139,10 +137,10 @@ void sum_light(const Scene& scene, const Model& model, PacketBatch<T>& batch, Un
 }
 
 /// The same for lanes: one piece of code, without a call.
-template <class T, class Model>
-[[gnu::flatten, gnu::noinline]] void add_light(const Scene& scene, const Model& model, PacketBatch<T>& batch,
+template <class T, class SomeFunction>
+[[gnu::flatten, gnu::noinline]] void add_light(const Scene& scene, const SomeFunction& function, PacketBatch<T>& batch,
                                                UndefinedCounts& counts) {
-  sum_light(scene, model, batch, counts);
+  sum_light(scene, function, batch, counts);
 }
 
 } // namespace refraster

@@ -1,5 +1,5 @@
 #pragma once
-// The tile shader of one number: included by raster/shade/precisions/*.cpp and, for other numbers, by
+// The shading of a tile in one number: included by raster/shade/precisions/*.cpp and, for other numbers, by
 // raster/render_in.h. For a number without lanes raster/shade/sample_data.h must be included too.
 
 #include "raster/shade/fragments.h"
@@ -32,7 +32,7 @@ struct NoRequest {};
 
 /// A full register of fragments at a time; or, for a number without lanes, one by one through the same formulas.
 template <class T>
-class TileShaderOf final : public TileShader {
+class TileShadingOf final : public TileShading {
   static constexpr bool has_lanes = NumberTraits<T>::has_lanes;
   template <class U>
   struct RequestOf {
@@ -46,7 +46,7 @@ class TileShaderOf final : public TileShader {
 
 public:
   using Request = typename RequestOf<T>::type;
-  explicit TileShaderOf(Request request = {}) : request_(std::move(request)) {}
+  explicit TileShadingOf(Request request = {}) : request_(std::move(request)) {}
 
   void shade(const FrameContext& context, const VisibleTile& visible, Frame& frame,
              const TileMeasures& measures) override {
@@ -59,14 +59,16 @@ public:
     list_runs(visible.visibility, visible.tile, context.options.samples, runs_);
     if constexpr (!has_lanes) keep_wanted(visible.tile);
     const std::uint32_t fragments =
-        surfaces_.collect(context.scene, context.geometry, context.bins, visible.triangles, runs_);
-    lap(measures.seconds.surfaces);
+        setups_.collect(context.scene, context.geometry, context.bins, visible.triangles, runs_);
+    lap(measures.seconds.attribute_setup);
     colours_.resize(fragments);
-    for (const auto& group : surfaces_.groups()) {
+    for (const auto& group : setups_.groups()) {
       const Material& material = context.scene.objects[group.object].material;
       std::visit(
-          [&](const auto& model) { shade_group(context, visible.tile, material, model, group, counts.undefined); },
-          material.model);
+          [&](const auto& function) {
+            shade_group(context, visible.tile, material, function, group, counts.undefined);
+          },
+          material.fragment_function);
       counts.lane_slots += (group.fragments + lanes - 1) / lanes * lanes;
     }
     counts.fragments += fragments;
@@ -81,17 +83,17 @@ public:
 
 private:
   using Real = RealOf<T>;
-  using Surfaces = TileSurfaces<Real>;
+  using Surfaces = TileAttributes<Real>;
   using Group = typename Surfaces::Group;
   static constexpr std::uint32_t lanes = NumberTraits<T>::lanes;
 
-  template <class Model>
-  void shade_group(const FrameContext& context, const Crop& tile, const Material& material, const Model& model,
-                   const Group& group, UndefinedCounts& undefined) {
+  template <class SomeFunction>
+  void shade_group(const FrameContext& context, const PixelRect& tile, const Material& material,
+                   const SomeFunction& function, const Group& group, UndefinedCounts& undefined) {
     batch_.packets = 0; // of a frame that an exception ended
     const auto shade_batch = [&] {
-      if constexpr (has_lanes) add_light(context.scene, model, batch_, undefined);
-      else sum_light(context.scene, model, batch_, undefined);
+      if constexpr (has_lanes) add_light(context.scene, function, batch_, undefined);
+      else sum_light(context.scene, function, batch_, undefined);
       for (int i = 0; i < batch_.packets; ++i)
         colours_.store(batch_.first_fragment + static_cast<std::uint32_t>(i) * lanes,
                        batch_.sum[static_cast<std::size_t>(i)]);
@@ -106,7 +108,7 @@ private:
       if (batch_.packets == batch_.most) shade_batch();
     };
     if constexpr (has_lanes) {
-      for_each_packet<T>(surfaces_, group, tile, [&](const Packet<T>& packet, std::uint32_t first) {
+      for_each_packet<T>(setups_, group, tile, [&](const Packet<T>& packet, std::uint32_t first) {
         add(first, first_lanes<Real, NumberTraits<T>::lanes>(packet.count), [&](const auto& tally, auto& surface) {
           if (packet.triangles == Triangles::one)
             interpolate(context, material, PacketData<T, Triangles::one>(packet), tally, surface);
@@ -126,12 +128,11 @@ private:
   /// Calls body(data, number) for each fragment of a group, in order: at pixel centres, as far off as was asked for. A
   /// tile may take seconds in 60 digits: it ends early where the frame is given up.
   template <class Body>
-  void for_each_sample(const FrameContext& context, const Group& group, const Crop& tile, const Body& body) const {
+  void for_each_sample(const FrameContext& context, const Group& group, const PixelRect& tile, const Body& body) const {
     const ImageShape shape{context.options.width, context.options.height, context.scene.camera.near};
     for (std::size_t i = group.begin_run; i < group.end_run; ++i) {
-      const FragmentRun& run = surfaces_.sorted()[i];
-      SampleData<T> data(
-          {context.scene, context.geometry, context.bins, shape, surfaces_.surfaces()[run.place].number});
+      const FragmentRun& run = setups_.sorted()[i];
+      SampleData<T> data({context.scene, context.geometry, context.bins, shape, setups_.setups()[run.place].number});
       for (int k = 0; k < run.length; ++k) {
         if (context.options.cancel && context.options.cancel->load(std::memory_order_relaxed)) return;
         data.move_to((tile.x + run.x + k) * subpixels + subpixels / 2, (tile.y + run.y) * subpixels + subpixels / 2,
@@ -142,7 +143,7 @@ private:
   }
 
   /// Cuts runs down to the pixels that are wanted.
-  void keep_wanted(const Crop& tile) {
+  void keep_wanted(const PixelRect& tile) {
     if (!request_.wanted) return;
     std::vector<FragmentRun> kept;
     for (const FragmentRun& run : runs_)
@@ -162,7 +163,7 @@ private:
 
   [[no_unique_address]] Request request_;
   std::vector<FragmentRun> runs_;
-  Surfaces surfaces_;
+  Surfaces setups_;
   PacketBatch<T> batch_;
   FragmentColours<T> colours_;
   TileResolver<T> resolver_;

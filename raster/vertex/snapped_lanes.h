@@ -75,7 +75,7 @@ void sort_corners(std::array<PlacedCorner<N, count>, 3>& corner) {
   exchange_if_after(0, 1), exchange_if_after(1, 2), exchange_if_after(0, 1);
 }
 
-/// N triangles as SnappedTriangle describes one. With corner 0 as the origin: line[1].at(x, y) = a1 (x - x0) +
+/// N triangles as SnappedTriangle describes one. With corner 0 as the origin: edge[1].at(x, y) = a1 (x - x0) +
 /// b1 (y - y0), line[2] likewise, and the three lines add up to `size`, twice the area, everywhere.
 template <int N>
 struct SnappedLanes {
@@ -106,14 +106,14 @@ SnappedLanes<N> set_up_lanes(const CornerLanes<N>& v0, const CornerLanes<N>& v1,
   t.a1 = sign * dy2, t.b1 = -(sign * dx2);
   t.a2 = -(sign * dy1), t.b2 = sign * dx1;
   t.size = sign * area;
-  // The top-left rule, see Line::owns_ties; |b| is less than 2^26.
+  // The top-left rule, see EdgeFunction::owns_ties; |b| is less than 2^26.
   const auto least = [](const T& a, const T& b) { return select(a * T(0x1p26) + b > T(0.0), T(-0.5), T(0.0)); };
   t.least = {least(t.a0(), t.b0()), least(t.a1, t.b1), least(t.a2, t.b2)};
   t.z0 = z(0);
   t.slope1 = (z(1) - z(0)) / t.size;
   t.slope2 = (z(2) - z(0)) / t.size;
-  t.z_min = minimum(z(0), minimum(z(1), z(2)));
-  t.z_max = maximum(z(0), maximum(z(1), z(2)));
+  t.z_min = min(z(0), min(z(1), z(2)));
+  t.z_max = max(z(0), max(z(1), z(2)));
   return t;
 }
 

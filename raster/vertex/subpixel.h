@@ -21,12 +21,12 @@ using Int128 = __int128;
 
 /// a x + b y + c over subpixels: positive inside the triangle it bounds. `Coefficient` is exact for what it holds.
 template <class Slope, class Value>
-struct Line {
+struct EdgeFunction {
   Slope a = 0, b = 0;
   Value c = 0;
 
   Value at(std::int32_t x, std::int32_t y) const { return static_cast<Value>(a) * x + static_cast<Value>(b) * y + c; }
-  Line operator-() const { return {-a, -b, -c}; }
+  EdgeFunction operator-() const { return {-a, -b, -c}; }
 
   /// The top-left rule, y down: a sample exactly on the line belongs to the triangle for which the line is a left edge
   /// (the inside is to the right) or a top edge (level, the inside is below). Of the two triangles at a shared edge,
@@ -45,8 +45,8 @@ struct Line {
 };
 
 /// Between two snapped vertices.
-using SnappedLine = Line<std::int64_t, std::int64_t>;
+using SnappedEdge = EdgeFunction<std::int64_t, std::int64_t>;
 /// Where at least one end is behind the eye or beyond the guard band: |a|, |b| < 2^61, |c| < 2^110.
-using ProjectiveLine = Line<std::int64_t, Int128>;
+using ProjectiveEdge = EdgeFunction<std::int64_t, Int128>;
 
 } // namespace refraster

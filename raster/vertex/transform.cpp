@@ -1,7 +1,7 @@
 #include "raster/vertex/transform.h"
 
 #include "math/elementary.h"
-#include "math/rungs.h"
+#include "math/precisions.h"
 #include "raster/parallel.h"
 #include "raster/vertex/vertex_stage.h"
 
@@ -45,7 +45,7 @@ Double3x3 normal_matrix(const Double3x3& m) {
   const double sign = dot(u0, cofactors[0]) < 0 ? -1 : 1;
   double most = 0;
   for (int column = 0; column < 3; ++column)
-    for (int row = 0; row < 3; ++row) most = maximum(magnitude(cofactors[column][row]), most);
+    for (int row = 0; row < 3; ++row) most = max(abs(cofactors[column][row]), most);
   return cofactors * (sign * reciprocal_binade(most));
 }
 
@@ -171,9 +171,7 @@ struct VertexStage {
     store_lanes(inverse_w, v.inverse_w);
 
     const T far(0x1p1022); // the difference of two that lie farther would overflow
-    const auto position = [&](int row) {
-      return minimum(maximum(homogeneous(matrices.world_from_object, row, p), -far), far);
-    };
+    const auto position = [&](int row) { return min(max(homogeneous(matrices.world_from_object, row, p), -far), far); };
     const auto normal = [&](int row) { return linear(matrices.world_from_normal, row, n); };
     double* const at = &world->position.x;
     constexpr std::size_t stride = sizeof *world / sizeof(double);

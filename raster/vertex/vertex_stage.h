@@ -20,20 +20,20 @@ struct WindowLanes {
 };
 
 /// |x| < 2^51 rounded to a whole number, half to even as IEEE 754 adds, and as Direct3D 11.3 §3.4.1 snaps. Its lowest
-/// 32 bits, before the shelf is taken off again, are that number in two's complement.
-inline constexpr double rounding_shelf = 0x1.8p52;
+/// 32 bits, before the bias is taken off again, are that number in two's complement.
+inline constexpr double rounding_bias = 0x1.8p52;
 template <Lanes T>
 T nearest_whole(const T& x) {
-  return x + T(rounding_shelf) - T(rounding_shelf);
+  return x + T(rounding_bias) - T(rounding_bias);
 }
 template <Lanes T>
 LaneBits<T> whole_bits(const T& x) {
-  return bits_of(x + T(rounding_shelf));
+  return bits_of(x + T(rounding_bias));
 }
 
 template <Lanes T>
 WindowLanes<T> window_lanes(const Vec4<T>& clip, int width, int height) {
-  const auto finite = [](const T& c) { return magnitude(c) <= T(std::numeric_limits<double>::max()); };
+  const auto finite = [](const T& c) { return abs(c) <= T(std::numeric_limits<double>::max()); };
   const auto one_where = [](auto m, double one) { return select(m, T(one), T(0.0)); };
   const T &w = clip.w, behind = -w;
   const auto x_ok = finite(clip.x), y_ok = finite(clip.y), z_ok = finite(clip.z), w_ok = finite(w);
@@ -45,8 +45,8 @@ WindowLanes<T> window_lanes(const Vec4<T>& clip, int width, int height) {
   const T x = clip.x / w * half_width + half_width;
   const T y = half_height - clip.y / w * half_height;
   // Below the smallest normal number 1 / w would overflow: such a vertex is as good as on the eye plane.
-  const auto snapped = ok & (w >= T(std::numeric_limits<double>::min())) & (magnitude(x) <= T(double{guard_band})) &
-                       (magnitude(y) <= T(double{guard_band}));
+  const auto snapped = ok & (w >= T(std::numeric_limits<double>::min())) & (abs(x) <= T(double{guard_band})) &
+                       (abs(y) <= T(double{guard_band}));
   const auto if_snapped = [&](const T& value) { return select(snapped, value, T(0.0)); };
   return {if_snapped(nearest_whole(x)), if_snapped(nearest_whole(y)), if_snapped(clip.z / w),
           if_snapped(T(1.0) / w),       select(ok, sides, T(0.0)),    one_where(!ok, 1),

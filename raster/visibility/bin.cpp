@@ -9,7 +9,7 @@
 
 namespace refraster {
 
-Crop TileGrid::tile(std::size_t index) const {
+PixelRect TileGrid::tile(std::size_t index) const {
   const int column = static_cast<int>(index % static_cast<std::size_t>(columns()));
   const int row = static_cast<int>(index / static_cast<std::size_t>(columns()));
   const int left = x + column * tile_size, top = y + row * tile_size;
@@ -73,7 +73,7 @@ struct BoxLanes {
 class Binner {
 public:
   Binner(const Scene& scene, const Geometry& geometry, const TileGrid& grid, int image_width, int image_height,
-         std::span<const SamplePlace> samples)
+         std::span<const SamplePosition> samples)
       : scene_(scene), geometry_(geometry), grid_(grid), image_width_(image_width), image_height_(image_height),
         samples_(static_cast<int>(samples.size())), columns_(grid.columns()) {
     const auto [x_low, x_high] =
@@ -142,15 +142,15 @@ private:
     const auto& [v0, v1, v2] = window.corner;
     using Words = VectorOf<std::int32_t, 2 * lanes>;
     const Words all = v0.words & v1.words & v2.words, any = v0.words | v1.words | v2.words;
-    const auto halves = [](const Words& words) {
+    const auto split_words = [](const Words& words) {
       return [&]<int... I>(std::integer_sequence<int, I...>) {
         return std::pair<Ints, Ints>(__builtin_shufflevector(words, words, (2 * I)...),
                                      __builtin_shufflevector(words, words, (2 * I + 1)...));
       }
       (std::make_integer_sequence<int, lanes>{});
     };
-    const auto [any_side, any_state] = halves(any);
-    const Ints all_sides = halves(all).first;
+    const auto [any_side, any_state] = split_words(any);
+    const Ints all_sides = split_words(all).first;
     constexpr int not_finite = outcode::not_finite >> 6, unsnapped = outcode::unsnapped >> 6;
 
     // Each lane leaves at the first reason to.
@@ -232,7 +232,7 @@ private:
     const auto& [v0, v1, v2] = window.corner;
     const auto left = listed(box.left), right = listed(box.right);
     const auto top = listed(box.top), bottom = listed(box.bottom);
-    const auto z_least = refraster::listed(minimum(v0.z, minimum(v1.z, v2.z)));
+    const auto z_min = refraster::listed(min(v0.z, min(v1.z, v2.z)));
     SampleLanes samples;
     if (sets.small) samples = covered_samples(window, box, sets.small);
     const std::uint32_t covered = sets.small ? samples.covered : 0;
@@ -245,7 +245,7 @@ private:
         samples.covered = covered & 15u << 4 * lane;
         add_samples(samples, batch, output);
       } else {
-        add_box(number, {left[k], top[k], right[k], bottom[k]}, z_least[k], output.lists);
+        add_box(number, {left[k], top[k], right[k], bottom[k]}, z_min[k], output.lists);
       }
     });
   }
@@ -255,14 +255,14 @@ private:
   };
   // Lists a triangle with each tile that it may touch. Where the bounding box holds many tiles, its lines rule out
   // those beside a long thin triangle.
-  void add_box(std::uint32_t number, const Box& box, double z_least, TileLists::Run& lists) const {
+  void add_box(std::uint32_t number, const Box& box, double z_min, TileLists::Run& lists) const {
     const int left = box.left >> tile_shift_, right = box.right >> tile_shift_;
     const int top = box.top >> tile_shift_, bottom = box.bottom >> tile_shift_;
     const auto add = [&](int column, int row) {
       const int x = column << tile_shift_, y = row << tile_shift_, last = grid_.tile_size - 1;
       lists.add(index(column, row),
                 TileEntry::box(number, std::max(box.left - x, 0), std::max(box.top - y, 0),
-                               std::min(box.right - x, last), std::min(box.bottom - y, last), z_least));
+                               std::min(box.right - x, last), std::min(box.bottom - y, last), z_min));
     };
     if (left == right && top == bottom) return add(left, top);
     const bool many = (right - left) * (bottom - top) >= 2;
@@ -270,7 +270,7 @@ private:
         many ? set_up_snapped(window_corners(geometry_, triangle_ref(scene_, geometry_, number))) : std::nullopt;
     for (int row = top; row <= bottom; ++row)
       for (int column = left; column <= right; ++column)
-        if (!many || lines_touch(set_up->line, index(column, row))) add(column, row);
+        if (!many || lines_touch(set_up->edge, index(column, row))) add(column, row);
   }
 
   void add_projective(const Batch& batch, std::uint32_t number, const Output& output) const {
@@ -290,19 +290,19 @@ private:
       ++output.counts.drawn, ++output.counts.clipped;
       output.projective.push_back({number, *set_up});
       for (std::size_t tile = 0; tile < grid_.tiles(); ++tile)
-        if (lines_touch(set_up->piece[0].line, tile) ||
-            (set_up->pieces == 2 && lines_touch(set_up->piece[1].line, tile)))
+        if (lines_touch(set_up->piece[0].edge, tile) ||
+            (set_up->pieces == 2 && lines_touch(set_up->piece[1].edge, tile)))
           output.lists.add(tile, TileEntry::projective(number));
     }
   }
 
   template <class Lines>
-  bool lines_touch(const Lines& lines, std::size_t tile) const {
-    const Crop c = grid_.tile(tile);
+  bool lines_touch(const Lines& edges, std::size_t tile) const {
+    const PixelRect c = grid_.tile(tile);
     const std::int32_t x0 = c.x * subpixels + first_x_, x1 = (c.x + c.width - 1) * subpixels + last_x_;
     const std::int32_t y0 = c.y * subpixels + first_y_, y1 = (c.y + c.height - 1) * subpixels + last_y_;
-    return lines[0].most(x0, y0, x1, y1) >= 0 && lines[1].most(x0, y0, x1, y1) >= 0 &&
-           lines[2].most(x0, y0, x1, y1) >= 0;
+    return edges[0].most(x0, y0, x1, y1) >= 0 && edges[1].most(x0, y0, x1, y1) >= 0 &&
+           edges[2].most(x0, y0, x1, y1) >= 0;
   }
   std::size_t index(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
@@ -329,16 +329,16 @@ void add(FrameCounts& sum, const FrameCounts& part) {
 } // namespace
 
 void bin_triangles(const Scene& scene, const Geometry& geometry, const TileGrid& grid, int image_width,
-                   int image_height, std::span<const SamplePlace> samples, int threads, Bins& bins,
+                   int image_height, std::span<const SamplePosition> samples, int threads, Bins& bins,
                    FrameCounts& counts) {
   const Binner binner(scene, geometry, grid, image_width, image_height, samples);
   const std::uint32_t triangles = geometry.triangles();
   counts.triangles = triangles;
 
   // A few runs of consecutive triangles for each thread, since some take longer than others.
-  constexpr std::uint32_t least_run = 4096, runs_of_thread = 4;
-  const std::size_t most_runs = threads == 1 ? 1 : static_cast<std::size_t>(threads) * runs_of_thread;
-  const std::size_t runs = std::clamp<std::size_t>(triangles / least_run, 1, most_runs);
+  constexpr std::uint32_t min_run = 4096, runs_of_thread = 4;
+  const std::size_t max_runs = threads == 1 ? 1 : static_cast<std::size_t>(threads) * runs_of_thread;
+  const std::size_t runs = std::clamp<std::size_t>(triangles / min_run, 1, max_runs);
   const auto run_begin = [&](std::size_t run) {
     return static_cast<std::uint32_t>(static_cast<std::uint64_t>(triangles) * run / runs);
   };

@@ -1,5 +1,5 @@
 #pragma once
-// Which triangles each tile has to look at, in submission order.
+// Which triangles each tile has to test, in submission order.
 
 #include "raster/frame.h"
 #include "raster/samples.h"
@@ -20,7 +20,7 @@ struct TileGrid {
   int columns() const { return (width + tile_size - 1) / tile_size; }
   int rows() const { return (height + tile_size - 1) / tile_size; }
   std::size_t tiles() const { return static_cast<std::size_t>(columns()) * static_cast<std::size_t>(rows()); }
-  Crop tile(std::size_t index) const;
+  PixelRect tile(std::size_t index) const;
 };
 
 /// A triangle that needs projective set-up, with its number in the frame.
@@ -41,7 +41,7 @@ struct Bins {
 /// that it is quicker to find the samples they cover at once, it holds those samples. Memory: 16 bytes a list entry.
 /// `bins` may be those of another frame: their memory is used again.
 void bin_triangles(const Scene& scene, const Geometry& geometry, const TileGrid& grid, int image_width,
-                   int image_height, std::span<const SamplePlace> samples, int threads, Bins& bins,
+                   int image_height, std::span<const SamplePosition> samples, int threads, Bins& bins,
                    FrameCounts& counts);
 
 } // namespace refraster

@@ -10,7 +10,7 @@ DepthTile::DepthTile(int tile_size)
     : rows_(static_cast<std::size_t>(tile_size)), stride_(static_cast<std::size_t>(tile_size + lanes)),
       bound_((rows_ + block - 1) / block * stride_) {}
 
-void DepthTile::clear(const Crop& tile, std::size_t samples) {
+void DepthTile::clear(const PixelRect& tile, std::size_t samples) {
   height_ = tile.height, samples_ = samples;
   bounded_ = false;
   depth_.assign(samples * rows_ * stride_, beyond_far);
@@ -24,7 +24,7 @@ void DepthTile::refresh_bounds() {
       Row most(-1.0);
       for (std::size_t s = 0; s < samples_; ++s)
         for (int y = top; y < std::min(top + block, height_); ++y)
-          most = maximum(most, load_lanes<Row>(&depth_[at(static_cast<int>(s), 0, y) + x]));
+          most = max(most, load_lanes<Row>(&depth_[at(static_cast<int>(s), 0, y) + x]));
       store_lanes(&bound_[static_cast<std::size_t>(top / block) * stride_ + x], most);
     }
 }

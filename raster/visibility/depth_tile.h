@@ -14,7 +14,7 @@ namespace refraster {
 /// No triangle: the sample sees the background.
 inline constexpr std::int32_t nothing = -1;
 
-/// Triangles may come in any order: of equal depths the one with the least place is seen.
+/// Triangles may come in any order: of equal depths the one with the lowest slot is seen.
 class DepthTile {
 public:
   using Row = Native<double>; // as many neighbouring samples as a register holds
@@ -23,7 +23,7 @@ public:
   explicit DepthTile(int tile_size);
 
   /// Every sample sees nothing.
-  void clear(const Crop& tile, std::size_t samples);
+  void clear(const PixelRect& tile, std::size_t samples);
 
   /// Where sample `s` of the pixel (x, y) is, counted from the tile's corner. Its neighbours in the row follow, and
   /// after the row's last pixel there is room for a register, which may be written to and is never read.
@@ -34,10 +34,10 @@ public:
   std::int32_t nearest(std::size_t sample) const { return nearest_[sample]; }
   const std::int32_t* nearest_row(std::size_t sample) const { return &nearest_[sample]; }
 
-  void see(std::size_t sample, double z, std::int32_t place) {
-    if (z < depth_[sample] || (z == depth_[sample] && place < nearest_[sample])) {
+  void depth_test_and_write(std::size_t sample, double z, std::int32_t slot) {
+    if (z < depth_[sample] || (z == depth_[sample] && slot < nearest_[sample])) {
       depth_[sample] = z;
-      nearest_[sample] = place;
+      nearest_[sample] = slot;
     }
   }
   /// Samples of a row, from one of them on.
@@ -46,18 +46,18 @@ public:
     std::int32_t* nearest;
     Samples operator+(int pixels) const { return {depth + pixels, nearest + pixels}; }
     /// The same for a register of them, where `covered` is set.
-    void see(const Row& z, MaskOf<Row> covered, std::int32_t place) const;
+    void depth_test_and_write(const Row& z, MaskOf<Row> covered, std::int32_t slot) const;
   };
   Samples samples(std::size_t first) { return {&depth_[first], &nearest_[first]}; }
 
-  /// Looks at all depths: hides() knows of what was drawn before.
+  /// Updates the bounds: is_occluded() accounts for what was drawn before.
   void refresh_bounds();
   /// All samples of these pixels, ends included, are known to be nearer than z.
-  bool hides(int left, int top, int right, int bottom, double z) const;
+  bool is_occluded(int left, int top, int right, int bottom, double z) const;
 
 private:
   static constexpr int block = 8; // pixels, one above the other
-  using Places = VectorOf<std::int32_t, lanes>;
+  using Slots = VectorOf<std::int32_t, lanes>;
 
   const double* bound(int block_row, int x) const {
     return &bound_[static_cast<std::size_t>(block_row) * stride_ + static_cast<std::size_t>(x)];
@@ -71,25 +71,25 @@ private:
   std::vector<std::int32_t> nearest_;
 };
 
-inline void DepthTile::Samples::see(const Row& z, MaskOf<Row> covered, std::int32_t place) const {
+inline void DepthTile::Samples::depth_test_and_write(const Row& z, MaskOf<Row> covered, std::int32_t slot) const {
   const Row old = load_lanes<Row>(depth);
   auto seen = covered & (z < old);
   const auto tie = covered & (z == old);
   if (any(tie)) [[unlikely]] {
-    seen = seen | (tie & (Row(static_cast<double>(place)) < numbers<lanes>(load_lanes<Places>(nearest))));
+    seen = seen | (tie & (Row(static_cast<double>(slot)) < numbers<lanes>(load_lanes<Slots>(nearest))));
   }
   store_lanes(depth, select(seen, z, old));
 #if defined(__AVX512VL__)
   if constexpr (lanes == 8) {
-    _mm256_mask_storeu_epi32(nearest, static_cast<__mmask8>(lane_set(seen)), _mm256_set1_epi32(place));
+    _mm256_mask_storeu_epi32(nearest, static_cast<__mmask8>(lane_set(seen)), _mm256_set1_epi32(slot));
     return;
   }
 #endif
-  const Places where = __builtin_convertvector(lane_bits(seen), Places);
-  store_lanes(nearest, where ? place - Places{} : load_lanes<Places>(nearest));
+  const Slots where = __builtin_convertvector(lane_bits(seen), Slots);
+  store_lanes(nearest, where ? slot - Slots{} : load_lanes<Slots>(nearest));
 }
 
-inline bool DepthTile::hides(int left, int top, int right, int bottom, double z) const {
+inline bool DepthTile::is_occluded(int left, int top, int right, int bottom, double z) const {
   if (!bounded_) return false;
   for (int row = top / block; row <= bottom / block; ++row)
     for (int x = left; x <= right; x += lanes) {

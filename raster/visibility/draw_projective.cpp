@@ -19,30 +19,30 @@ constexpr int lanes = DepthTile::lanes;
 // goes through is of a number under 2^7 u: four of them are less than 2^-43 u = `doubt` in all. Where high + (low +
 // doubt) and high + (low - doubt) round to one number, so does the true value, which lies between: but for samples that
 // all but lie on the line. Those are looked at alone. If e = 0 there is no rest and no doubt.
-struct LineRow {
+struct EdgeRow {
   double high = 0, low = 0; // at the tile's left sample
 };
-struct TileLine {
-  ProjectiveLine line;
+struct TileEdge {
+  ProjectiveEdge edge;
   int e = 0;
   double u = 1, doubt = 0, least = 0; // covered where the value is greater than `least`; values are whole numbers
   double high_step = 0, low_step = 0; // by a pixel
 
   // x, y: the first sample; x_end, y_end: beyond the last one.
-  TileLine(const ProjectiveLine& of, std::int32_t x, std::int32_t y, std::int32_t x_end, std::int32_t y_end)
-      : line(of), least(of.owns_ties() ? -0.5 : 0.0) {
-    const Int128 most = std::max(line.most(x, y, x_end, y_end), (-line).most(x, y, x_end, y_end));
+  TileEdge(const ProjectiveEdge& of, std::int32_t x, std::int32_t y, std::int32_t x_end, std::int32_t y_end)
+      : edge(of), least(of.owns_ties() ? -0.5 : 0.0) {
+    const Int128 most = std::max(edge.most(x, y, x_end, y_end), (-edge).most(x, y, x_end, y_end));
     while ((most >> e) >= Int128{1} << 51) ++e;
     u = static_cast<double>(Int128{1} << e);
     doubt = e == 0 ? 0 : u * 0x1p-43;
-    const LineRow step = split(static_cast<Int128>(line.a) * subpixels);
+    const EdgeRow step = split(static_cast<Int128>(edge.a) * subpixels);
     high_step = step.high, low_step = step.low;
   }
 
-  LineRow row(std::int32_t x, std::int32_t y) const { return split(line.at(x, y)); }
+  EdgeRow row(std::int32_t x, std::int32_t y) const { return split(edge.at(x, y)); }
 
 private:
-  LineRow split(Int128 value) const {
+  EdgeRow split(Int128 value) const {
     const Int128 half = e == 0 ? Int128{0} : Int128{1} << (e - 1);
     const Int128 units = (value + half) >> e;
     return {static_cast<double>(static_cast<std::int64_t>(units)) * u,
@@ -50,25 +50,25 @@ private:
   }
 };
 
-void draw_piece(const ProjectivePiece& piece, std::int32_t place, const Crop& tile, SamplePlace sample, int s,
+void draw_piece(const ProjectivePiece& piece, std::int32_t slot, const PixelRect& tile, SamplePosition sample, int s,
                 DepthTile& depths) {
   const std::int32_t x_first = tile.x * subpixels + sample.x, y_first = tile.y * subpixels + sample.y;
-  const auto line = [&](std::size_t k) {
-    return TileLine(piece.line[k], x_first, y_first, x_first + (tile.width + lanes) * subpixels,
+  const auto edge = [&](std::size_t k) {
+    return TileEdge(piece.edge[k], x_first, y_first, x_first + (tile.width + lanes) * subpixels,
                     y_first + tile.height * subpixels);
   };
-  const std::array<TileLine, 3> lines{line(0), line(1), line(2)};
+  const std::array<TileEdge, 3> edges{edge(0), edge(1), edge(2)};
   for (int y = 0; y < tile.height; ++y) {
     const std::int32_t y_sample = y_first + y * subpixels;
-    std::array<LineRow, 3> row;
-    for (std::size_t k = 0; k < 3; ++k) row[k] = lines[k].row(x_first, y_sample);
+    std::array<EdgeRow, 3> row;
+    for (std::size_t k = 0; k < 3; ++k) row[k] = edges[k].row(x_first, y_sample);
     const DepthTile::Samples samples = depths.samples(depths.at(s, 0, y));
     for (int x = 0; x < tile.width; x += lanes) {
       const Row pixel = lane_numbers<double, lanes>() + Row(static_cast<double>(x));
       std::array<Row, 3> value;
       auto covered = pixel < Row(static_cast<double>(tile.width)), sure = covered;
       for (std::size_t k = 0; k < 3; ++k) {
-        const TileLine& l = lines[k];
+        const TileEdge& l = edges[k];
         const Row high = Row(row[k].high) + pixel * Row(l.high_step), low = Row(row[k].low) + pixel * Row(l.low_step);
         value[k] = high + (low + Row(l.doubt));
         sure = sure & (value[k] == high + (low - Row(l.doubt)));
@@ -84,14 +84,14 @@ void draw_piece(const ProjectivePiece& piece, std::int32_t place, const Crop& ti
           w_sum += nu * Row(piece.w[k]);
         }
         const Row z = z_sum / w_sum;
-        (samples + x).see(z, covered & sure & (z >= Row(-1.0)), place);
+        (samples + x).depth_test_and_write(z, covered & sure & (z >= Row(-1.0)), slot);
       }
       if (unsure) [[unlikely]] {
         for (int lane = 0; lane < lanes; ++lane) {
           const std::int32_t x_sample = x_first + (x + lane) * subpixels;
           if (!(unsure >> lane & 1) || !piece.covers(x_sample, y_sample)) continue;
           const double z = piece.depth(x_sample, y_sample);
-          if (z >= -1) depths.see(depths.at(s, x + lane, y), z, place);
+          if (z >= -1) depths.depth_test_and_write(depths.at(s, x + lane, y), z, slot);
         }
       }
     }
@@ -100,11 +100,11 @@ void draw_piece(const ProjectivePiece& piece, std::int32_t place, const Crop& ti
 
 } // namespace
 
-void draw_projective(const ProjectiveTriangle& triangle, std::int32_t place, const Crop& tile,
-                     std::span<const SamplePlace> samples, DepthTile& depths) {
+void draw_projective(const ProjectiveTriangle& triangle, std::int32_t slot, const PixelRect& tile,
+                     std::span<const SamplePosition> samples, DepthTile& depths) {
   for (std::size_t s = 0; s < samples.size(); ++s)
     for (std::size_t i = 0; i < static_cast<std::size_t>(triangle.pieces); ++i)
-      draw_piece(triangle.piece[i], place, tile, samples[s], static_cast<int>(s), depths);
+      draw_piece(triangle.piece[i], slot, tile, samples[s], static_cast<int>(s), depths);
 }
 
 } // namespace refraster

@@ -10,7 +10,7 @@
 namespace refraster {
 
 /// A register of samples at a time, with the bits of ProjectivePiece::covers and ProjectivePiece::depth.
-void draw_projective(const ProjectiveTriangle& triangle, std::int32_t place, const Crop& tile,
-                     std::span<const SamplePlace> samples, DepthTile& depths);
+void draw_projective(const ProjectiveTriangle& triangle, std::int32_t slot, const PixelRect& tile,
+                     std::span<const SamplePosition> samples, DepthTile& depths);
 
 } // namespace refraster

@@ -8,7 +8,7 @@ namespace refraster {
 
 namespace {
 
-constexpr int lanes = SnappedDrawer::lanes;
+constexpr int lanes = SnappedRasterizer::lanes;
 using Row = DepthTile::Row;
 using Ints = VectorOf<std::int32_t, lanes>;
 
@@ -26,19 +26,20 @@ struct RowWalk {
 
   // Draws the register, and goes on to the next.
   template <class Clip>
-  void draw(const DepthTile::Samples& samples, std::int32_t place, const Clip& clip) {
+  void draw(const DepthTile::Samples& samples, std::int32_t slot, const Clip& clip) {
     // The same operations as SnappedTriangle::depth.
-    const Row z = minimum(maximum(z0 + e[1] * slope1 + e[2] * slope2, z_min), z_max);
+    const Row z = min(max(z0 + e[1] * slope1 + e[2] * slope2, z_min), z_max);
     const auto covered = (e[0] > least[0]) & (e[1] > least[1]) & (e[2] > least[2]);
-    samples.see(z, clip(covered, z), place);
+    samples.depth_test_and_write(z, clip(covered, z), slot);
     for (std::size_t k = 0; k < 3; ++k) e[k] += step[k];
   }
 };
 
 } // namespace
 
-[[gnu::flatten]] double SnappedDrawer::draw(std::span<const PlacedTriangle> triangles, const Geometry& geometry,
-                                            const Crop& tile, std::span<const SamplePlace> samples, DepthTile& depths) {
+[[gnu::flatten]] double SnappedRasterizer::draw(std::span<const PlacedTriangle> triangles, const Geometry& geometry,
+                                                const PixelRect& tile, std::span<const SamplePosition> samples,
+                                                DepthTile& depths) {
   const std::size_t count = triangles.size();
   const auto corner = [&](std::size_t k) {
     return gather_corners<lanes>([&](int lane) -> const PlacedVertex& {
@@ -47,7 +48,7 @@ struct RowWalk {
   };
   const CornerLanes<lanes> v0 = corner(0), v1 = corner(1), v2 = corner(2);
   const SnappedLanes<lanes> t = set_up_lanes(v0, v1, v2);
-  for (std::size_t lane = 0; lane < count; ++lane) ready_.place[lane] = triangles[lane].place;
+  for (std::size_t lane = 0; lane < count; ++lane) ready_.slot[lane] = triangles[lane].slot;
   const Row pixel(double{subpixels});
   const std::array<Row, 3> right_step{t.a0() * pixel, t.a1 * pixel, t.a2 * pixel};
   const std::array<Row, 3> down_step{t.b0() * pixel, t.b1 * pixel, t.b2 * pixel};
@@ -73,7 +74,7 @@ struct RowWalk {
   };
   double area = 0;
   for (std::size_t s = 0; s < samples.size(); ++s) {
-    const SamplePlace sample = samples[s];
+    const SamplePosition sample = samples[s];
     const Ints left = first(x_min, sample.x, tile.x), right = last(x_max, sample.x, tile.x, tile.width);
     const Ints top = first(y_min, sample.y, tile.y), bottom = last(y_max, sample.y, tile.y, tile.height);
     const auto subpixel = [](const Ints& p, int begin, int offset) {
@@ -96,9 +97,9 @@ struct RowWalk {
       const Row pixels(1.0 / (subpixels * subpixels));
       const Row box = numbers<lanes>(x_max - x_min) * numbers<lanes>(y_max - y_min) * pixels;
       const Row in_tile = numbers<lanes>(right - left + 1) * numbers<lanes>(bottom - top + 1);
-      const Row share = minimum(in_tile / box, Row(1.0));
-      const Row covered = t.size * pixels * Row(0.5) * share * (Row(2.0) - share);
-      area = sum(maximum(minimum(covered, in_tile), Row(0.0)), count);
+      const Row fraction = min(in_tile / box, Row(1.0));
+      const Row covered = t.size * pixels * Row(0.5) * fraction * (Row(2.0) - fraction);
+      area = sum(max(min(covered, in_tile), Row(0.0)), count);
     }
     for (std::size_t lane = 0; lane < count; ++lane)
       if (ready_.left[lane] <= ready_.right[lane]) draw_one(lane, static_cast<int>(s), depths);
@@ -106,7 +107,7 @@ struct RowWalk {
   return area;
 }
 
-void SnappedDrawer::draw_one(std::size_t lane, int s, DepthTile& depths) {
+void SnappedRasterizer::draw_one(std::size_t lane, int s, DepthTile& depths) {
   RowWalk walk;
   std::array<Row, 3> in_register;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -116,7 +117,7 @@ void SnappedDrawer::draw_one(std::size_t lane, int s, DepthTile& depths) {
   }
   walk.z0 = Row(ready_.z0[lane]), walk.slope1 = Row(ready_.slope1[lane]), walk.slope2 = Row(ready_.slope2[lane]);
   walk.z_min = Row(ready_.z_min[lane]), walk.z_max = Row(ready_.z_max[lane]);
-  const std::int32_t place = ready_.place[lane];
+  const std::int32_t slot = ready_.slot[lane];
   const int left = ready_.left[lane], top = ready_.top[lane];
   const int width = ready_.right[lane] - left + 1, rows = ready_.bottom[lane] - top + 1;
 
@@ -127,7 +128,7 @@ void SnappedDrawer::draw_one(std::size_t lane, int s, DepthTile& depths) {
         walk.e[k] = Row(ready_.start[k][lane]) + in_register[k];
         walk.step[k] = Row(ready_.down_step[k][lane]);
       }
-      for (int row = 0; row < rows; ++row) walk.draw(row_of(row), place, clip);
+      for (int row = 0; row < rows; ++row) walk.draw(row_of(row), slot, clip);
       return;
     }
     const auto of_lane = [lane](const std::array<Each<double>, 3>& values) {
@@ -144,18 +145,18 @@ void SnappedDrawer::draw_one(std::size_t lane, int s, DepthTile& depths) {
         begin_at(row);
         const DepthTile::Samples samples = row_of(row);
         const int last = spans_.last(row);
-        for (int x = spans_.first(row); x <= last; x += lanes) walk.draw(samples + x, place, clip);
+        for (int x = spans_.first(row); x <= last; x += lanes) walk.draw(samples + x, slot, clip);
       }
       return;
     }
     // Whether a row needs a second step differs from row to row as if at random, and a branch for it would be guessed
     // wrongly half of the time: first every row has one step, and then those have more that need it.
-    std::array<std::uint8_t, RowSpans::most_rows> long_row;
+    std::array<std::uint8_t, RowSpans::max_rows> long_row;
     std::size_t long_rows = 0;
     for (int row = 0; row < rows; ++row) {
       const int x = spans_.first(row);
       begin_at(row);
-      walk.draw(row_of(row) + x, place, clip);
+      walk.draw(row_of(row) + x, slot, clip);
       long_row[long_rows] = static_cast<std::uint8_t>(row);
       long_rows += x + lanes <= spans_.last(row);
     }
@@ -164,7 +165,7 @@ void SnappedDrawer::draw_one(std::size_t lane, int s, DepthTile& depths) {
       const DepthTile::Samples samples = row_of(row);
       begin_at(row);
       for (std::size_t k = 0; k < 3; ++k) walk.e[k] += walk.step[k];
-      for (int x = spans_.first(row) + lanes; x <= last; x += lanes) walk.draw(samples + x, place, clip);
+      for (int x = spans_.first(row) + lanes; x <= last; x += lanes) walk.draw(samples + x, slot, clip);
     }
   };
   if (ready_.z_min[lane] < -1) // cut by the near plane

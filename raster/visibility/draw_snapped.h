@@ -13,20 +13,20 @@
 
 namespace refraster {
 
-/// Where a triangle comes from, and the place it has among those that the tile may see.
+/// Where a triangle comes from, and the slot it has among those that the tile may see.
 struct PlacedTriangle {
   std::uint32_t vertex[3]; // in Geometry::window
-  std::int32_t place;
+  std::int32_t slot;
 };
 
-class SnappedDrawer {
+class SnappedRasterizer {
 public:
   static constexpr int lanes = DepthTile::lanes;
 
   /// Draws as many triangles as a register holds, or fewer: all have area. Returns how many pixels they cover, at most
   /// and about.
-  double draw(std::span<const PlacedTriangle> triangles, const Geometry& geometry, const Crop& tile,
-              std::span<const SamplePlace> samples, DepthTile& depths);
+  double draw(std::span<const PlacedTriangle> triangles, const Geometry& geometry, const PixelRect& tile,
+              std::span<const SamplePosition> samples, DepthTile& depths);
 
 private:
   using Row = DepthTile::Row;
@@ -34,7 +34,7 @@ private:
   template <class Number>
   using Each = std::array<Number, lanes>;
   struct Prepared {
-    Each<std::int32_t> place, left, top, right, bottom;              // pixels of the tile
+    Each<std::int32_t> slot, left, top, right, bottom;               // pixels of the tile
     std::array<Each<double>, 3> start, right_step, down_step, least; // of the three lines; by a pixel
     Each<double> z0, slope1, slope2, z_min, z_max;
     std::array<Each<double>, 4> edge, slope; // see SpanEdges: two to the left, two to the right

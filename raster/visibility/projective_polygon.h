@@ -34,9 +34,9 @@ inline Binary binary(double x) {
 /// 2^n x without libm, for |n| <= 2000: exact unless the result is subnormal.
 inline double times_power_of_two(double x, int n) {
   const auto power = [](int e) { return std::bit_cast<double>(static_cast<std::uint64_t>(e + 1023) << 52); };
-  for (; n < -1000; n += 1000) x *= power(-1000);
-  for (; n > 1000; n -= 1000) x *= power(1000);
-  return x * power(n);
+  for (; n < -1000; n += 1000) x *= pow(-1000);
+  for (; n > 1000; n -= 1000) x *= pow(1000);
+  return x * pow(n);
 }
 
 inline int bit_length(const Integer& x) {
@@ -83,7 +83,7 @@ struct Vertex {
   const WindowVertex* lattice = nullptr; // null if not on the lattice
   double factor = 1;                     // from the point, without its exponent, to clip coordinates
   double z_clip = 0, w_clip = 0;
-  std::array<Integer, 3> share{}; // of the corners: the true ones times 2^share_bits
+  std::array<Integer, 3> fraction{}; // of the corners: the true ones times 2^share_bits
   int share_bits = 0;
 };
 
@@ -100,7 +100,7 @@ inline Vertex window_point(const ExactClip& clip, int width, int height) {
 struct ExactLine {
   Integer a, b, c;
 };
-inline ExactLine line_through(const Vertex& p, const Vertex& q) {
+inline ExactLine edge_through(const Vertex& p, const Vertex& q) {
   return {p.y * q.w - p.w * q.y, p.w * q.x - p.x * q.w, p.x * q.y - p.y * q.x};
 }
 
@@ -132,7 +132,7 @@ private:
                                                         : Vertex{vertex.x, vertex.y, 1, 0, &vertex};
     result.factor = vertex.outcode & outcode::unsnapped ? 1.0 : vertex.inverse_w;
     result.z_clip = clip_[k].z, result.w_clip = clip_[k].w;
-    result.share[k] = 1;
+    result.fraction[k] = 1;
     return result;
   }
 
@@ -150,7 +150,7 @@ private:
                           a_part * a.w + b_part * b.w, exponent - bits};
     Vertex result = window_point(point, shape_.width, shape_.height);
     result.z_clip = to_double(point.z, point.exponent), result.w_clip = to_double(point.w, point.exponent);
-    result.share[front] = a_part, result.share[back] = b_part;
+    result.fraction[front] = a_part, result.fraction[back] = b_part;
     result.share_bits = bits;
     return result;
   }

@@ -57,7 +57,7 @@ struct SpanBounds {
 /// The spans of one triangle, and its lines' values at their first pixels.
 class RowSpans {
 public:
-  static constexpr int most_rows = 128;
+  static constexpr int max_rows = 128;
 
   /// `rows` rows of `width` pixels. The lines' values are exact.
   template <int N>
@@ -69,13 +69,13 @@ public:
     T r = lane_numbers<double, N>();
     for (int row = 0; row < rows; row += N, r += T(double{N})) {
       const auto at = [&](const SpanBounds::Edge& e) { return T(e.edge) + r * T(e.slope); };
-      const T from = maximum(at(bounds.left[0]), at(bounds.left[1]));
-      const T to = minimum(at(bounds.right[0]), at(bounds.right[1]));
+      const T from = max(at(bounds.left[0]), at(bounds.left[1]));
+      const T to = min(at(bounds.right[0]), at(bounds.right[1]));
       // Rounded up and down by cutting off; within the row they are not negative.
-      const auto first = integers(minimum(maximum(from + T(1 - slack), T(0.0)), last_pixel + T(1.0)));
+      const auto first = integers(min(max(from + T(1 - slack), T(0.0)), last_pixel + T(1.0)));
       const auto place = static_cast<std::size_t>(row);
       store_lanes(&first_[place], first);
-      store_lanes(&last_[place], integers(minimum(maximum(to + T(slack), T(-1.0)), last_pixel)));
+      store_lanes(&last_[place], integers(min(max(to + T(slack), T(-1.0)), last_pixel)));
       const T x = numbers<N>(first);
       for (std::size_t k = 0; k < 3; ++k)
         store_lanes(&value_[k][place], T(start[k]) + r * T(down[k]) + x * T(right[k]));
@@ -84,10 +84,10 @@ public:
 
   int first(int row) const { return first_[static_cast<std::size_t>(row)]; }
   int last(int row) const { return last_[static_cast<std::size_t>(row)]; }
-  double value(std::size_t line, int row) const { return value_[line][static_cast<std::size_t>(row)]; }
+  double value(std::size_t edge, int row) const { return value_[edge][static_cast<std::size_t>(row)]; }
 
 private:
-  static constexpr std::size_t room = most_rows + 8; // for a whole register after the last row
+  static constexpr std::size_t room = max_rows + 8; // for a whole register after the last row
   std::array<std::int32_t, room> first_, last_;
   std::array<std::array<double, room>, 3> value_;
 };

@@ -19,22 +19,22 @@ enum class Facing { front, back }; // front: its corners run counter-clockwise i
 /// The corners are taken in an order that depends on their places only, so that the same triangle submitted with its
 /// vertices rotated or reversed has the same depth and the same attributes at every sample, bit for bit.
 struct SnappedTriangle {
-  std::array<SnappedLine, 3> line;      // line[k] is opposite corner[k], positive inside
+  std::array<SnappedEdge, 3> edge;      // edge[k] is opposite corner[k], positive inside
   std::array<std::uint8_t, 3> corner{}; // which submitted vertex stands at each place
   Facing facing = Facing::front;
-  // z / w at a sample = z0 + line[1].at(sample) slope1 + line[2].at(sample) slope2, kept within [z_min, z_max].
+  // z / w at a sample = z0 + edge[1].at(sample) slope1 + edge[2].at(sample) slope2, kept within [z_min, z_max].
   double z0 = 0, slope1 = 0, slope2 = 0, z_min = 0, z_max = 0;
   std::int32_t x_min = 0, x_max = 0, y_min = 0, y_max = 0; // bounding box, subpixels
 
   double depth(std::int32_t x, std::int32_t y) const {
     const double z =
-        z0 + static_cast<double>(line[1].at(x, y)) * slope1 + static_cast<double>(line[2].at(x, y)) * slope2;
+        z0 + static_cast<double>(edge[1].at(x, y)) * slope1 + static_cast<double>(edge[2].at(x, y)) * slope2;
     return z < z_min ? z_min : z > z_max ? z_max : z;
   }
 };
 
 /// The weights of perspective interpolation, from 1 / w > 0 of the corners: attribute f at a sample = sum of mu_k f_k /
-/// sum of mu_k with mu_k = line[k].at(sample) weight[k]. 0 < weight <= 1.
+/// sum of mu_k with mu_k = edge[k].at(sample) weight[k]. 0 < weight <= 1.
 inline std::array<double, 3> perspective_weights(const std::array<double, 3>& inverse_w) {
   const double nearest = std::max(inverse_w[0], std::max(inverse_w[1], inverse_w[2]));
   return {inverse_w[0] / nearest, inverse_w[1] / nearest, inverse_w[2] / nearest};
@@ -46,12 +46,12 @@ inline std::array<double, 3> perspective_weights(const std::array<double, 3>& in
 /// on the lattice. A sample p is covered where p = sum of lambda_k (X : Y : W)_k with all lambda_k >= 0. Olano and
 /// Greer, "Triangle scan conversion using 2D homogeneous coordinates", 1997.
 struct ProjectivePiece {
-  std::array<ProjectiveLine, 3> line; // line[k] is opposite vertex k, positive inside
+  std::array<ProjectiveEdge, 3> edge; // edge[k] is opposite vertex k, positive inside
   Facing facing = Facing::front;
   std::array<double, 3>
-      weight{}; // nu_k = line[k].at(sample) weight[k]: the sample's clip point is the sum of nu_k vertex_k
-  std::array<double, 3> z{}, w{};               // clip coordinates of the vertices
-  std::array<std::array<double, 3>, 3> share{}; // vertex k is the sum of share[k][c] corner_c; none is negative
+      weight{}; // nu_k = edge[k].at(sample) weight[k]: the sample's clip point is the sum of nu_k vertex_k
+  std::array<double, 3> z{}, w{};                  // clip coordinates of the vertices
+  std::array<std::array<double, 3>, 3> fraction{}; // vertex k is the sum of fraction[k][c] corner_c; none is negative
 
   bool covers(std::int32_t x, std::int32_t y) const;
   /// z / w at a sample. Not in [-1, 1] where a depth plane cuts it off.

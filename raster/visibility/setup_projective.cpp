@@ -6,26 +6,26 @@ namespace {
 
 using namespace projective;
 
-struct CutLine {
-  ProjectiveLine line;
+struct CutEdge {
+  ProjectiveEdge edge;
   int shift = 0; // the exact line is 2^shift times this, up to the cut
 };
 
-CutLine cut_line(const Vertex& p, const Vertex& q) {
-  const auto [a, b, c] = line_through(p, q);
-  CutLine result;
+CutEdge cut_edge(const Vertex& p, const Vertex& q) {
+  const auto [a, b, c] = edge_through(p, q);
+  CutEdge result;
   result.shift = std::max({bit_length(a) - 61, bit_length(b) - 61, bit_length(c) - 110, 0});
-  ProjectiveLine& line = result.line;
-  line.a = cut<std::int64_t>(a, result.shift);
-  line.b = cut<std::int64_t>(b, result.shift);
+  ProjectiveEdge& edge = result.edge;
+  edge.a = cut<std::int64_t>(a, result.shift);
+  edge.b = cut<std::int64_t>(b, result.shift);
   // An end on the lattice stays exactly on the line: around such a vertex, which may be in view, the triangles of a fan
   // must still own every sample once. An end off the lattice is out of view, where a difference of 2^-61 harms nobody.
   const auto through = [&](const WindowVertex& v) {
-    return -(static_cast<Int128>(line.a) * v.x + static_cast<Int128>(line.b) * v.y);
+    return -(static_cast<Int128>(edge.a) * v.x + static_cast<Int128>(edge.b) * v.y);
   };
-  if (p.lattice) line.c = through(*p.lattice);
-  else if (q.lattice) line.c = through(*q.lattice);
-  else line.c = cut<Int128>(c, result.shift);
+  if (p.lattice) edge.c = through(*p.lattice);
+  else if (q.lattice) edge.c = through(*q.lattice);
+  else edge.c = cut<Int128>(c, result.shift);
   return result;
 }
 
@@ -38,12 +38,12 @@ std::optional<ProjectivePiece> piece_of(const std::array<const Vertex*, 3>& poin
 
   std::array<int, 3> exponent{};
   for (std::size_t k = 0; k < 3; ++k) {
-    const CutLine cut = cut_line(*point[(k + 1) % 3], *point[(k + 2) % 3]);
-    piece.line[k] = determinant > 0 ? cut.line : -cut.line;
+    const CutEdge cut = cut_edge(*point[(k + 1) % 3], *point[(k + 2) % 3]);
+    piece.edge[k] = determinant > 0 ? cut.edge : -cut.edge;
     exponent[k] = cut.shift - point[k]->exponent;
     piece.z[k] = point[k]->z_clip;
     piece.w[k] = point[k]->w_clip;
-    for (std::size_t c = 0; c < 3; ++c) piece.share[k][c] = to_double(point[k]->share[c], -point[k]->share_bits);
+    for (std::size_t c = 0; c < 3; ++c) piece.fraction[k][c] = to_double(point[k]->fraction[c], -point[k]->share_bits);
   }
   // p = sum of lambda_k point_k, and point_k = (1 / w_k or 2^-exponent_k) times the clip point. So the clip point of
   // p is the sum of nu_k clip_k with nu_k = lambda_k times that factor, up to one factor common to all three.
@@ -73,13 +73,13 @@ std::optional<ProjectiveTriangle> set_up_projective(const std::array<WindowVerte
 }
 
 bool ProjectivePiece::covers(std::int32_t x, std::int32_t y) const {
-  return line[0].covers(x, y) && line[1].covers(x, y) && line[2].covers(x, y);
+  return edge[0].covers(x, y) && edge[1].covers(x, y) && edge[2].covers(x, y);
 }
 
 double ProjectivePiece::depth(std::int32_t x, std::int32_t y) const {
   double z_sum = 0, w_sum = 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    const double nu = static_cast<double>(line[k].at(x, y)) * weight[k];
+    const double nu = static_cast<double>(edge[k].at(x, y)) * weight[k];
     z_sum += nu * z[k];
     w_sum += nu * w[k];
   }

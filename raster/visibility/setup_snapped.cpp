@@ -27,9 +27,9 @@ std::optional<SnappedTriangle> set_up_snapped(const std::array<WindowVertex, 3>&
 
   for (std::size_t k = 0; k < 3; ++k) {
     const WindowVertex &p = v[corner[(k + 1) % 3]], &q = v[corner[(k + 2) % 3]];
-    SnappedLine line{p.y - q.y, q.x - p.x, 0};
-    line.c = -(line.a * p.x + line.b * p.y);
-    triangle.line[k] = area > 0 ? line : -line;
+    SnappedEdge edge{p.y - q.y, q.x - p.x, 0};
+    edge.c = -(edge.a * p.x + edge.b * p.y);
+    triangle.edge[k] = area > 0 ? edge : -edge;
   }
 
   const double size = static_cast<double>(area > 0 ? area : -area);

@@ -27,7 +27,7 @@ SmallCoverage<N> cover_small(const SnappedLanes<N>& t, const Wide<double, N>& x,
   const auto cover = [&](std::size_t i, const T& e1, const T& e2) {
     const T e0 = t.size - e1 - e2;
     // The same operations as SnappedTriangle::depth.
-    const T z = minimum(maximum(t.z0 + e1 * t.slope1 + e2 * t.slope2, t.z_min), t.z_max);
+    const T z = min(max(t.z0 + e1 * t.slope1 + e2 * t.slope2, t.z_min), t.z_max);
     result.z[i] = z;
     result.lanes[i] =
         lane_set((e0 > t.least[0]) & (e1 > t.least[1]) & (e2 > t.least[2]) & (z >= T(-1.0)) & (z < T(beyond_far)));

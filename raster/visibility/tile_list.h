@@ -20,8 +20,8 @@ struct TileEntry {
   double z;               // sample: depth there; box: the least of the corners' depths
 
   /// A triangle on the lattice that may cover samples of these pixels, ends included.
-  static TileEntry box(std::uint32_t triangle, int left, int top, int right, int bottom, double z_least) {
-    return {triangle, bytes(left, top, right, bottom), z_least};
+  static TileEntry box(std::uint32_t triangle, int left, int top, int right, int bottom, double z_min) {
+    return {triangle, bytes(left, top, right, bottom), z_min};
   }
   /// A triangle that needs projective set-up.
   static TileEntry projective(std::uint32_t triangle) { return {triangle, bytes(0, 0, projective_mark, 0), 0}; }

@@ -9,7 +9,7 @@
 namespace refraster {
 
 void TileVisibility::decide(const Scene& scene, const Geometry& geometry, const Bins& bins, std::size_t index,
-                            const Crop& tile, std::span<const SamplePlace> samples) {
+                            const PixelRect& tile, std::span<const SamplePosition> samples) {
   tile_ = tile;
   samples_ = samples;
   depths_.clear(tile, samples.size());
@@ -27,14 +27,14 @@ void TileVisibility::read(const Bins& bins, std::size_t index) {
       switch (entry.kind()) {
       case TileEntry::Kind::sample: {
         const std::size_t sample = depths_.at(entry.s(), entry.x(), entry.y());
-        if (entry.z <= depths_.depth(sample)) depths_.see(sample, entry.z, place_of(entry.triangle));
+        if (entry.z <= depths_.depth(sample)) depths_.depth_test_and_write(sample, entry.z, slot_of(entry.triangle));
         break;
       }
       case TileEntry::Kind::box:
-        if (entry.z < beyond_far) boxed_.push_back({entry, place_of(entry.triangle)});
+        if (entry.z < beyond_far) boxed_.push_back({entry, slot_of(entry.triangle)});
         break;
       case TileEntry::Kind::projective:
-        draw_projective(bins.projective_triangle(entry.triangle), place_of(entry.triangle), tile_, samples_, depths_);
+        draw_projective(bins.projective_triangle(entry.triangle), slot_of(entry.triangle), tile_, samples_, depths_);
         break;
       }
     }
@@ -43,29 +43,29 @@ void TileVisibility::read(const Bins& bins, std::size_t index) {
 
 // From front to back, more or less: the nearer triangles come first, the more of those behind need not be drawn at all.
 void TileVisibility::sort_boxed() {
-  constexpr std::size_t drawers = 32;
-  const auto depth = [](const Boxed& boxed) { return minimum(maximum(boxed.entry.z, -1.0), 1.0); };
+  constexpr std::size_t buckets = 32;
+  const auto depth = [](const Boxed& boxed) { return min(max(boxed.entry.z, -1.0), 1.0); };
   double nearest = 1, farthest = -1;
   for (const Boxed& boxed : boxed_) {
-    nearest = minimum(depth(boxed), nearest);
-    farthest = maximum(depth(boxed), farthest);
+    nearest = min(depth(boxed), nearest);
+    farthest = max(depth(boxed), farthest);
   }
   if (!(farthest - nearest >= 0x1p-1000)) return; // the same depth; or so near it that the scale would be infinite
-  const double scale = (drawers - 0.5) / (farthest - nearest);
-  const auto drawer_of = [&](const Boxed& boxed) {
-    return std::min(static_cast<std::size_t>((depth(boxed) - nearest) * scale), drawers - 1);
+  const double scale = (buckets - 0.5) / (farthest - nearest);
+  const auto bucket_of = [&](const Boxed& boxed) {
+    return std::min(static_cast<std::size_t>((depth(boxed) - nearest) * scale), buckets - 1);
   };
-  std::array<std::size_t, drawers> next{};
-  for (const Boxed& boxed : boxed_) ++next[drawer_of(boxed)];
+  std::array<std::size_t, buckets> next{};
+  for (const Boxed& boxed : boxed_) ++next[bucket_of(boxed)];
   std::size_t begin = 0;
   for (std::size_t& n : next) begin += std::exchange(n, begin);
   sorted_.resize(boxed_.size());
-  for (const Boxed& boxed : boxed_) sorted_[next[drawer_of(boxed)]++] = boxed;
+  for (const Boxed& boxed : boxed_) sorted_[next[bucket_of(boxed)]++] = boxed;
   boxed_.swap(sorted_);
 }
 
 void TileVisibility::draw_boxed(const Scene& scene, const Geometry& geometry) {
-  std::array<PlacedTriangle, SnappedDrawer::lanes> together;
+  std::array<PlacedTriangle, SnappedRasterizer::lanes> together;
   std::size_t count = 0;
   // Once as much has been drawn as covers the tile, it is worth while to look how deep it is everywhere: before large
   // triangles wait for each other.
@@ -73,7 +73,7 @@ void TileVisibility::draw_boxed(const Scene& scene, const Geometry& geometry) {
   double drawn = 0, waiting = 0; // pixels: covered, about; in the boxes of triangles that wait
   TriangleFinder finder(scene, geometry);
   const auto draw_together = [&] {
-    drawn += drawer_.draw({together.data(), count}, geometry, tile_, samples_, depths_);
+    drawn += rasterizer_.draw({together.data(), count}, geometry, tile_, samples_, depths_);
     count = 0;
     waiting = 0;
     if (drawn < enough) return;
@@ -82,9 +82,9 @@ void TileVisibility::draw_boxed(const Scene& scene, const Geometry& geometry) {
   };
   for (const Boxed& boxed : boxed_) {
     const TileEntry& entry = boxed.entry;
-    if (depths_.hides(entry.left(), entry.top(), entry.right(), entry.bottom(), entry.z)) continue;
+    if (depths_.is_occluded(entry.left(), entry.top(), entry.right(), entry.bottom(), entry.z)) continue;
     const TriangleRef ref = finder.at(entry.triangle);
-    together[count++] = {{ref.vertex[0], ref.vertex[1], ref.vertex[2]}, boxed.place};
+    together[count++] = {{ref.vertex[0], ref.vertex[1], ref.vertex[2]}, boxed.slot};
     waiting += (entry.right() - entry.left() + 1) * (entry.bottom() - entry.top() + 1);
     if (count == together.size() || waiting >= enough) draw_together();
   }

@@ -1,5 +1,5 @@
 #pragma once
-// Which triangle each sample of a tile sees: exact coverage, then depth. No number type of any rung is involved.
+// Which triangle each sample of a tile sees: exact coverage, then depth. No number type of any precision is involved.
 
 #include "raster/visibility/bin.h"
 #include "raster/visibility/draw_snapped.h"
@@ -17,12 +17,12 @@ public:
 
   /// Decides every sample of a tile: number `index` of the grid that was binned, with the pixels `tile`. Depth test
   /// LESS: of equal depths the first submitted stays. Depth outside [-1, 1] is not drawn; both ends are.
-  void decide(const Scene& scene, const Geometry& geometry, const Bins& bins, std::size_t index, const Crop& tile,
-              std::span<const SamplePlace> samples);
+  void decide(const Scene& scene, const Geometry& geometry, const Bins& bins, std::size_t index, const PixelRect& tile,
+              std::span<const SamplePosition> samples);
 
   /// The numbers of the triangles that samples may refer to, in submission order.
   std::span<const std::uint32_t> triangles() const { return triangles_; }
-  /// The triangle seen by sample `s` of the pixel (x, y), counted from the tile's corner: its place in triangles(), or
+  /// The triangle seen by sample `s` of the pixel (x, y), counted from the tile's corner: its slot in triangles(), or
   /// `nothing`.
   std::int32_t nearest(int s, int x, int y) const { return depths_.nearest(depths_.at(s, x, y)); }
   /// The same for a whole row of the tile.
@@ -34,10 +34,10 @@ private:
   // A triangle whose bounding box is to be searched.
   struct Boxed {
     TileEntry entry;
-    std::int32_t place;
+    std::int32_t slot;
   };
   // Triangles come in submission order, each perhaps several times in a row.
-  std::int32_t place_of(std::uint32_t triangle) {
+  std::int32_t slot_of(std::uint32_t triangle) {
     if (triangles_.empty() || triangles_.back() != triangle) triangles_.push_back(triangle);
     return static_cast<std::int32_t>(triangles_.size() - 1);
   }
@@ -46,11 +46,11 @@ private:
   void draw_boxed(const Scene& scene, const Geometry& geometry);
 
   DepthTile depths_;
-  SnappedDrawer drawer_;
+  SnappedRasterizer rasterizer_;
   std::vector<std::uint32_t> triangles_;
   std::vector<Boxed> boxed_, sorted_;
-  Crop tile_;
-  std::span<const SamplePlace> samples_;
+  PixelRect tile_;
+  std::span<const SamplePosition> samples_;
 };
 
 } // namespace refraster

@@ -11,7 +11,7 @@ namespace refraster {
 
 /// The same in all directions: albedo / pi.
 struct Lambert {
-  Double3 albedo{0.5}; // share of the light that is reflected, each channel in [0, 1]
+  Double3 albedo{0.5}; // fraction of the light that is reflected, each channel in [0, 1]
 
   template <Number T>
   Rgb<T> operator()(const Vec3<T>&, const Vec3<T>&, const Vec3<T>&) const {
@@ -34,13 +34,13 @@ T ggx_density(const Vec3<T>& n, const Vec3<T>& h, double alpha) {
 template <Number T>
 T ggx_visibility(const T& n_i, const T& n_o, double alpha) {
   const T a = as<T>(alpha * alpha), rest = as<T>(1 - alpha * alpha);
-  return as<T>(0.5) / (n_o * root(a + rest * square(n_i)) + n_i * root(a + rest * square(n_o)));
+  return as<T>(0.5) / (n_o * sqrt(a + rest * square(n_i)) + n_i * sqrt(a + rest * square(n_o)));
 }
 
 /// i.h = o.h = |i + o| / 2: written so, exchanging i and o changes no bit.
 template <Number T>
 T cosine_to_half(const Vec3<T>& i, const Vec3<T>& o) {
-  return as<T>(0.5) * root(squared_length(i + o));
+  return as<T>(0.5) * sqrt(squared_length(i + o));
 }
 
 /// Rough metal: D G F / (4 n.i n.o), F = f0 + (1 - f0) (1 - i.h)^5.
@@ -52,18 +52,18 @@ struct GgxConductor {
   template <Number T>
   Rgb<T> operator()(const Vec3<T>& n, const Vec3<T>& i, const Vec3<T>& o) const {
     const Vec3<T> h = normalize(i + o);
-    const T away = positive(T(1) - cosine_to_half(i, o));
+    const T away = max0(T(1) - cosine_to_half(i, o));
     const T away_5 = square(square(away)) * away;
     const Rgb<T> fresnel = as<T>(f0) + as<T>(Double3(1) - f0) * away_5;
     return fresnel * (ggx_density(n, h, alpha) * ggx_visibility(dot(n, i), dot(n, o), alpha));
   }
 };
 
-/// The share of unpolarised light that a smooth dielectric reflects, at cosine c of the angle of incidence; ior > 1.
+/// The fraction of unpolarised light that a smooth dielectric reflects, at cosine c of the angle of incidence; ior > 1.
 /// Walter et al. 2007, equation 22.
 template <Number T>
 T dielectric_fresnel(const T& c, double ior) {
-  const T g = root(as<T>(ior * ior - 1) + square(c));
+  const T g = sqrt(as<T>(ior * ior - 1) + square(c));
   return as<T>(0.5) * square((g - c) / (g + c)) * (T(1) + square((c * (g + c) - T(1)) / (c * (g - c) + T(1))));
 }
 

@@ -38,8 +38,8 @@ const BrdfPreset presets[] = {
 } // namespace
 
 DirectionPair directions_at_centre(int h, int d, int p) {
-  const double root_of_share = (h + 0.5) / MerlTable::theta_h_bins; // the table is even in sqrt(theta_h)
-  const SineCosine theta_h = sine_cosine(root_of_share * root_of_share * right_angle);
+  const double root_of_fraction = (h + 0.5) / MerlTable::theta_h_bins; // the table is even in sqrt(theta_h)
+  const SineCosine theta_h = sine_cosine(root_of_fraction * root_of_fraction * right_angle);
   const SineCosine theta_d = sine_cosine((d + 0.5) / MerlTable::theta_d_bins * right_angle);
   // From phi_d = pi/2, in both directions alike: cos phi_d changes its sign from p to 179 - p and nothing else.
   const SineCosine before_middle = sine_cosine((89.5 - p) / MerlTable::phi_d_bins * std::numbers::pi);
@@ -50,10 +50,10 @@ DirectionPair directions_at_centre(int h, int d, int p) {
 }
 
 Double3 raised_above_horizon(const Double3& direction) {
-  constexpr double least_height = 0x1p-10; // a ninth of the height of the last theta_d: measured at the horizon
-  if (direction.z >= least_height) return direction;
+  constexpr double min_height = 0x1p-10; // a ninth of the height of the last theta_d: measured at the horizon
+  if (direction.z >= min_height) return direction;
   const Double3 level = normalize(Double3(direction.x, direction.y, 0));
-  return normalize(Double3(level.x, level.y, least_height));
+  return normalize(Double3(level.x, level.y, min_height));
 }
 
 std::span<const BrdfPreset> brdf_presets() {

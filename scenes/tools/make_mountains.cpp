@@ -52,8 +52,8 @@ Mesh mountains() {
       const double slope_z = (height_at(column, row - 1) - height_at(column, row + 1)) / (2 * spacing);
       const double length = std::sqrt(slope_x * slope_x + 1 + slope_z * slope_z);
       mesh.normals.emplace_back(-slope_x / length, 1 / length, -slope_z / length);
-      const double share = std::clamp(y / (0.62 * summit), 0.01, 0.99); // stays off the texture's seam
-      mesh.uvs.emplace_back(fractal_noise(column / 401.0, row / 401.0, 24, 24, 2, 80), share);
+      const double fraction = std::clamp(y / (0.62 * summit), 0.01, 0.99); // stays off the texture's seam
+      mesh.uvs.emplace_back(fractal_noise(column / 401.0, row / 401.0, 24, 24, 2, 80), fraction);
     }
   for (std::uint32_t row = 0; row < quads; ++row)
     for (std::uint32_t column = 0; column < quads; ++column) {

@@ -30,7 +30,7 @@ std::string fault_of(const Camera& camera) {
   return "";
 }
 
-struct ModelFault {
+struct FunctionFault {
   std::string operator()(const PhongParameters& m) const {
     if (!at_least_0(m.ka) || !at_least_0(m.kd) || !at_least_0(m.ks)) return "material: reflection";
     return m.glossiness >= 0 && std::isfinite(m.glossiness) ? "" : "material: glossiness";
@@ -44,7 +44,7 @@ bool within(const Image<float>& image, double low, double high) {
 }
 
 template <class Value>
-bool is_shaped(const Image<Value>& image, const Crop& region, int channels) {
+bool is_shaped(const Image<Value>& image, const PixelRect& region, int channels) {
   return image.width == region.width && image.height == region.height && image.channels == channels &&
          image.values.size() == static_cast<std::size_t>(region.width) * static_cast<std::size_t>(region.height) *
                                     static_cast<std::size_t>(channels);
@@ -112,7 +112,8 @@ std::string fault_of(const Scene& scene) {
     if (object.mesh.get() != last_mesh)
       if (std::string fault = fault_of(*object.mesh); !fault.empty()) return fault;
     last_mesh = object.mesh.get();
-    if (std::string fault = std::visit(ModelFault{}, object.material.model); !fault.empty()) return fault;
+    if (std::string fault = std::visit(FunctionFault{}, object.material.fragment_function); !fault.empty())
+      return fault;
     if (!object.material.texture) continue;
     if (std::string fault = fault_of(*object.material.texture); !fault.empty()) return fault;
     if (object.material.texture_filter == TextureFilter::trilinear) {
@@ -124,16 +125,16 @@ std::string fault_of(const Scene& scene) {
 }
 
 std::string fault_of(const Frame& frame, const Scene& scene, const RenderOptions& options) {
-  const Crop region = options.crop.empty() ? Crop{0, 0, options.width, options.height} : options.crop.front();
-  if (options.want_levels && !is_shaped(frame.levels, region, 3)) return "levels: shape";
+  const PixelRect region = options.crop.empty() ? PixelRect{0, 0, options.width, options.height} : options.crop.front();
+  if (options.want_rgb8 && !is_shaped(frame.rgb8, region, 3)) return "levels: shape";
   if (options.want_radiance && !is_shaped(frame.radiance, region, 3)) return "radiance: shape";
   for (const float value : frame.radiance.values)
     if (!std::isfinite(value) || value < 0) return "radiance: " + std::to_string(value);
   if (frame.aovs.size() != options.aovs.size()) return "aovs: count";
-  std::size_t most_triangles = 0;
+  std::size_t max_triangles = 0;
   std::uint64_t triangles = 0;
   for (const Object& object : scene.objects) {
-    most_triangles = std::max(most_triangles, object.mesh->triangles.size());
+    max_triangles = std::max(max_triangles, object.mesh->triangles.size());
     triangles += object.mesh->triangles.size();
   }
   for (std::size_t i = 0; i < options.aovs.size(); ++i) {
@@ -142,7 +143,7 @@ std::string fault_of(const Frame& frame, const Scene& scene, const RenderOptions
     if (!is_shaped(frame.aovs[i], region, aov_channels[static_cast<std::size_t>(aov)])) return name + ": shape";
     if (!all_finite(frame.aovs[i].values)) return name + ": not finite";
     if (aov == Aov::depth && !within(frame.aovs[i], 0, 1)) return "depth: outside [0, 1]";
-    if (aov == Aov::triangle && !within(frame.aovs[i], 0, static_cast<double>(most_triangles))) return "triangle";
+    if (aov == Aov::triangle && !within(frame.aovs[i], 0, static_cast<double>(max_triangles))) return "triangle";
     if (aov == Aov::object && !within(frame.aovs[i], 0, static_cast<double>(scene.objects.size()))) return "object";
   }
   const FrameCounts& c = frame.counts;
@@ -165,7 +166,7 @@ std::vector<Aov> all_aovs() {
 }
 
 std::string difference(const Frame& a, const Frame& b) {
-  if (!same_bits(a.levels, b.levels)) return "levels";
+  if (!same_bits(a.rgb8, b.rgb8)) return "levels";
   if (!same_bits(a.radiance, b.radiance)) return "radiance";
   if (!same_bits(a.radiance_double, b.radiance_double)) return "radiance in double";
   if (a.aovs.size() != b.aovs.size()) return "aovs";

@@ -26,7 +26,7 @@ public:
   /// In [lo, hi).
   double uniform(double lo, double hi) { return lo + (hi - lo) * static_cast<double>(bits() >> 11) * 0x1p-53; }
   /// In [lo, hi), lo > 0: every order of magnitude is as likely.
-  double magnitude(double lo, double hi) { return std::exp2(uniform(std::log2(lo), std::log2(hi))); }
+  double log_uniform(double lo, double hi) { return std::exp2(uniform(std::log2(lo), std::log2(hi))); }
   double sign() { return bits() & 1 ? 1 : -1; }
   /// Any number at all: every pattern of bits is as likely, but for NaN and infinities.
   template <class F>

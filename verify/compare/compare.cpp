@@ -28,7 +28,7 @@ std::vector<PixelDifference> worst_of(std::vector<Cluster> clusters, const Image
   std::sort(clusters.begin(), clusters.end(), [](const Cluster& p, const Cluster& q) {
     return std::tuple(-p.largest, p.worst_y, p.worst_x) < std::tuple(-q.largest, q.worst_y, q.worst_x);
   });
-  clusters.resize(std::min(clusters.size(), worst_pixels_kept));
+  clusters.resize(std::min(clusters.size(), max_worst_pixels));
   std::vector<PixelDifference> worst;
   for (const Cluster& c : clusters)
     worst.push_back({c.worst_x, c.worst_y, c.largest, values_of(a.at(c.worst_x, c.worst_y), a.channels, scale),
@@ -146,7 +146,7 @@ Comparison compare(const Image<float>& a, const Image<float>& b, const PixelScal
   found.clusters = clusters_of(over, differences);
   found.worst = worst_of(found.clusters.empty() ? clusters_over(differences, 0) : found.clusters, a, b, scale);
   found.cluster_count = found.clusters.size();
-  found.clusters.resize(std::min(found.clusters.size(), clusters_kept));
+  found.clusters.resize(std::min(found.clusters.size(), max_clusters));
   found.same = within(found, limits);
   return found;
 }

@@ -56,7 +56,7 @@ struct PixelDifference {
   std::vector<double> a, b; // all channels, in the unit
 };
 
-inline constexpr std::size_t worst_pixels_kept = 10, clusters_kept = 10;
+inline constexpr std::size_t max_worst_pixels = 10, max_clusters = 10;
 
 /// What compare() found. Differences are b - a, of each channel of each pixel. Two values have no difference if one is
 /// NaN (which equals nothing, itself included) or infinite (which equals only the same infinity): such pixels are
@@ -75,9 +75,9 @@ struct Comparison {
   double psnr_db = 0;                 // 20 log10(full_range / rms); infinity if rms is 0
   std::vector<double> mean;           // of b - a, by channel: shows a bias that no single pixel does
   std::vector<PixelDifference> worst; // the worst of each cluster, of pixels over the limit or, if there are none, of
-                                      // all that differ; at most worst_pixels_kept; the most different first
+                                      // all that differ; at most max_worst_pixels; the most different first
   std::uint64_t cluster_count = 0;    // of pixels over the limit
-  std::vector<Cluster> clusters;      // at most clusters_kept: those with most pixels
+  std::vector<Cluster> clusters;      // at most max_clusters: those with most pixels
   bool same = false;                  // within the limits; never with an incomparable pixel
 
   std::uint64_t pixels() const { return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height); }

@@ -13,7 +13,7 @@ constexpr Rgb8 stops[] = {{0x00, 0x00, 0x04}, {0x1b, 0x0c, 0x41}, {0x4a, 0x0c, 0
 constexpr std::size_t steps = std::size(stops) - 1;
 
 // Where anything differs at all, the colour starts here: black is for equal pixels alone.
-constexpr double smallest_share = 1.0 / static_cast<double>(steps);
+constexpr double smallest_fraction = 1.0 / static_cast<double>(steps);
 
 } // namespace
 
@@ -48,7 +48,7 @@ Image<std::uint8_t> heat_image(const Image<float>& a, const Image<float>& b, con
       const double largest = *differences.at(x, y);
       if (largest == 0) continue;
       const Rgb8 colour = std::isfinite(largest)
-                              ? heat_colour(std::max(std::log1p(largest / level) / whole, smallest_share))
+                              ? heat_colour(std::max(std::log1p(largest / level) / whole, smallest_fraction))
                               : incomparable_colour;
       std::copy(colour.begin(), colour.end(), image.at(x, y));
     }

@@ -9,9 +9,9 @@ namespace refraster {
 
 using Rgb8 = std::array<std::uint8_t, 3>;
 
-/// The colour of a share t in [0, 1]: from black over violet, red and orange to pale yellow. Each step is lighter than
-/// the one before, so that the order survives grey printing and colour blindness.
-/// Ten stops of "inferno" (S. van der Walt, N. Smith, matplotlib, CC0), linear in between.
+/// The colour of a fraction t in [0, 1]: from black over violet, red and orange to pale yellow. Each step is lighter
+/// than the one before, so that the order survives grey printing and colour blindness. Ten stops of "inferno" (S. van
+/// der Walt, N. Smith, matplotlib, CC0), linear in between.
 Rgb8 heat_colour(double t);
 
 /// The colour of pixels without a difference (NaN, infinity): not on the ramp.

@@ -15,7 +15,7 @@ constexpr Rgb8 ground = {0x30, 0x30, 0x30}, ink = {0xff, 0xff, 0xff};
 // Points, each of scale x scale pixels.
 constexpr int margin = 4, bar_height = 8, strip_height = 28;
 constexpr int letter_width = 4; // a glyph, and a point beside it
-constexpr int ramp_width = 200, least_width = ramp_width + 130;
+constexpr int ramp_width = 200, min_width = ramp_width + 130;
 constexpr int pixels_for_a_scale = 640; // so that a large image has letters to match
 
 /// Glyphs of 3 x 5 points, a row in three bits, the top row first.
@@ -92,7 +92,7 @@ std::vector<double> legend_ticks(double ramp_end, CompareUnit unit) {
 
 Image<std::uint8_t> with_legend(const Image<std::uint8_t>& heat, const Comparison& found, double ramp_end) {
   const int scale = std::max(heat.width / pixels_for_a_scale, 1);
-  Image<std::uint8_t> image(std::max(heat.width, least_width), heat.height + scale * strip_height, 3);
+  Image<std::uint8_t> image(std::max(heat.width, min_width), heat.height + scale * strip_height, 3);
   Strip whole(image, 0, 1);
   whole.fill(0, 0, image.width, image.height, ground);
   for (int y = 0; y < heat.height; ++y)

@@ -67,14 +67,14 @@ bool differ(const StoredImage& a, const StoredImage& b, int left, int top) {
 
 BlockSpectrum block_spectrum(const StoredImage& a, const StoredImage& b) {
   constexpr std::array<std::array<int, 2>, 4> grids = {{{0, 0}, {4, 0}, {0, 4}, {4, 4}}};
-  constexpr std::uint64_t most_blocks = (1 << 20) / (side * side);
+  constexpr std::uint64_t max_blocks = (1 << 20) / (side * side);
   const double zero = zero_below(a.image.channels);
   const int columns = (a.image.width - side / 2) / side, rows = (a.image.height - side / 2) / side;
   BlockSpectrum found;
   if (columns <= 0 || rows <= 0) return found;
   const std::uint64_t all = static_cast<std::uint64_t>(columns) * static_cast<std::uint64_t>(rows);
-  const std::uint64_t stride = (all / most_blocks + 1) | 1; // odd, so as not to see the same columns of all rows
-  std::array<double, grids.size()> in_a{}, in_b{};          // coefficients that are not zero
+  const std::uint64_t stride = (all / max_blocks + 1) | 1; // odd, so as not to see the same columns of all rows
+  std::array<double, grids.size()> in_a{}, in_b{};         // coefficients that are not zero
   for (std::uint64_t i = 0; i < all; i += stride) {
     const int left = static_cast<int>(i % static_cast<std::uint64_t>(columns)) * side;
     const int top = static_cast<int>(i / static_cast<std::uint64_t>(columns)) * side;
@@ -90,19 +90,19 @@ BlockSpectrum block_spectrum(const StoredImage& a, const StoredImage& b) {
       in_a[grid] += of_block[grid][0], in_b[grid] += of_block[grid][1];
   }
   // One is added, so that few coefficients tell little, and none nothing.
-  const auto share = [&](std::size_t grid) { return (in_b[grid] + 1) / (in_a[grid] + 1); };
-  found.on_grid = share(0);
-  found.beside = std::min({share(1), share(2), share(3)});
+  const auto fraction = [&](std::size_t grid) { return (in_b[grid] + 1) / (in_a[grid] + 1); };
+  found.on_grid = fraction(0);
+  found.beside = std::min({fraction(1), fraction(2), fraction(3)});
   return found;
 }
 
 Compressed find_block_compression(const StoredImage& a, const StoredImage& b) {
   // Fewer blocks may look like anything.
-  constexpr std::uint64_t least_blocks = 16;
-  constexpr double most_on_grid = 0.8;
+  constexpr std::uint64_t min_blocks = 16;
+  constexpr double max_on_grid = 0.8;
   const auto follows = [&](const StoredImage& from, const StoredImage& to) {
     const BlockSpectrum spectrum = block_spectrum(from, to);
-    return spectrum.blocks >= least_blocks && spectrum.on_grid < 1 && spectrum.on_grid < most_on_grid * spectrum.beside;
+    return spectrum.blocks >= min_blocks && spectrum.on_grid < 1 && spectrum.on_grid < max_on_grid * spectrum.beside;
   };
   if (follows(a, b)) return Compressed::b;
   if (follows(b, a)) return Compressed::a;

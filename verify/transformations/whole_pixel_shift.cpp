@@ -58,7 +58,7 @@ std::vector<PixelShift> likely_shifts(const StoredImage& a, const StoredImage& b
     int x, y;
     auto order() const { return std::tuple(missed, std::abs(x) + std::abs(y), y, x); }
   };
-  constexpr std::size_t most_candidates = 8;
+  constexpr std::size_t max_candidates = 8;
   std::vector<Candidate> best;
   const int reach_x = std::min(max_shift, width / 2), reach_y = std::min(max_shift, height / 2);
   for (int dy = -reach_y; dy <= reach_y; ++dy) {
@@ -77,7 +77,7 @@ std::vector<PixelShift> likely_shifts(const StoredImage& a, const StoredImage& b
       if (4 * missed > probes.size() || 4 * seen < probes.size()) continue;
       best.push_back({static_cast<double>(missed) / static_cast<double>(seen), dx, dy});
       std::sort(best.begin(), best.end(), [](const Candidate& p, const Candidate& q) { return p.order() < q.order(); });
-      best.resize(std::min(best.size(), most_candidates));
+      best.resize(std::min(best.size(), max_candidates));
     }
   }
   std::vector<PixelShift> shifts;

@@ -2,8 +2,8 @@
 
 namespace refraster {
 
-std::unique_ptr<TileShader> make_double_shader() {
-  return std::make_unique<TileShaderOf<DoubleRung::Number>>();
+std::unique_ptr<TileShading> make_double_shading() {
+  return std::make_unique<TileShadingOf<DoublePrecision::Number>>();
 }
 
 } // namespace refraster

@@ -3,10 +3,10 @@
 
 namespace refraster {
 
-template class TileShaderOf<Exact>;
+template class TileShadingOf<Exact>;
 
-std::unique_ptr<TileShader> make_exact_shader() {
-  return std::make_unique<TileShaderOf<ExactRung::Number>>();
+std::unique_ptr<TileShading> make_exact_shader() {
+  return std::make_unique<TileShadingOf<ExactPrecision::Number>>();
 }
 
 } // namespace refraster

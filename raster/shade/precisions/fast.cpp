@@ -2,8 +2,8 @@
 
 namespace refraster {
 
-std::unique_ptr<TileShader> make_fast_shader() {
-  return std::make_unique<TileShaderOf<FastRung::Number>>();
+std::unique_ptr<TileShading> make_fast_shading() {
+  return std::make_unique<TileShadingOf<FastPrecision::Number>>();
 }
 
 } // namespace refraster

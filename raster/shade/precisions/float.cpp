@@ -2,8 +2,8 @@
 
 namespace refraster {
 
-std::unique_ptr<TileShader> make_float_shader() {
-  return std::make_unique<TileShaderOf<FloatRung::Number>>();
+std::unique_ptr<TileShading> make_float_shading() {
+  return std::make_unique<TileShadingOf<FloatPrecision::Number>>();
 }
 
 } // namespace refraster

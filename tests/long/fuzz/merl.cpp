@@ -41,10 +41,10 @@ void read(Bytes bytes) {
   Scene scene = showing(std::make_shared<const Mesh>(sphere_mesh(8, 6)), nullptr, TextureFilter::nearest);
   constexpr MerlLookup lookups[] = {MerlLookup::nearest, MerlLookup::trilinear, MerlLookup::trilinear_edge,
                                     MerlLookup::trilinear_log, MerlLookup::tricubic_log};
-  Merl model;
-  model.table = table;
-  model.lookup = lookups[bytes[12] % std::size(lookups)];
-  scene.objects[0].material.model = model;
+  Merl function;
+  function.table = table;
+  function.lookup = lookups[bytes[12] % std::size(lookups)];
+  scene.objects[0].material.fragment_function = function;
   render_small(scene, bytes[13]);
 }
 

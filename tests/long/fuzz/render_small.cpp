@@ -1,6 +1,6 @@
 #include "tests/long/fuzz/render_small.h"
 
-#include "math/rungs.h"
+#include "math/precisions.h"
 #include "tests/long/fuzz/targets.h"
 #include "tests/support/invariants.h"
 
@@ -9,11 +9,11 @@
 namespace refraster::fuzz {
 
 void render_small(const Scene& scene, std::size_t variant) {
-  constexpr std::string_view rungs[] = {DoubleRung::name, FloatRung::name, FastRung::name};
+  constexpr std::string_view precisions[] = {DoublePrecision::name, FloatPrecision::name, FastPrecision::name};
   RenderOptions options;
   options.width = options.height = 8;
   options.threads = 1;
-  options.rung = rungs[variant % 3];
+  options.precision = precisions[variant % 3];
   options.samples = 1 << (variant % 5);
   options.want_radiance = true;
   options.aovs = test::all_aovs();

@@ -7,8 +7,8 @@
 
 namespace refraster::fuzz {
 
-/// Renders the scene at 8 x 8 pixels with every aov, and requires the invariants of a frame. `variant` chooses the rung
-/// and the number of samples.
+/// Renders the scene at 8 x 8 pixels with every aov, and requires the invariants of a frame. `variant` chooses the
+/// precision and the number of samples.
 void render_small(const Scene& scene, std::size_t variant);
 
 /// A scene that looks at the mesh from the front, lit and, if there is one, with the texture.

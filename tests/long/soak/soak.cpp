@@ -27,7 +27,7 @@ void require(const std::string& fault, const char* law) {
 }
 
 template <class Value>
-bool is_part(const Image<Value>& part, const Image<Value>& whole, const Crop& crop) {
+bool is_part(const Image<Value>& part, const Image<Value>& whole, const PixelRect& crop) {
   for (int y = 0; y < crop.height; ++y)
     if (std::memcmp(part.at(0, y), whole.at(crop.x, crop.y + y),
                     static_cast<std::size_t>(crop.width * whole.channels) * sizeof(Value)) != 0)
@@ -35,8 +35,8 @@ bool is_part(const Image<Value>& part, const Image<Value>& whole, const Crop& cr
   return true;
 }
 
-std::string crop_fault(const Frame& part, const Frame& whole, const Crop& crop) {
-  if (!is_part(part.levels, whole.levels, crop)) return "levels";
+std::string crop_fault(const Frame& part, const Frame& whole, const PixelRect& crop) {
+  if (!is_part(part.rgb8, whole.rgb8, crop)) return "levels";
   if (!is_part(part.radiance, whole.radiance, crop)) return "radiance";
   for (std::size_t i = 0; i < whole.aovs.size(); ++i)
     if (!is_part(part.aovs[i], whole.aovs[i], crop)) return "aov " + std::to_string(i);
@@ -47,8 +47,9 @@ std::string crop_fault(const Frame& part, const Frame& whole, const Crop& crop) 
 void check_crops(const Scene& scene, const RenderOptions& options, const Frame& whole, Random& random, Sums& sums) {
   const int x = random.below(options.width), y = random.below(options.height);
   FrameCounts sum;
-  for (const Crop& crop : {Crop{0, 0, x, y}, Crop{x, 0, options.width - x, y}, Crop{0, y, x, options.height - y},
-                           Crop{x, y, options.width - x, options.height - y}}) {
+  for (const PixelRect& crop :
+       {PixelRect{0, 0, x, y}, PixelRect{x, 0, options.width - x, y}, PixelRect{0, y, x, options.height - y},
+        PixelRect{x, y, options.width - x, options.height - y}}) {
     if (crop.width == 0 || crop.height == 0) continue;
     RenderOptions cropped = options;
     cropped.crop = {crop};

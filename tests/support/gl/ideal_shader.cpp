@@ -8,25 +8,25 @@ static constexpr double u = float_rounding;
 
 std::pair<Rgb<double>, double> highlights(const IdealShader& shader, const Varyings& at) {
   return std::visit(
-      [&](const auto& model) -> std::pair<Rgb<double>, double> {
-        if constexpr (requires { model.ks; }) {
-          auto dull = model;
+      [&](const auto& function) -> std::pair<Rgb<double>, double> {
+        if constexpr (requires { function.ks; }) {
+          auto dull = function;
           dull.ks = Double3(0);
-          return {shader.colour(model, at) - shader.colour(dull, at), model.glossiness};
+          return {shader.colour(function, at) - shader.colour(dull, at), function.glossiness};
         }
         return {Rgb<double>(0), 0};
       },
-      shader.material.model);
+      shader.material.fragment_function);
 }
 
 MerlPoint<double> table_error(const IdealShader& shader, const Varyings& at, double atan_ulp) {
-  const Merl* const model = std::get_if<Merl>(&shader.material.model);
+  const Merl* const function = std::get_if<Merl>(&shader.material.fragment_function);
   MerlPoint<double> most{0, 0, 0};
-  if (!model) return most;
+  if (!function) return most;
   const Fragment<double> here = shader.fragment(at);
   const auto see = [&](const Incident<double>& light) {
     const Double3 n = here.normal, i = light.direction, o = here.to_eye;
-    const HalfDifference<double> angles = half_difference(model->angles, n, i, o);
+    const HalfDifference<double> angles = half_difference(function->angles, n, i, o);
     constexpr double bins_per_radian = 180 / std::numbers::pi;
     const double s = length(i + o), d = length(i - o);
     const double theta_h_error = atan_ulp * u * angles.theta_h + 8 * u;

@@ -33,11 +33,11 @@ struct IdealShader {
   /// Whether the colour jumps at a horizon: that of the eye for a measured BRDF, of a light for a gated highlight.
   bool jumps() const {
     return std::visit(
-        [](const auto& model) {
-          if constexpr (requires { model.specular_gate; }) return model.specular_gate != SpecularGate::open;
-          return std::is_same_v<std::decay_t<decltype(model)>, Merl>;
+        [](const auto& function) {
+          if constexpr (requires { function.specular_gate; }) return function.specular_gate != SpecularGate::open;
+          return std::is_same_v<std::decay_t<decltype(function)>, Merl>;
         },
-        material.model);
+        material.fragment_function);
   }
 
   Rgb<double> texture(const Varyings& at) const {
@@ -49,35 +49,35 @@ struct IdealShader {
     return {at.position, normalize(at.normal), normalize(scene.camera.position - at.position), texture(at)};
   }
 
-  Rgb<double> reflected(const Merl& model, const Fragment<double>& at, const Incident<double>& light) const {
+  Rgb<double> reflected(const Merl& function, const Fragment<double>& at, const Incident<double>& light) const {
     const double n_l = dot(at.normal, light.direction);
     if (!(n_l > 0 && dot(at.normal, at.to_eye) > -below_horizon)) return Rgb<double>(0);
-    MerlPoint<double> point = merl_point(half_difference(model.angles, at.normal, light.direction, at.to_eye));
+    MerlPoint<double> point = merl_point(half_difference(function.angles, at.normal, light.direction, at.to_eye));
     point.u = std::max(point.u + moved.u, 0.0), point.v += moved.v, point.w += moved.w;
-    return merl_value(*model.table, model.lookup, point).f * n_l * light.radiance;
+    return merl_value(*function.table, function.lookup, point).f * n_l * light.radiance;
   }
-  template <class Model>
-  Rgb<double> reflected(Model model, const Fragment<double>& at, const Incident<double>& light) const {
-    if constexpr (requires { model.specular_gate; })
+  template <class SomeFunction>
+  Rgb<double> reflected(SomeFunction function, const Fragment<double>& at, const Incident<double>& light) const {
+    if constexpr (requires { function.specular_gate; })
       if (below_horizon > 0 && dot(at.normal, light.direction) > -below_horizon)
-        model.specular_gate = SpecularGate::open;
-    return model(at, light);
+        function.specular_gate = SpecularGate::open;
+    return function(at, light);
   }
 
-  template <class Model>
-  Rgb<double> colour(const Model& model, const Varyings& at) const {
+  template <class SomeFunction>
+  Rgb<double> colour(const SomeFunction& function, const Varyings& at) const {
     const Fragment<double> here = fragment(at);
-    Rgb<double> sum = model.ambient(here);
-    for (const PointLight& light : scene.point_lights) sum += reflected(model, here, arriving(light, here));
-    for (const DirectionLight& light : scene.direction_lights) sum += reflected(model, here, arriving(light, here));
+    Rgb<double> sum = function.ambient(here);
+    for (const PointLight& light : scene.point_lights) sum += reflected(function, here, arriving(light, here));
+    for (const DirectionLight& light : scene.direction_lights) sum += reflected(function, here, arriving(light, here));
     return sum;
   }
   Rgb<double> colour(const Varyings& at) const {
-    return std::visit([&](const auto& model) { return colour(model, at); }, material.model);
+    return std::visit([&](const auto& function) { return colour(function, at); }, material.fragment_function);
   }
 };
 
-/// The share of a colour that comes from highlights, and their exponent.
+/// The fraction of a colour that comes from highlights, and their exponent.
 std::pair<Rgb<double>, double> highlights(const IdealShader& shader, const Varyings& at);
 
 /// How far float angles may move the point of the table, in bins.

@@ -134,12 +134,12 @@ private:
       ++found_.coverage_pixels;
       pixel.cause = "coverage: object " + std::to_string(here.object) + " triangle " + std::to_string(here.triangle) +
                     " here, " + std::to_string(there.object) + " " + std::to_string(there.triangle) + " there";
-      tell(pixel);
+      report(pixel);
     } else {
-      keep_worst(found_.worst_same, pixel);
+      update_worst(found_.worst_same, pixel);
       judge_colour(here, pixel);
     }
-    keep_worst(found_.worst, pixel);
+    update_worst(found_.worst, pixel);
   }
 
   /// Both colours; counts what the 8-bit images show.
@@ -150,8 +150,8 @@ private:
     int levels_apart = 0;
     for (int c = 0; c < 3; ++c) {
       pixel.ours[c] = a[c], pixel.gl[c] = b[c];
-      const int level = other_.levels.empty() ? rounded_level(b[c]) : other_.levels.at(x, y)[c];
-      levels_apart = std::max(levels_apart, std::abs(ours_.levels.at(x, y)[c] - level));
+      const int level = other_.rgb8.empty() ? rounded_level(b[c]) : other_.rgb8.at(x, y)[c];
+      levels_apart = std::max(levels_apart, std::abs(ours_.rgb8.at(x, y)[c] - level));
       pixel.difference =
           std::max(pixel.difference, 255 * std::abs(static_cast<double>(a[c]) - static_cast<double>(b[c])));
       found_.levels_not_rounded += rounded_level(b[c]) != level;
@@ -166,33 +166,33 @@ private:
     const Float3& ours = pixel.ours;
     if (pixel.difference <= never_over * static_cast<double>(std::min({ours.x, ours.y, ours.z}))) return;
     // Within the least of the bound, and no new record even so: the whole would tell nothing.
-    if (share_of_bound(here, pixel, BoundPart::least) <= std::min(found_.worst_share_of_bound, 1.0)) return;
-    const double share = share_of_bound(here, pixel, BoundPart::whole);
-    found_.worst_share_of_bound = std::max(found_.worst_share_of_bound, share);
-    if (share <= 1) return;
+    if (fraction_of_bound(here, pixel, BoundPart::least) <= std::min(found_.worst_fraction_of_bound, 1.0)) return;
+    const double fraction = fraction_of_bound(here, pixel, BoundPart::whole);
+    found_.worst_fraction_of_bound = std::max(found_.worst_fraction_of_bound, fraction);
+    if (fraction <= 1) return;
     ++found_.over_bound;
     pixel.cause = "over the bound";
-    tell(pixel);
+    report(pixel);
   }
 
   /// Of the image that is farther from the exact colour.
-  double share_of_bound(const Shown& here, WorstPixel& pixel, BoundPart part) const {
+  double fraction_of_bound(const Shown& here, WorstPixel& pixel, BoundPart part) const {
     const AllowedColour allowed = judge_.allowed(here, pixel.x, pixel.y, part);
     pixel.allowed = allowed.either_way;
-    double share = 0;
+    double fraction = 0;
     for (int c = 0; c < 3; ++c)
       for (const float value : {pixel.ours[c], pixel.gl[c]}) {
         const double apart = std::abs(static_cast<double>(value) - allowed.exact[c]);
         if (std::isnan(apart)) return 1e300;
-        share = std::max(share, apart == 0 ? 0 : apart / allowed.either_way[c]);
+        fraction = std::max(fraction, apart == 0 ? 0 : apart / allowed.either_way[c]);
       }
-    return share;
+    return fraction;
   }
 
-  static void keep_worst(WorstPixel& worst, const WorstPixel& pixel) {
+  static void update_worst(WorstPixel& worst, const WorstPixel& pixel) {
     if (pixel.difference > worst.difference) worst = pixel;
   }
-  void tell(const WorstPixel& pixel) {
+  void report(const WorstPixel& pixel) {
     if (found_.unexplained.size() < 10) found_.unexplained.push_back(pixel);
   }
   void name_cause(WorstPixel& pixel) const {
@@ -220,7 +220,7 @@ SideBySide side_by_side(const Scene& scene, int width, int height, const DriverP
   GlFrame frame = render_gl(scene, options);
   return side_by_side(scene,
                       {frame.driver.renderer + ", OpenGL " + frame.driver.version, std::move(frame.radiance),
-                       std::move(frame.ids), std::move(frame.levels)},
+                       std::move(frame.ids), std::move(frame.rgb8)},
                       profile.tolerances);
 }
 

@@ -35,7 +35,7 @@ struct SideBySide {
   double farthest_edge = 0; // of the edge pixels: largest distance to an edge, in pixels
   // Of the pixels that show the same surface: float colours.
   std::uint64_t over_bound = 0;         // farther apart than ColourBound allows
-  double worst_share_of_bound = 0;      // the largest |difference| / bound
+  double worst_fraction_of_bound = 0;   // the largest |difference| / bound
   std::uint64_t levels_not_rounded = 0; // GL's 8-bit values that are not its float values, rounded to nearest
   WorstPixel worst;                     // of all pixels
   WorstPixel worst_same;                // of those that show the same surface
@@ -46,9 +46,9 @@ struct SideBySide {
 /// Another renderer's images of a scene.
 struct OtherImages {
   std::string driver;
-  Image<float> radiance;      // 3 channels
-  Image<float> ids;           // 2 channels, as in GlFrame
-  Image<std::uint8_t> levels; // 3 channels; may be empty
+  Image<float> radiance;    // 3 channels
+  Image<float> ids;         // 2 channels, as in GlFrame
+  Image<std::uint8_t> rgb8; // 3 channels; may be empty
 };
 
 SideBySide side_by_side(const Scene& scene, const OtherImages& other, const DriverTolerances& tolerances);

@@ -67,8 +67,8 @@ inline std::optional<RayHit> ray_hit(const RationalVec3& direction, const Ration
 class ExactTriangle {
 public:
   struct At {
-    RationalVec3 share; // of each corner: attribute f is the sum of share_k f_k; they add up to 1
-    Rational depth;     // z / w
+    RationalVec3 weight; // of each corner: attribute f is the sum of weight_k f_k; they add up to 1
+    Rational depth;      // z / w
     Meets how = Meets::outside;
   };
 
@@ -98,7 +98,7 @@ public:
       sum += mu[k], z += mu[k] * z_[k], w += mu[k] * w_[k];
     }
     if (sum == 0 || w == 0) return std::nullopt;
-    for (std::size_t k = 0; k < 3; ++k) result.share[k] = mu[k] / sum;
+    for (std::size_t k = 0; k < 3; ++k) result.weight[k] = mu[k] / sum;
     result.depth = z / w;
     return result;
   }

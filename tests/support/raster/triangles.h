@@ -26,10 +26,10 @@ struct AnyTriangle {
   /// body(lines, facing) for each of the triangles that are drawn for this one.
   template <class Body>
   void for_each_part(Body&& body) const {
-    if (const auto* snapped = std::get_if<SnappedTriangle>(&set_up)) return body(snapped->line, snapped->facing);
+    if (const auto* snapped = std::get_if<SnappedTriangle>(&set_up)) return body(snapped->edge, snapped->facing);
     const auto& projective = std::get<ProjectiveTriangle>(set_up);
     for (std::size_t i = 0; i < static_cast<std::size_t>(projective.pieces); ++i)
-      body(projective.piece[i].line, projective.piece[i].facing);
+      body(projective.piece[i].edge, projective.piece[i].facing);
   }
   bool covers(std::int32_t x, std::int32_t y) const {
     bool covered = false;
@@ -41,7 +41,7 @@ struct AnyTriangle {
   double depth(std::int32_t x, std::int32_t y) const {
     if (const auto* snapped = std::get_if<SnappedTriangle>(&set_up)) return snapped->depth(x, y);
     const auto& projective = std::get<ProjectiveTriangle>(set_up);
-    const bool first = projective.pieces == 1 || projective.piece[0].line[1].covers(x, y); // line[1] is between the two
+    const bool first = projective.pieces == 1 || projective.piece[0].edge[1].covers(x, y); // edge[1] is between the two
     return projective.piece[first ? 0 : 1].depth(x, y);
   }
 };
@@ -80,7 +80,7 @@ struct LatticeFrame {
   }
 
   /// Bins the triangles for a grid of one tile, and decides that tile. `tile` is square, with a power of two of pixels.
-  void decide(const Crop& tile, std::span<const SamplePlace> samples, TileVisibility& visibility) const {
+  void decide(const PixelRect& tile, std::span<const SamplePosition> samples, TileVisibility& visibility) const {
     Bins bins;
     FrameCounts counts;
     const TileGrid grid{tile.x, tile.y, tile.width, tile.height, tile.width};

@@ -42,7 +42,7 @@ struct WindowScene {
     shining.ka = colour, shining.kd = Double3(0), shining.ks = Double3(0);
     Object object;
     object.mesh = mesh;
-    object.material.model = shining;
+    object.material.fragment_function = shining;
     scene.objects.push_back(object);
     return scene.objects.back();
   }

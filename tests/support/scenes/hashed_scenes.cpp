@@ -38,18 +38,18 @@ MeshPointer shared(Mesh mesh) {
   return std::make_shared<const Mesh>(std::move(mesh));
 }
 
-template <class SomeModel>
-SomeModel glossy(Double3 kd, Double3 ks, double glossiness) {
-  SomeModel model;
-  model.kd = kd, model.ks = ks, model.glossiness = glossiness;
-  return model;
+template <class SomeFunction>
+SomeFunction glossy(Double3 kd, Double3 ks, double glossiness) {
+  SomeFunction function;
+  function.kd = kd, function.ks = ks, function.glossiness = glossiness;
+  return function;
 }
 
-Object object(MeshPointer mesh, Double3 position, Double3 rotate_degrees, Double3 scale, Model model) {
+Object object(MeshPointer mesh, Double3 position, Double3 rotate_degrees, Double3 scale, FragmentFunction function) {
   Object o;
   o.mesh = std::move(mesh);
   o.position = position, o.rotate_degrees = rotate_degrees, o.scale = scale;
-  o.material.model = std::move(model);
+  o.material.fragment_function = std::move(function);
   return o;
 }
 

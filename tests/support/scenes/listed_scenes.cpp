@@ -24,13 +24,13 @@ std::vector<std::string> quick_scenes() {
 }
 
 const Scene& listed_scene(const std::string& path) {
-  static std::string kept_path;
-  static Scene kept;
-  if (path != kept_path) {
-    kept = read_scene(path);
-    kept_path = path;
+  static std::string cached_path;
+  static Scene cached;
+  if (path != cached_path) {
+    cached = read_scene(path);
+    cached_path = path;
   }
-  return kept;
+  return cached;
 }
 
 } // namespace refraster

@@ -1,6 +1,6 @@
 #include "tests/support/scenes/random_scene.h"
 
-#include "math/rungs.h"
+#include "math/precisions.h"
 #include "scene/shapes.h"
 #include "tests/support/invariants.h"
 
@@ -69,7 +69,7 @@ Mesh loose_triangles(Random& random) {
 
 Mesh random_mesh(Random& random) {
   const auto cuts = [&](int least) { return least + random.below(one_in(random, 10) ? 40 : 10); };
-  const double tube = one_in(random, 8) ? random.magnitude(1e-6, 1000) : random.uniform(0.05, 1.2);
+  const double tube = one_in(random, 8) ? random.log_uniform(1e-6, 1000) : random.uniform(0.05, 1.2);
   const int a = cuts(3), b = cuts(3);
   switch (random.below(7)) {
   case 0:
@@ -106,7 +106,7 @@ std::shared_ptr<const MerlTable> ragged_table() {
     PaddedVector<double> rgb(3 * MerlTable::samples);
     for (std::size_t i = 0; i < rgb.size(); i += 3) {
       const bool measured = random.below(3) > 0;
-      for (std::size_t c = 0; c < 3; ++c) rgb[i + c] = measured ? random.magnitude(1e-6, 1e3) : -1;
+      for (std::size_t c = 0; c < 3; ++c) rgb[i + c] = measured ? random.log_uniform(1e-6, 1e3) : -1;
     }
     return std::make_shared<const MerlTable>(std::move(rgb));
   }();
@@ -118,31 +118,31 @@ Enum any_of(Random& random) {
   return EnumNames<Enum>::names[random.below(static_cast<int>(std::size(EnumNames<Enum>::names)))].first;
 }
 
-struct RandomModel {
+struct RandomFunction {
   Random& random;
 
-  void operator()(PhongParameters& model) const {
-    model.ka = colour(random), model.kd = colour(random), model.ks = colour(random);
-    model.glossiness = one_in(random, 6) ? random.magnitude(1e-9, 1e9) : amount(random) * 20;
-    if (!std::isfinite(model.glossiness)) model.glossiness = 0;
-    model.specular_gate = any_of<SpecularGate>(random);
+  void operator()(PhongParameters& function) const {
+    function.ka = colour(random), function.kd = colour(random), function.ks = colour(random);
+    function.glossiness = one_in(random, 6) ? random.log_uniform(1e-9, 1e9) : amount(random) * 20;
+    if (!std::isfinite(function.glossiness)) function.glossiness = 0;
+    function.specular_gate = any_of<SpecularGate>(random);
   }
-  void operator()(Merl& model) const {
-    model.table = ragged_table();
-    model.lookup = any_of<MerlLookup>(random);
-    model.angles = any_of<MerlAngles>(random);
+  void operator()(Merl& function) const {
+    function.table = ragged_table();
+    function.lookup = any_of<MerlLookup>(random);
+    function.angles = any_of<MerlAngles>(random);
   }
 };
 
 template <std::size_t... I>
-Model model_number(std::size_t which, std::index_sequence<I...>) {
-  Model model;
-  ((which == I ? void(model.emplace<I>()) : void()), ...);
-  return model;
+FragmentFunction function_number(std::size_t which, std::index_sequence<I...>) {
+  FragmentFunction function;
+  ((which == I ? void(function.emplace<I>()) : void()), ...);
+  return function;
 }
 
 Object random_object(Random& random) {
-  constexpr std::size_t models = std::variant_size_v<Model>;
+  constexpr std::size_t functions = std::variant_size_v<FragmentFunction>;
   Object object;
   object.name = "object";
   object.mesh = std::make_shared<const Mesh>(random_mesh(random));
@@ -155,9 +155,9 @@ Object random_object(Random& random) {
   finite(object.rotate_degrees, Double3(90));
   if (one_in(random, 8)) object.scale[random.below(3)] = 0;
   object.cull = any_of<Cull>(random);
-  object.material.model =
-      model_number(static_cast<std::size_t>(random.below(models)), std::make_index_sequence<models>{});
-  std::visit(RandomModel{random}, object.material.model);
+  object.material.fragment_function =
+      function_number(static_cast<std::size_t>(random.below(functions)), std::make_index_sequence<functions>{});
+  std::visit(RandomFunction{random}, object.material.fragment_function);
   object.material.texture_filter = any_of<TextureFilter>(random);
   if (!one_in(random, 3)) object.material.texture = random_texture(random, object.material.texture_filter);
   return object;
@@ -170,9 +170,9 @@ Camera random_camera(Random& random) {
     camera.position = one_in(random, 10) ? vector(random) : Double3{random.uniform(-2, 2), random.uniform(-2, 2), 5};
     camera.target = one_in(random, 6) ? vector(random) : Double3{random.uniform(-0.5, 0.5), 0, 0};
     camera.up = one_in(random, 4) ? vector(random) : Double3(0, 1, 0);
-    camera.fov_y_degrees = one_in(random, 5) ? 180 * random.magnitude(1e-9, 0.999999) : random.uniform(15, 80);
-    camera.near = one_in(random, 6) ? random.magnitude(1e-300, 1) : random.uniform(0.01, 3);
-    camera.far = one_in(random, 6) ? random.magnitude(1, 1e300) : camera.near + random.uniform(1, 100);
+    camera.fov_y_degrees = one_in(random, 5) ? 180 * random.log_uniform(1e-9, 0.999999) : random.uniform(15, 80);
+    camera.near = one_in(random, 6) ? random.log_uniform(1e-300, 1) : random.uniform(0.01, 3);
+    camera.far = one_in(random, 6) ? random.log_uniform(1, 1e300) : camera.near + random.uniform(1, 100);
     const Double3 sight = camera.target - camera.position;
     const double distance = length(sight), tilt = length(cross(normalize(sight), normalize(camera.up)));
     if (camera.near < camera.far && distance > 0 && std::isfinite(distance) && tilt > 1e-6) return camera;
@@ -197,11 +197,12 @@ Scene random_scene(Random& random) {
 }
 
 RenderOptions random_options(Random& random) {
-  constexpr std::string_view rungs[] = {DoubleRung::name, DoubleRung::name, FloatRung::name, FastRung::name};
+  constexpr std::string_view precisions[] = {DoublePrecision::name, DoublePrecision::name, FloatPrecision::name,
+                                             FastPrecision::name};
   RenderOptions options;
   options.width = 1 + random.below(48);
   options.height = 1 + random.below(48);
-  options.rung = rungs[random.below(4)];
+  options.precision = precisions[random.below(4)];
   options.samples = 1 << random.below(5);
   options.transfer = one_in(random, 2) ? Transfer::linear : Transfer::srgb;
   options.want_radiance = true;

@@ -11,7 +11,7 @@ namespace refraster::test {
 /// same for the same random numbers.
 Scene random_scene(Random& random);
 
-/// Up to 48 x 48 pixels, any number of samples and rung; all images are wanted.
+/// Up to 48 x 48 pixels, any number of samples and precision; all images are wanted.
 RenderOptions random_options(Random& random);
 
 } // namespace refraster::test

@@ -64,9 +64,10 @@ bool holds(const std::string& text, const std::string& words) {
 
 } // namespace
 
-TEST_CASE("with --json - standard output is one document with a result for each scene, rung and number of threads") {
+TEST_CASE(
+    "with --json - standard output is one document with a result for each scene, precision and number of threads") {
   const BallFolder folder;
-  const Finished run = folder.bench({"ball.json", "--threads", "1,2", "--rungs", "float,double", "--json", "-"});
+  const Finished run = folder.bench({"ball.json", "--threads", "1,2", "--precisions", "float,double", "--json", "-"});
   REQUIRE_MESSAGE(run.exit_code == 0, run.err);
   const Json json = parsed(run.out);
   CHECK(fault(json) == "");
@@ -76,7 +77,7 @@ TEST_CASE("with --json - standard output is one document with a result for each 
     CHECK(std::string(results[i]["scene"].GetString()) == "ball.json");
     CHECK(results[i]["size"][0].GetInt() == 80);
     CHECK(results[i]["size"][1].GetInt() == 45);
-    CHECK(std::string(results[i]["rung"].GetString()) == (i < 2 ? "float" : "double"));
+    CHECK(std::string(results[i]["precision"].GetString()) == (i < 2 ? "float" : "double"));
     CHECK(results[i]["threads"].GetInt() == (i % 2 == 0 ? 1 : 2));
     CHECK(results[i]["frame_ms"]["median"].GetDouble() > 0);
     CHECK(results[i]["opengl_ratio"].IsNull());
@@ -102,8 +103,8 @@ TEST_CASE("what is left out is null or empty") {
 TEST_CASE("several sizes are measured one after the other") {
   const BallFolder folder;
   const Finished run = run_program(folder.path, {"bench", "ball.json", "--size", "64x36,32x18", "--frames", "1",
-                                                 "--seconds", "0", "--gl", "none", "--rungs", "float", "--threads", "1",
-                                                 "--no-marginal", "--json", "a.json", "--html", "a.html"});
+                                                 "--seconds", "0", "--gl", "none", "--precisions", "float", "--threads",
+                                                 "1", "--no-marginal", "--json", "a.json", "--html", "a.html"});
   REQUIRE_MESSAGE(run.exit_code == 0, run.err);
   const Json json = parsed(text_of(folder / "a.json"));
   REQUIRE(json["results"].Size() == 2);
@@ -128,8 +129,8 @@ TEST_CASE("a scene that shows nothing is measured too") {
 
 TEST_CASE("curves of growth say whether it is linear, and stop where they are told to") {
   const BallFolder folder;
-  const Finished run = folder.bench({"--scaling", "triangles:1e4,lights:8,overdraw:4,threads:2", "--rungs", "float",
-                                     "--json", "-", "--html", "g.html"});
+  const Finished run = folder.bench({"--scaling", "triangles:1e4,lights:8,overdraw:4,threads:2", "--precisions",
+                                     "float", "--json", "-", "--html", "g.html"});
   REQUIRE_MESSAGE(run.exit_code == 0, run.err);
   const Json json = parsed(run.out);
   CHECK(fault(json) == "");
@@ -160,7 +161,7 @@ TEST_CASE("without --json a table is written; the page needs nothing from elsewh
   CHECK(page.starts_with("<!doctype html>"));
   CHECK(page.ends_with("</html>\n"));
   for (const char* const words :
-       {"<svg", "class=\"part5\"", "class=\"curve rung0\"", "What accuracy costs", "page.html"})
+       {"<svg", "class=\"part5\"", "class=\"curve precision0\"", "What accuracy costs", "page.html"})
     CHECK_MESSAGE(holds(page, words), words);
   for (const char* const words :
        {"http:", "https:", "src=", "url(", "<script", "<link", "\"nan", "-nan", ">nan", "inf\"", ">inf"})
@@ -170,7 +171,7 @@ TEST_CASE("without --json a table is written; the page needs nothing from elsewh
 
 TEST_CASE("without a scene the built-in sphere is measured, whose every pixel is shaded") {
   const BallFolder folder;
-  const Finished run = folder.bench({"--no-marginal", "--rungs", "float", "--threads", "1", "--json", "-"});
+  const Finished run = folder.bench({"--no-marginal", "--precisions", "float", "--threads", "1", "--json", "-"});
   REQUIRE_MESSAGE(run.exit_code == 0, run.err);
   const Json json = parsed(run.out);
   CHECK(std::string(json["results"][0]["scene"].GetString()) == "built-in sphere");
@@ -191,7 +192,7 @@ TEST_CASE("with --csv a folder is made that holds a file for each table, and wha
   std::filesystem::create_directories(folder / "figures/here");
   save_text(folder / "figures/here/mine.txt", "mine");
   for (const char* const where : {"figures/here", "made/too"}) {
-    const Finished run = folder.bench({"ball.json", "--rungs", "float", "--threads", "1", "--csv", where});
+    const Finished run = folder.bench({"ball.json", "--precisions", "float", "--threads", "1", "--csv", where});
     REQUIRE_MESSAGE(run.exit_code == 0, run.err);
     for (const char* const name : {"frames", "split", "costs", "errors", "scaling", "machine"})
       CHECK(text_of(folder / (std::string(where) + "/" + name + ".csv")).size() > 20);
@@ -205,8 +206,8 @@ TEST_CASE("with --csv a folder is made that holds a file for each table, and wha
 
 TEST_CASE("-q leaves notes out of the table, and out of nothing else") {
   const BallFolder folder;
-  const Words many = {"ball.json", "--threads", "64",     "--no-marginal", "--no-error",
-                      "--rungs",   "float",     "--json", "a.json"};
+  const Words many = {"ball.json",    "--threads", "64",     "--no-marginal", "--no-error",
+                      "--precisions", "float",     "--json", "a.json"};
   CHECK(holds(folder.bench(many).out, "note: 64 threads share"));
   Words quiet = many;
   quiet.emplace_back("-q");
@@ -217,7 +218,7 @@ TEST_CASE("-q leaves notes out of the table, and out of nothing else") {
   CHECK(holds(text_of(folder / "a.json"), "64 threads share"));
 }
 
-TEST_CASE("bad scenes and outputs are told as everywhere") {
+TEST_CASE("bad scenes and outputs are reported as everywhere") {
   const BallFolder folder;
   CHECK(folder.bench({"none.json"}).exit_code == 3);
   CHECK(folder.bench({"ball.json", "none.json", "--html", "page.html"}).exit_code == 3);

@@ -187,7 +187,7 @@ TEST_CASE("a file of 5 GB with nothing in it is refused for its size or its cont
     fs::resize_file(folder / name, 5'000'000'000);
   }
   save_text(folder / "mesh.json", scene_with_mesh("m.obj"));
-  const std::uint64_t idle = run_program(folder.path, {"list", "rungs"}).peak_bytes;
+  const std::uint64_t idle = run_program(folder.path, {"list", "precisions"}).peak_bytes;
   const auto refused = [&](const std::vector<std::string>& words, const std::string& said) {
     const Finished run = run_program(folder.path, words);
     CHECK(run.exit_code == 3);

@@ -132,7 +132,7 @@ std::vector<Beyond> beyond_each() {
 
 /// What a run takes that does nothing.
 std::uint64_t idle_bytes(const TemporaryFolder& folder) {
-  return run_program(folder.path, {"list", "rungs"}).peak_bytes;
+  return run_program(folder.path, {"list", "precisions"}).peak_bytes;
 }
 
 } // namespace

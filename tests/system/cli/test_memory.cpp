@@ -116,7 +116,7 @@ TEST_CASE("with any limit a run ends well or says that it does not fit, and neve
 TEST_CASE("a hostile file takes no more memory than the documented multiple of its size" *
           doctest::skip(built_with_sanitizer)) {
   const TemporaryFolder folder;
-  const std::uint64_t idle = run_program(folder.path, {"list", "rungs"}).peak_bytes;
+  const std::uint64_t idle = run_program(folder.path, {"list", "precisions"}).peak_bytes;
   const auto check = [&](const std::string& name, const std::string& file, const std::string& text, std::uint64_t times,
                          std::uint64_t more = 0) {
     save_text(folder / file, text);

@@ -74,8 +74,8 @@ TEST_CASE("a mesh out of the cache has the notes of its file, also with --strict
 
 TEST_CASE("faces without vt are white, whatever the texture is") {
   const ObjFolder folder(quad + "vt 0.5 0.5\nf 1/1 2/1 3/1\nf 1 3 4\n", "", R"(, "texture_file_path": "red.png")");
-  for (const char* const rung : {"double", "float", "fast"}) {
-    const Finished run = folder.render({"--rung", rung});
+  for (const char* const precision : {"double", "float", "fast"}) {
+    const Finished run = folder.render({"--precision", precision});
     CHECK(run.exit_code == 0);
     CHECK(run.err == "note: m.obj: found 1 triangle without vt, on which the texture is not shown\n");
     const Image<float> image = read_image(folder / "i.pfm").values;

@@ -66,12 +66,12 @@ TEST_CASE("an empty scene shows the background, to the nearest level") {
 
 TEST_CASE("the same bytes for every number of threads and every tile size") {
   const BallFolder folder;
-  for (const char* rung : {"double", "float"}) {
-    const std::string one = folder.rendered("one.pfm", {"--rung", rung, "--threads", "1"});
+  for (const char* precision : {"double", "float"}) {
+    const std::string one = folder.rendered("one.pfm", {"--precision", precision, "--threads", "1"});
     for (const char* threads : {"2", "3", "7"})
-      CHECK(folder.rendered("many.pfm", {"--rung", rung, "--threads", threads}) == one);
+      CHECK(folder.rendered("many.pfm", {"--precision", precision, "--threads", threads}) == one);
     for (const char* tile_size : {"8", "16", "32", "128"})
-      CHECK(folder.rendered("tile.pfm", {"--rung", rung, "--tile-size", tile_size}) == one);
+      CHECK(folder.rendered("tile.pfm", {"--precision", precision, "--tile-size", tile_size}) == one);
   }
 }
 
@@ -124,7 +124,7 @@ TEST_CASE("the report names scene, build and counts; on standard output it stand
   folder.rendered("a.png", {"--report", "a.json", "--threads", "1"});
   const std::string report = text_of(folder / "a.json");
   for (const std::string part :
-       {"\"scene\": \"ball.json\"", "\"size\": [90, 70]", "\"rung\": \"double\"", "\"threads\": 1",
+       {"\"scene\": \"ball.json\"", "\"size\": [90, 70]", "\"precision\": \"double\"", "\"threads\": 1",
         "\"compiler\":", "-ffp-contract=off -fno-fast-math", "\"in_scene\": 536", "\"in_image\": 6300",
         "\"zero_normal\": 0", "\"occupancy\":", "\"outputs\": [\"a.png\"]"})
     CHECK_MESSAGE(report.find(part) != std::string::npos, part << "\n" << report);

@@ -30,7 +30,7 @@ const std::vector<Words> every_level = {
     {"merl", "synth", "brass-like"},
     {"list"},
     {"list", "fragment-functions"},
-    {"list", "rungs"},
+    {"list", "precisions"},
     {"list", "limits"},
     {"list", "scene-format"},
 };
@@ -100,8 +100,8 @@ TEST_CASE("every wrong argument is answered with exit code 2, one line and a hin
       {"render", "ball.json", "--crop", "1,2,3"},
       {"render", "ball.json", "--crop", "1270,0,11,5"},
       {"render", "ball.json", "--crop", "0,16384,1,16384"},
-      {"render", "ball.json", "--rung", "half"},
-      {"render", "ball.json", "--rung", ""},
+      {"render", "ball.json", "--precision", "half"},
+      {"render", "ball.json", "--precision", ""},
       {"render", "ball.json", "--samples", "3"},
       {"render", "ball.json", "--threads", "-1"},
       {"render", "ball.json", "--threads", "two"},
@@ -139,9 +139,9 @@ TEST_CASE("every wrong argument is answered with exit code 2, one line and a hin
       {"gl", "ball.json", "--frames", "1.5"},
       {"gl", "ball.json", "--float", "same.exr", "--depth", "same.exr"},
       {"bench", "ball.json", "--json", "-", "--html", "-"},
-      {"bench", "ball.json", "--rungs", "half"},
-      {"bench", "ball.json", "--rungs", "float,float"},
-      {"bench", "ball.json", "--rungs", ""},
+      {"bench", "ball.json", "--precisions", "half"},
+      {"bench", "ball.json", "--precisions", "float,float"},
+      {"bench", "ball.json", "--precisions", ""},
       {"bench", "ball.json", "--size", "64x36,64x36"},
       {"bench", "ball.json", "--size", "64x36,"},
       {"bench", "ball.json", "--threads", "0"},
@@ -201,7 +201,7 @@ TEST_CASE("of a scene without a name it is the scene that is wrong") {
   }
 }
 
-TEST_CASE("what is wrong with a later scene is told before the first is measured") {
+TEST_CASE("what is wrong with a later scene is reported before the first is measured") {
   const TemporaryFolder folder;
   save_text(folder / "ball.json", ball_scene);
   const Finished run = run_program(folder.path, {"bench", "ball.json", "none.json", "--seconds", "3600"});
@@ -214,8 +214,8 @@ TEST_CASE("what there is to choose from is listed") {
   const std::string functions = run_program(folder.path, {"list", "fragment-functions"}).out;
   for (const std::string name : {"phong", "blinn_phong", "merl", "glossiness", "merl_lookup"})
     CHECK_MESSAGE(functions.find(name) != std::string::npos, name);
-  const std::string rungs = run_program(folder.path, {"list", "rungs"}).out;
-  CHECK(rungs.starts_with("double"));
-  CHECK(rungs.find("\nfloat") != std::string::npos);
+  const std::string precisions = run_program(folder.path, {"list", "precisions"}).out;
+  CHECK(precisions.starts_with("double"));
+  CHECK(precisions.find("\nfloat") != std::string::npos);
   CHECK(run_program(folder.path, {"list", "scene-format"}).out.find("fov_y") != std::string::npos);
 }

@@ -1,8 +1,8 @@
 // The worked example of CONTRIBUTING.md does what that page says.
 
 #include "math/bounds/interval_functions.h"
+#include "shading/fragment_functions.h"
 #include "shading/minnaert.h"
-#include "shading/models.h"
 
 #include <doctest/doctest.h>
 

@@ -14,9 +14,9 @@ Scene ball() {
   scene.direction_lights = {{{-1, -1, -1}, Double3(1)}};
   Object object;
   object.mesh = std::make_shared<const Mesh>(sphere_mesh(16, 8));
-  BlinnPhong model;
-  model.glossiness = 20;
-  object.material.model = model;
+  BlinnPhong function;
+  function.glossiness = 20;
+  object.material.fragment_function = function;
   scene.objects.push_back(object);
   return scene;
 }
@@ -35,7 +35,7 @@ TEST_CASE("a number of one's own renders a frame, close to that of double, and c
   constexpr double error = 20 * 0x1p-50;
   std::size_t lit = 0;
   for (std::size_t i = 0; i < counted.values.size(); ++i) {
-    CHECK(magnitude(counted.values[i].value - reference.radiance_double.values[i]) <= error);
+    CHECK(abs(counted.values[i].value - reference.radiance_double.values[i]) <= error);
     lit += counted.values[i].value > 0;
   }
   CHECK(lit >= 100);

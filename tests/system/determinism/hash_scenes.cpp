@@ -1,9 +1,9 @@
-// Renders scenes and prints one hash for each scene and rung. Where the same source gives another hash, on another
+// Renders scenes and prints one hash for each scene and precision. Where the same source gives another hash, on another
 // machine, from another compiler, with other flags, the promise of one image everywhere is broken.
 
 #include "io/file/input_error.h"
 #include "io/scene/scene_file.h"
-#include "math/rungs.h"
+#include "math/precisions.h"
 #include "raster/render.h"
 #include "tests/support/scenes/hashed_scenes.h"
 
@@ -23,7 +23,7 @@ namespace {
 
 constexpr const char* usage = R"(usage: hash_scenes [--threads N] [--tile N] [SCENE.json ...]
        hash_scenes --golden FILE
-The first form prints "hash rung scene" for the scenes built in and for the files named. The second compares the scenes
+The first form prints "hash precision scene" for the scenes built in and for the files named. The second compares the scenes
 built in with FILE, for several numbers of threads and tile sizes, and fails where a hash differs.
 )";
 
@@ -53,10 +53,10 @@ private:
   Word state_ = (Word{0x6c62272e07bb0142} << 64) + 0x62b821756295c58d;
 };
 
-std::string hash_of(const HashedScene& hashed, std::string_view rung, int threads, int tile_size) {
+std::string hash_of(const HashedScene& hashed, std::string_view precision, int threads, int tile_size) {
   RenderOptions options;
   options.width = hashed_width, options.height = hashed_height;
-  options.rung = rung;
+  options.precision = precision;
   options.samples = hashed.samples;
   options.threads = threads;
   options.tile_size = tile_size;
@@ -66,31 +66,31 @@ std::string hash_of(const HashedScene& hashed, std::string_view rung, int thread
   const Frame frame = render(hashed.scene, options);
   Fnv128 hash;
   hash.add(frame.radiance);
-  hash.add(frame.levels);
+  hash.add(frame.rgb8);
   for (const Image<float>& aov : frame.aovs) hash.add(aov);
   return hash.text();
 }
 
-/// body(rung's name) for each rung.
+/// body(precision's name) for each precision.
 template <class Body>
-void for_each_rung(Body&& body) {
-  // A quick rung promises no bits.
-  const auto strict = [&](auto rung) {
-    if constexpr (!is_quick<typename decltype(rung)::Number>) body(rung.name);
+void for_each_precision(Body&& body) {
+  // A fast precision promises no bits.
+  const auto strict = [&](auto precision) {
+    if constexpr (!is_fast<typename decltype(precision)::Number>) body(precision.name);
   };
-  std::apply([&](auto... rung) { (strict(rung), ...); }, LaneRungs{});
+  std::apply([&](auto... precision) { (strict(precision), ...); }, LanePrecisions{});
 }
 
-/// Both by "rung scene".
+/// Both by "precision scene".
 std::map<std::string, std::string> golden_hashes(const std::string& path) {
   std::ifstream file(path);
   std::map<std::string, std::string> result;
   for (std::string line; std::getline(file, line);) {
     if (line.empty() || line[0] == '#') continue;
     std::istringstream words(line);
-    std::string hash, rung, name;
-    words >> hash >> rung >> name;
-    result[rung + " " + name] = hash;
+    std::string hash, precision, name;
+    words >> hash >> precision >> name;
+    result[precision + " " + name] = hash;
   }
   return result;
 }
@@ -105,10 +105,10 @@ int compare(const std::string& path) {
   std::map<std::string, std::string> golden = golden_hashes(path);
   std::size_t compared = 0, different = 0;
   for (const HashedScene& hashed : hashed_scenes())
-    for_each_rung([&](std::string_view rung) {
-      const std::string key = std::string(rung) + " " + hashed.name;
+    for_each_precision([&](std::string_view precision) {
+      const std::string key = std::string(precision) + " " + hashed.name;
       for (const Way& way : ways) {
-        const std::string hash = hash_of(hashed, rung, way.threads, way.tile_size);
+        const std::string hash = hash_of(hashed, precision, way.threads, way.tile_size);
         ++compared;
         if (golden[key] == hash) continue;
         if (++different > shown) continue;
@@ -122,8 +122,8 @@ int compare(const std::string& path) {
 
 void print(const std::vector<HashedScene>& scenes, int threads, int tile_size) {
   for (const HashedScene& hashed : scenes)
-    for_each_rung([&](std::string_view rung) {
-      std::cout << hash_of(hashed, rung, threads, tile_size) << " " << rung << " " << hashed.name << "\n";
+    for_each_precision([&](std::string_view precision) {
+      std::cout << hash_of(hashed, precision, threads, tile_size) << " " << precision << " " << hashed.name << "\n";
     });
 }
 

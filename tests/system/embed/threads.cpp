@@ -89,9 +89,9 @@ void one_thread(int number, const std::vector<Work>& shared, const Files& files)
     options.want_radiance = true;
     const Frame drawn = render(own, options);
     const std::string path = files.folder / (std::to_string(number) + ".png");
-    write_png(path, drawn.levels);
+    write_png(path, drawn.rgb8);
     const ImageFile read = read_image(path);
-    require(std::equal(drawn.levels.values.begin(), drawn.levels.values.end(), read.values.values.begin(),
+    require(std::equal(drawn.rgb8.values.begin(), drawn.rgb8.values.end(), read.values.values.begin(),
                        [](std::uint8_t a, float b) { return static_cast<float>(a) == b; })
                 ? ""
                 : "another image",

@@ -1,4 +1,4 @@
-// The catalogue of extremes (docs/extremes.md), rows C: coverage.
+// The extremes (docs/extremes.md), rows C: coverage.
 
 #include "raster/samples.h"
 #include "tests/support/for_all.h"
@@ -74,7 +74,7 @@ GridMesh jittered_grid(int columns, int rows, int step, Random& random) {
 }
 
 // The number of samples of pixels [0, width) x [0, height) that are not covered exactly once.
-long not_once(const GridMesh& grid, int width, int height, SamplePlace sample) {
+long not_once(const GridMesh& grid, int width, int height, SamplePosition sample) {
   std::vector<int> owners(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
   for (const Corners& c : grid.triangles) {
     const auto t = on_lattice(c);
@@ -240,7 +240,7 @@ TEST_CASE("C6: snapping takes the nearest subpixel, and of two equally near ones
 
 TEST_CASE("C7: a corner stands within half of 1/256 pixel of its place") {
   for_all(5000, [](Random& random) {
-    const double w = random.magnitude(1e-30, 1e30);
+    const double w = random.log_uniform(1e-30, 1e30);
     const Double4 clip(random.uniform(-3, 3) * w, random.uniform(-3, 3) * w, 0, w);
     const WindowVertex v = window_vertex(clip, 640, 480);
     const Rational x = (Rational(clip.x) / Rational(w) + 1) * 320 * 256,
@@ -255,14 +255,14 @@ TEST_CASE("C7: a corner stands within half of 1/256 pixel of its place") {
 TEST_CASE("C8: every sample of a pixel is covered once, also on its border; equal colours resolve to that colour") {
   Random random(8);
   for (const int samples : {2, 4, 8, 16})
-    for (const SamplePlace& place : sample_pattern(samples)) {
+    for (const SamplePosition& place : sample_pattern(samples)) {
       CHECK(not_once(jittered_grid(20, 20, 4, random), 80, 80, place) == 0);
       CHECK(not_once(jittered_grid(90, 90, 1, random), 90, 90, place) == 0);
     }
   // #12 and #15 of 16 lie on the left and the top border of their pixel: an edge along it, seen from both sides.
   for (const auto& border : {std::tuple(12, 0, 128), std::tuple(15, 16, 0)}) {
     const int number = std::get<0>(border), x = std::get<1>(border), y = std::get<2>(border);
-    const SamplePlace place = sample_pattern(16)[static_cast<std::size_t>(number)];
+    const SamplePosition place = sample_pattern(16)[static_cast<std::size_t>(number)];
     CHECK(place.x == x);
     CHECK(place.y == y);
     const bool left = number == 12;
@@ -299,9 +299,9 @@ TEST_CASE("C9: attributes are those at the pixel's centre, also where only other
   const auto at = window.exact_triangle(corner[0], corner[1], corner[2]).at(4 * 256 + 128, 4 * 256 + 128);
   REQUIRE(at);
   CHECK(at->how == Meets::outside);
-  CHECK(at->share[1] < 0); // extrapolated
+  CHECK(at->weight[1] < 0); // extrapolated
   for (std::size_t c = 0; c < 2; ++c) {
-    const Mpfr expected = exact(at->share[c + 1]);
+    const Mpfr expected = exact(at->weight[c + 1]);
     CHECK(abs(Mpfr(frame.aovs[1].at(4, 4)[c]) - expected) <= half_float_ulp(expected) + interpolation_bound(Mpfr(2)));
   }
 }
@@ -315,7 +315,7 @@ TEST_CASE("C10: derivatives are the plane's own: no neighbour is asked, and none
     texture->levels.push_back(
         {size, size, PaddedVector<float>(static_cast<std::size_t>(3 * size * size), static_cast<float>(k))});
   }
-  const auto seen = [&](const std::vector<Float3>& corners, const std::vector<Crop>& crop) {
+  const auto seen = [&](const std::vector<Float3>& corners, const std::vector<PixelRect>& crop) {
     WindowScene window(16, 0.25, 64);
     std::vector<Float2> uvs;
     for (const Float3& p : corners) uvs.emplace_back(p.x, p.z);
@@ -344,7 +344,7 @@ TEST_CASE("C10: derivatives are the plane's own: no neighbour is asked, and none
     // Derivatives to some tens of 2^-53, log2 to an ulp; between levels k and k + 1 the share is exact to 2^-50.
     const Mpfr bound = Mpfr(0x1p-44) + half_float_ulp(clamped / 16);
     CHECK(abs(Mpfr(whole.radiance.at(px, py)[0]) - clamped / 16) <= bound);
-    const Frame crop = seen({on_plane(-8, 16), on_plane(24, 16), on_plane(8, 8.5)}, {Crop{px, py, 1, 1}});
+    const Frame crop = seen({on_plane(-8, 16), on_plane(24, 16), on_plane(8, 8.5)}, {PixelRect{px, py, 1, 1}});
     CHECK(crop.radiance.values[0] == whole.radiance.at(px, py)[0]);
 
     const Frame alone =

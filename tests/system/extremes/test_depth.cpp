@@ -1,4 +1,4 @@
-// The catalogue of extremes (docs/extremes.md), rows Z: depth.
+// The extremes (docs/extremes.md), rows Z: depth.
 
 #include "tests/support/for_all.h"
 #include "tests/support/raster/triangles.h"
@@ -46,9 +46,9 @@ TEST_CASE(
   // in all. A step of s in w changes z / w by about 2 near s / w^2, so what is further apart than 8 2^-53 w^2 / near is
   // seen in order. At the far end that is 8.9e-7 of far; a 24-bit depth buffer ends at 1.7 % of far.
   const double near = 1, far = 1e9;
-  for (const double share : {1e-8, 1e-4, 0.017, 0.1, 0.5, 0.9}) {
-    CAPTURE(share);
-    const float w = static_cast<float>(share * far);
+  for (const double fraction : {1e-8, 1e-4, 0.017, 0.1, 0.5, 0.9}) {
+    CAPTURE(fraction);
+    const float w = static_cast<float>(fraction * far);
     const double resolved = 8 * 0x1p-53 * static_cast<double>(w) * static_cast<double>(w) / near;
     float behind = std::nextafter(w, INFINITY);
     while (static_cast<double>(behind - w) < resolved) behind = std::nextafter(behind, INFINITY);
@@ -190,7 +190,7 @@ TEST_CASE("Z6: the depth image is the exact depth rounded to the nearest float, 
 TEST_CASE("Z7: seen almost edge-on, depth stays between the corners' depths") {
   for_all(300, [](Random& random) {
     std::array<Double4, 3> clip;
-    const double x = random.uniform(-0.9, 0.9), lean = random.magnitude(1e-6, 1e-2);
+    const double x = random.uniform(-0.9, 0.9), lean = random.log_uniform(1e-6, 1e-2);
     double z_min = 1, z_max = -1;
     for (std::size_t k = 0; k < 3; ++k) {
       const double z = random.uniform(-1, 1);

@@ -1,4 +1,4 @@
-// docs/extremes.md and the tests of the catalogue tell the same story.
+// docs/extremes.md and the tests of the extremes agree.
 
 #include <doctest/doctest.h>
 
@@ -53,7 +53,7 @@ std::map<std::string, std::set<std::string>> documented_rows() {
 
 } // namespace
 
-TEST_CASE("every row of the catalogue has a test of its name, and docs/extremes.md names it") {
+TEST_CASE("every row of the extremes has a test of its name, and docs/extremes.md names it") {
   const std::pair<char, int> letters[] = {{'V', 15}, {'C', 10}, {'Z', 7}, {'I', 9}, {'N', 7}, {'S', 13}, {'M', 10}};
   const auto tested = tested_rows(), documented = documented_rows();
   std::size_t rows = 0;
@@ -74,5 +74,5 @@ TEST_CASE("every row of the catalogue has a test of its name, and docs/extremes.
     REQUIRE(in_sources != tested.end());
     CHECK(documented_row.second == in_sources->second);
   }
-  MESSAGE("rows of the catalogue: " << rows);
+  MESSAGE("rows of the extremes: " << rows);
 }

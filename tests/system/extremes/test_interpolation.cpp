@@ -1,4 +1,4 @@
-// The catalogue of extremes (docs/extremes.md), rows I: interpolation.
+// The extremes (docs/extremes.md), rows I: interpolation.
 
 #include "shading/undefined.h"
 #include "tests/support/for_all.h"
@@ -53,11 +53,11 @@ TEST_CASE("I1: an attribute that is the same at three corners comes out bit for 
   for_all(60, [](Random& random) {
     WindowScene window(16);
     std::vector<Float3> corner;
-    const Float2 uv(static_cast<float>(random.sign() * random.magnitude(1e-30, 1e6)),
+    const Float2 uv(static_cast<float>(random.sign() * random.log_uniform(1e-30, 1e6)),
                     static_cast<float>(random.uniform(-2, 2)));
     for (int k = 0; k < 3; ++k)
       corner.emplace_back(random.uniform(-9, 9), random.uniform(-9, 9), random.uniform(-9, 1));
-    const float z = static_cast<float>(-random.magnitude(0.5, 500));
+    const float z = static_cast<float>(-random.log_uniform(0.5, 500));
     const bool upright = random.below(2) == 0;
     if (upright)
       for (Float3& p : corner) p.z = z;
@@ -100,14 +100,14 @@ TEST_CASE("I2: with distances of 1 to 1e8 among its corners, a triangle is good 
           if (!is_drawn(frame, x, y)) continue;
           const auto at = truth.at(x * 256 + 128, y * 256 + 128);
           REQUIRE(at);
-          const Mpfr distance = -exact(at->share[0] * Rational(corner[0].z) + at->share[1] * Rational(corner[1].z) +
-                                       at->share[2] * Rational(corner[2].z));
+          const Mpfr distance = -exact(at->weight[0] * Rational(corner[0].z) + at->weight[1] * Rational(corner[1].z) +
+                                       at->weight[2] * Rational(corner[2].z));
           // Relative to the size of the point seen, which is its distance: no coordinate in view is larger, and one
           // that passes through 0 has no digits of its own.
           const Mpfr ulp = 2 * half_float_ulp(distance);
           const auto check = [&](std::size_t aov, int channel, const auto& value) {
             Mpfr expected = 0;
-            for (std::size_t k = 0; k < 3; ++k) expected += exact(at->share[k] * Rational(value(k)));
+            for (std::size_t k = 0; k < 3; ++k) expected += exact(at->weight[k] * Rational(value(k)));
             const double error =
                 Mpfr(abs(Mpfr(frame.aovs[aov].at(x, y)[channel]) - expected) / ulp).template convert_to<double>();
             worst = std::max(worst, error);
@@ -147,7 +147,7 @@ TEST_CASE(
         REQUIRE(at);
         for (int c = 0; c < 2; ++c) {
           Mpfr expected = 0;
-          for (std::size_t k = 0; k < 3; ++k) expected += exact(at->share[k] * Rational(uvs[k][c]));
+          for (std::size_t k = 0; k < 3; ++k) expected += exact(at->weight[k] * Rational(uvs[k][c]));
           const Mpfr ulp = c == 0 ? 2 * half_float_ulp(expected) : 2 * half_float_ulp(Mpfr(1));
           REQUIRE(abs(Mpfr(frame.aovs[1].at(x, y)[c]) - expected) <= ulp);
         }
@@ -185,7 +185,7 @@ TEST_CASE("I4: an interpolated value lies between the values at the corners") {
           REQUIRE(frame.aovs[1].at(x, y)[c] >= least[c]);
           REQUIRE(frame.aovs[1].at(x, y)[c] <= most[c]);
           Rational expected = 0;
-          for (std::size_t k = 0; k < 3; ++k) expected += at->share[k] * Rational(uvs[k][c]);
+          for (std::size_t k = 0; k < 3; ++k) expected += at->weight[k] * Rational(uvs[k][c]);
           REQUIRE(abs(Mpfr(frame.aovs[1].at(x, y)[c]) - exact(expected)) <=
                   half_float_ulp(exact(expected)) + interpolation_bound(Mpfr(1)));
         }
@@ -212,9 +212,9 @@ TEST_CASE("I4: on an edge where the texture coordinate is 0 the first texel is s
                           : window.add({b, c, d, b, d, a}, Double3(1), {at_b, at_c, at_d, at_b, at_d, at_a});
     object.material.texture = texture;
     object.material.texture_filter = TextureFilter::nearest;
-    for (const std::string_view rung : {"double", "float"}) {
+    for (const std::string_view precision : {"double", "float"}) {
       RenderOptions options = window.options();
-      options.rung = rung;
+      options.precision = precision;
       const Frame frame = render(window.scene, options);
       for (int x = static_cast<int>(x0); x < static_cast<int>(x1); ++x)
         ++seen, wrong += frame.radiance.at(x, static_cast<int>(y0))[1] != 0;
@@ -233,9 +233,9 @@ TEST_CASE("I4: on an edge where the texture coordinate is 0 the first texel is s
                                 Double3(1), {{0, 1}, {0, 0}, {0, 0}});
     object.material.texture = texture;
     object.material.texture_filter = TextureFilter::nearest;
-    for (const std::string_view rung : {"double", "float"}) {
+    for (const std::string_view precision : {"double", "float"}) {
       RenderOptions options = window.options();
-      options.rung = rung;
+      options.precision = precision;
       const Frame frame = render(window.scene, options);
       for (int x = static_cast<int>(x1); x < static_cast<int>(x2); ++x)
         ++seen, wrong += frame.radiance.at(x, static_cast<int>(y))[1] != 0;
@@ -317,14 +317,14 @@ TEST_CASE("I8: a texture coordinate that is NaN or infinite gives the colour at 
   const auto texture = index_texture(4, 4);
   for (const float bad : {std::numeric_limits<float>::quiet_NaN(), INFINITY, -INFINITY})
     for (const TextureFilter filter : {TextureFilter::nearest, TextureFilter::bilinear, TextureFilter::trilinear})
-      for (const std::string_view rung : {"double", "float"}) {
+      for (const std::string_view precision : {"double", "float"}) {
         WindowScene window(8);
         Object& object = window.add({window.place(-8, -8, 1), window.place(24, -8, 1), window.place(-8, 24, 1)},
                                     Double3(1), {{bad, 0.375f}, {bad, 0.375f}, {bad, 0.375f}});
         object.material.texture = texture;
         object.material.texture_filter = filter;
         RenderOptions options = window.options();
-        options.rung = rung;
+        options.precision = precision;
         const Frame frame = render(window.scene, options);
         CHECK(frame.counts.undefined[Undefined::bad_uv] == 64);
         // v = 0.375 is the centre of row 1. u = 0: texel 0, or half way between the last and the first.
@@ -338,17 +338,17 @@ TEST_CASE("I8: a texture coordinate that is NaN or infinite gives the colour at 
 TEST_CASE("I9: a triangle without texture coordinates is white, and nothing is counted") {
   const auto texture = index_texture(4, 4);
   for (const TextureFilter filter : {TextureFilter::nearest, TextureFilter::bilinear, TextureFilter::trilinear})
-    for (const std::string_view rung : {"double", "float", "fast"})
+    for (const std::string_view precision : {"double", "float", "fast"})
       for (const std::size_t textured : {0u, 2u, 3u, 5u}) { // vertices; of the triangle on the left it needs three
         WindowScene window(16);
         Object& object = window.add({window.place(-8, -8, 1), window.place(-8, 40, 1), window.place(8, 8, 1),
                                      window.place(24, -8, 1), window.place(24, 40, 1), window.place(8, 8, 1)},
                                     Double3(1), std::vector<Float2>(textured, Float2(0.375f)));
-        std::get<Phong>(object.material.model).kd = Double3(1); // no light: for the albedo
+        std::get<Phong>(object.material.fragment_function).kd = Double3(1); // no light: for the albedo
         object.material.texture = texture;
         object.material.texture_filter = filter;
         RenderOptions options = window.options({Aov::triangle, Aov::uv, Aov::albedo});
-        options.rung = rung;
+        options.precision = precision;
         const Frame frame = render(window.scene, options);
         CHECK(frame.counts.undefined[Undefined::bad_uv] == 0);
         std::size_t shown = 0;

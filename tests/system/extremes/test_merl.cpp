@@ -1,4 +1,4 @@
-// The catalogue of extremes (docs/extremes.md), rows M: measured reflection.
+// The extremes (docs/extremes.md), rows M: measured reflection.
 
 #include "io/brdf/merl_file.h"
 #include "io/file/input_error.h"
@@ -112,7 +112,7 @@ Lit reflected(const Merl& merl, const Double3& n, const Double3& l, const Double
   return result;
 }
 
-/// Owned by the test: a Merl model wants a shared pointer, the tables above are static.
+/// Owned by the test: a Merl wants a shared pointer, the tables above are static.
 std::shared_ptr<const MerlTable> borrowed(const MerlTable& table) {
   return {std::shared_ptr<void>(), &table};
 }
@@ -168,7 +168,7 @@ TEST_CASE("M1: in float the bin coordinate is right to what the rounding of thre
 }
 
 TEST_CASE("M1: in float the bin coordinate is right to 1.2e-4 at every angle" * doctest::should_fail()) {
-  // The goal of the catalogue. The vectors would have to be added and crossed in more than float.
+  // The goal of the extremes. The vectors would have to be added and crossed in more than float.
   for (const double angle : highlight_angles) CHECK(worst_u<float>(angle) <= 1.2e-4);
 }
 
@@ -261,7 +261,7 @@ TEST_CASE_TEMPLATE("M6: samples never measured are left out; with none measured 
                    float) {
   // In the cell of bins 10 and 11 on each axis, samples are 1, 2, 3 ... 8, in all channels; which of them are measured
   // is told by the bits of `mask`. The point lies at 1/4, 1/2, 3/4 of the cell.
-  const double share[2][3] = {{0.75, 0.5, 0.25}, {0.25, 0.5, 0.75}};
+  const double fraction[2][3] = {{0.75, 0.5, 0.25}, {0.25, 0.5, 0.75}};
   for (const unsigned mask : {0xffu, 0xfeu, 0x7fu, 0x55u, 0x80u, 0x01u, 0x18u, 0x00u}) {
     CAPTURE(mask);
     double sum = 0, weight = 0;
@@ -269,7 +269,7 @@ TEST_CASE_TEMPLATE("M6: samples never measured are left out; with none measured 
     for (unsigned k = 0; k < 8; ++k) {
       const bool measured = (mask >> k & 1) != 0;
       sample[k] = measured ? static_cast<double>(k + 1) : -1;
-      const double part = share[k >> 2][0] * share[k >> 1 & 1][1] * share[k & 1][2];
+      const double part = fraction[k >> 2][0] * fraction[k >> 1 & 1][1] * fraction[k & 1][2];
       if (measured) sum += part * sample[k], weight += part;
     }
     const MerlTable table = table_of([&](int h, int d, int p) {
@@ -294,8 +294,9 @@ TEST_CASE_TEMPLATE("M6: samples never measured are left out; with none measured 
 TEST_CASE_TEMPLATE("M7: light and eye may change places: no bit changes", F, double, float) {
   for_all(2000, [](Random& random) {
     const Vec3<F> n = random_unit<F>(random);
-    Vec3<F> i = random_unit<F>(random),
-            o = random.below(2) ? random_unit<F>(random) : normalize(i + n * static_cast<F>(random.magnitude(1e-7, 1)));
+    Vec3<F> i = random_unit<F>(random), o = random.below(2)
+                                                ? random_unit<F>(random)
+                                                : normalize(i + n * static_cast<F>(random.log_uniform(1e-7, 1)));
     if (random.below(3) == 0) o = n * (F(2) * refraster::dot(i, n)) - i;
     const HalfDifference<F> there = half_difference(MerlAngles::closed, n, i, o),
                             back = half_difference(MerlAngles::closed, n, o, i);
@@ -309,17 +310,17 @@ TEST_CASE_TEMPLATE("M7: light and eye may change places: no bit changes", F, dou
 
 TEST_CASE("M8: with light or eye at or below the horizon there is no reflection") {
   const MerlTable white = table_of([](int, int, int) { return Rgb<double>(1); });
-  const Merl model{borrowed(white)};
+  const Merl function{borrowed(white)};
   const Double3 up(0, 0, 1);
   const double least = std::numeric_limits<double>::denorm_min();
   for (const double height : {0.0, -0.0, -least, -1e-9, -0.5, -1.0}) {
     const Double3 low = Double3(std::sqrt(1 - height * height), 0, height);
-    CHECK(reflected(model, up, low, up).colour == Rgb<double>(0));
-    CHECK(reflected(model, up, up, low).colour == Rgb<double>(0));
-    CHECK(reflected(model, up, low, low).colour == Rgb<double>(0));
+    CHECK(reflected(function, up, low, up).colour == Rgb<double>(0));
+    CHECK(reflected(function, up, up, low).colour == Rgb<double>(0));
+    CHECK(reflected(function, up, low, low).colour == Rgb<double>(0));
   }
-  CHECK(reflected(model, up, Double3(1, 0, 1e-9), up).colour == Rgb<double>(1e-9)); // f n.l with f = 1
-  CHECK(reflected(model, up, up, Double3(1, 0, least)).colour == Rgb<double>(1));
+  CHECK(reflected(function, up, Double3(1, 0, 1e-9), up).colour == Rgb<double>(1e-9)); // f n.l with f = 1
+  CHECK(reflected(function, up, up, Double3(1, 0, least)).colour == Rgb<double>(1));
 }
 
 TEST_CASE("M9: a table file that is short, long, of wrong or huge dimensions, or holds NaN, is an error") {

@@ -1,7 +1,7 @@
-// The catalogue of extremes (docs/extremes.md), rows N: normals and transforms.
+// The extremes (docs/extremes.md), rows N: normals and transforms.
 
 #include "io/mesh/obj_file.h"
-#include "raster/shade/surface.h"
+#include "raster/shade/attribute_setup.h"
 #include "scene/shapes.h"
 #include "tests/support/for_all.h"
 #include "tests/support/raster/window_scene.h"
@@ -75,7 +75,7 @@ void check_normals(Random& random, const Double3& scale) {
 
 // What a triangle that fills the view shows of its corners' normals: the image of normals, and the diffuse light from
 // `light`.
-Frame shown(const std::array<Float3, 3>& normals, const Double3& light, std::string_view rung) {
+Frame shown(const std::array<Float3, 3>& normals, const Double3& light, std::string_view precision) {
   WindowScene window(4);
   Object& object = window.add({window.place(-4, -4, 1), window.place(-4, 12, 1), window.place(12, -4, 1)});
   auto mesh = std::make_shared<Mesh>(*object.mesh);
@@ -83,10 +83,10 @@ Frame shown(const std::array<Float3, 3>& normals, const Double3& light, std::str
   object.mesh = mesh;
   Phong matt;
   matt.ka = Double3(0), matt.kd = Double3(1), matt.ks = Double3(0);
-  object.material.model = matt;
+  object.material.fragment_function = matt;
   window.scene.direction_lights.push_back({-light, Double3(1)});
   RenderOptions options = window.options({Aov::normal});
-  options.rung = rung;
+  options.precision = precision;
   return render(window.scene, options);
 }
 
@@ -94,8 +94,8 @@ Frame shown(const std::array<Float3, 3>& normals, const Double3& light, std::str
 
 TEST_CASE("N1: under a scale of 1 : 1e6 a normal is turned as by the inverse transpose") {
   for_all(300, [](Random& random) {
-    const double wide = random.magnitude(1, 1e6);
-    const double scales[] = {1, wide, random.magnitude(1e-3, 1e3)};
+    const double wide = random.log_uniform(1, 1e6);
+    const double scales[] = {1, wide, random.log_uniform(1e-3, 1e3)};
     const int turn = random.below(3);
     check_normals(random, {scales[turn], scales[(turn + 1) % 3], scales[(turn + 2) % 3]});
   });
@@ -103,7 +103,7 @@ TEST_CASE("N1: under a scale of 1 : 1e6 a normal is turned as by the inverse tra
 
 TEST_CASE("N2: under a mirrored scale a normal is turned as by the inverse transpose, and outward stays outward") {
   for_all(300, [](Random& random) {
-    const auto any = [&] { return random.sign() * random.magnitude(1e-3, 1e3); };
+    const auto any = [&] { return random.sign() * random.log_uniform(1e-3, 1e3); };
     check_normals(random, {any(), any(), any()});
   });
   const Mesh ball = sphere_mesh(16, 8); // at its vertices the normal is the position
@@ -119,7 +119,7 @@ TEST_CASE("N3: a flattened object has the normals of the plane it lies in; what 
     const Double3 degrees(random.uniform(-180, 180), random.uniform(-180, 180), random.uniform(-180, 180));
     const Double3 n(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
     for (int axis = 0; axis < 3; ++axis) {
-      Double3 scale(random.magnitude(0.1, 10), random.magnitude(0.1, 10), random.magnitude(0.1, 10));
+      Double3 scale(random.log_uniform(0.1, 10), random.log_uniform(0.1, 10), random.log_uniform(0.1, 10));
       scale[axis] = 0;
       // What S^-1 n tends to as that scale falls to 0: the axis, on the side of n.
       Double3 axis_direction(0);
@@ -139,7 +139,7 @@ TEST_CASE("N3: a flattened object has the normals of the plane it lies in; what 
     window.scene.objects.push_back(object);
     Phong lit;
     lit.ka = Double3(0.125);
-    window.scene.objects.back().material.model = lit;
+    window.scene.objects.back().material.fragment_function = lit;
     window.scene.point_lights.push_back({});
     // Its triangles have no area, but for what snapping gives them: so a few samples may see it, without any normal.
     const Frame frame = window.frame({Aov::object, Aov::normal});
@@ -175,9 +175,9 @@ TEST_CASE("N4: normals of any finite length give a unit vector to an ulp") {
       CAPTURE(length_factor);
       const Float3 n = direction * length_factor;
       const ExactVec3 exactly = exact_vector(Double3(n));
-      for (const std::string_view rung : {"double", "float"}) {
-        CAPTURE(std::string(rung));
-        const Frame frame = shown({n, n, n}, light, rung);
+      for (const std::string_view precision : {"double", "float"}) {
+        CAPTURE(std::string(precision));
+        const Frame frame = shown({n, n, n}, light, precision);
         Mpfr cosine = 0;
         for (std::size_t c = 0; c < 3; ++c) {
           const Mpfr expected = exactly[c] / length(exactly);
@@ -186,7 +186,7 @@ TEST_CASE("N4: normals of any finite length give a unit vector to an ulp") {
           // 2^-53.
           CHECK(abs(Mpfr(frame.aovs[0].at(1, 1)[c]) - expected) <= half_float_ulp(expected) + Mpfr(8 * 0x1p-53));
         }
-        const double u = rung == "float" ? 0x1p-24 : 0x1p-53;
+        const double u = precision == "float" ? 0x1p-24 : 0x1p-53;
         // Normal and light to 8 u each, as above, and the dot product to 3.
         const Mpfr expected = cosine > 0 ? cosine : Mpfr(0);
         CHECK(abs(Mpfr(frame.radiance.at(1, 1)[0]) - expected) <= half_float_ulp(expected) + Mpfr(24 * u));
@@ -196,10 +196,11 @@ TEST_CASE("N4: normals of any finite length give a unit vector to an ulp") {
 
 TEST_CASE("N4: lengths near the ends of float change nothing where normals differ from corner to corner") {
   const std::array<Float3, 3> normals{Float3(-1, 0.25f, 0.5f), Float3(1, 0.25f, 0.125f), Float3(0.5f, -1, 0.375f)};
-  for (const std::string_view rung : {"double", "float"}) {
-    const Frame expected = shown(normals, {0.48, 0.6, 0.64}, rung);
+  for (const std::string_view precision : {"double", "float"}) {
+    const Frame expected = shown(normals, {0.48, 0.6, 0.64}, precision);
     for (const float power : {0x1p127f, 0x1p-120f}) {
-      const Frame scaled = shown({normals[0] * power, normals[1] * power, normals[2] * power}, {0.48, 0.6, 0.64}, rung);
+      const Frame scaled =
+          shown({normals[0] * power, normals[1] * power, normals[2] * power}, {0.48, 0.6, 0.64}, precision);
       CHECK(scaled.aovs[0].values == expected.aovs[0].values);
       CHECK(scaled.radiance.values == expected.radiance.values);
     }
@@ -207,8 +208,8 @@ TEST_CASE("N4: lengths near the ends of float change nothing where normals diffe
 }
 
 TEST_CASE("N5: where normals are zero, missing or cancel, the triangle's own normal is taken, and counted") {
-  for (const std::string_view rung : {"double", "float"}) {
-    const Frame zero = shown({}, {0, 0, 1}, rung);
+  for (const std::string_view precision : {"double", "float"}) {
+    const Frame zero = shown({}, {0, 0, 1}, precision);
     CHECK(zero.counts.undefined[Undefined::zero_normal] == 16);
     CHECK(zero.counts.undefined[Undefined::no_normal] == 0);
     for (int i = 0; i < 16; ++i) {
@@ -241,9 +242,9 @@ TEST_CASE("N5: where the normals of a file's faces cancel, no rounding is taken 
   object.mesh = std::make_shared<const Mesh>(mesh_of_obj("sheet.obj", sheet));
   object.position = {0, 0, -0.75}; // larger than the image
   object.cull = Cull::back;
-  for (const std::string_view rung : {"double", "float"}) {
+  for (const std::string_view precision : {"double", "float"}) {
     RenderOptions options = window.options({Aov::triangle, Aov::normal});
-    options.rung = rung;
+    options.precision = precision;
     const Frame frame = render(window.scene, options);
     CHECK(frame.counts.undefined[Undefined::zero_normal] == 256);
     CHECK(frame.counts.undefined[Undefined::no_normal] == 0);
@@ -261,13 +262,13 @@ TEST_CASE("N5: where the normals of a file's faces cancel, no rounding is taken 
 TEST_CASE("N6: scales of 1e20 and 1e-20 together, and up to the ends of double, cost a normal nothing") {
   for_all(200, [](Random& random) {
     const auto any = [&] {
-      const double sizes[] = {1e20, 1e-20, 1, random.magnitude(1e-20, 1e20)};
+      const double sizes[] = {1e20, 1e-20, 1, random.log_uniform(1e-20, 1e20)};
       return random.sign() * sizes[random.below(4)];
     };
     check_normals(random, {any(), any(), any()});
   });
   for_all(200, [](Random& random) {
-    const double size = random.magnitude(1e-300, 1e300); // two of them multiplied leave the range of double
+    const double size = random.log_uniform(1e-300, 1e300); // two of them multiplied leave the range of double
     check_normals(random, {size * random.uniform(1, 2), size * random.uniform(1, 2), -size});
   });
 }
@@ -278,7 +279,7 @@ TEST_CASE("N7: the normal of a needle is good to the last bits") {
     auto mesh = std::make_shared<Mesh>();
     const auto any = [&] { return static_cast<float>(random.uniform(-1, 1)); };
     const Float3 a(any(), any(), any()), b(any(), any(), any());
-    const double along = random.uniform(-0.5, 1.5), height = random.magnitude(1e-7, 1);
+    const double along = random.uniform(-0.5, 1.5), height = random.log_uniform(1e-7, 1);
     const Double3 c = Double3(a) + along * (Double3(b) - Double3(a)) + height * Double3(any(), any(), any());
     mesh->positions = {a, b, Float3(c)};
     mesh->normals.assign(3, Float3(0));

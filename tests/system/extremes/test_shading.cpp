@@ -1,4 +1,4 @@
-// The catalogue of extremes (docs/extremes.md), rows S: shading.
+// The extremes (docs/extremes.md), rows S: shading.
 
 #include "raster/shade/resolve.h"
 #include "tests/support/for_all.h"
@@ -14,12 +14,12 @@ using namespace refraster::test;
 
 namespace {
 
-template <class SomeModel>
-SomeModel shiny(double glossiness, SpecularGate gate = SpecularGate::open) {
-  SomeModel model;
-  model.ka = Double3(0), model.kd = Double3(0.5, 0.25, 1), model.ks = Double3(1, 0.5, 0.25);
-  model.glossiness = glossiness, model.specular_gate = gate;
-  return model;
+template <class SomeFunction>
+SomeFunction shiny(double glossiness, SpecularGate gate = SpecularGate::open) {
+  SomeFunction function;
+  function.ka = Double3(0), function.kd = Double3(0.5, 0.25, 1), function.ks = Double3(1, 0.5, 0.25);
+  function.glossiness = glossiness, function.specular_gate = gate;
+  return function;
 }
 
 template <class T>
@@ -28,14 +28,14 @@ struct Shaded {
   UndefinedCounts counts;
 };
 
-/// What a model makes of one light of radiance 1.
-template <class T, class SomeModel>
-Shaded<T> shade(const SomeModel& model, const Vec3<T>& n, const Vec3<T>& l, const Vec3<T>& v) {
+/// What a fragment function makes of one light of radiance 1.
+template <class T, class SomeFunction>
+Shaded<T> shade(const SomeFunction& function, const Vec3<T>& n, const Vec3<T>& l, const Vec3<T>& v) {
   Shaded<T> result;
   const UndefinedTally<T> tally(result.counts, true);
   Fragment<T> at{};
   at.normal = n, at.to_eye = v, at.texture = Rgb<T>(T(1)), at.tally = &tally;
-  result.colour = model(at, Incident<T>{l, Rgb<T>(T(1))});
+  result.colour = function(at, Incident<T>{l, Rgb<T>(T(1))});
   return result;
 }
 
@@ -181,29 +181,29 @@ TEST_CASE_TEMPLATE("S7: attenuation is finite from 1e-20 to 1e20, and right wher
 }
 
 TEST_CASE_TEMPLATE("S8: to the exponent 0 every cosine is 1, also 0, and that is counted", F, double, float) {
-  for (const F x : {F(0), std::numeric_limits<F>::denorm_min(), F(0.5), F(1)}) CHECK(power(x, 0) == 1);
-  BlinnPhong model = shiny<BlinnPhong>(0);
-  model.kd = Double3(0);
+  for (const F x : {F(0), std::numeric_limits<F>::denorm_min(), F(0.5), F(1)}) CHECK(refraster::pow(x, 0) == 1);
+  BlinnPhong function = shiny<BlinnPhong>(0);
+  function.kd = Double3(0);
   // n.h = 0: light and eye mirror each other about a direction in the surface.
-  const auto shaded = shade(model, Vec3<F>(0, 0, 1), Vec3<F>(F(0.6), 0, F(0.8)), Vec3<F>(F(0.6), 0, F(-0.8)));
+  const auto shaded = shade(function, Vec3<F>(0, 0, 1), Vec3<F>(F(0.6), 0, F(0.8)), Vec3<F>(F(0.6), 0, F(-0.8)));
   CHECK(shaded.colour == Rgb<F>(F(1), F(0.5), F(0.25)));
   CHECK(shaded.counts[Undefined::zero_to_the_zero] == 1);
-  CHECK(shade(model, Vec3<F>(0, 0, 1), Vec3<F>(0, 0, 1), Vec3<F>(0, 0, 1)).counts[Undefined::zero_to_the_zero] == 0);
+  CHECK(shade(function, Vec3<F>(0, 0, 1), Vec3<F>(0, 0, 1), Vec3<F>(0, 0, 1)).counts[Undefined::zero_to_the_zero] == 0);
 }
 
 TEST_CASE_TEMPLATE("S9: exponents from 1e-3 to 1e30 give the exact power to an ulp, and 0 far below it", F, double,
                    float) {
-  CHECK(power(F(0.99), 1e6) == 0); // 2^-14499.6
-  CHECK(power(F(0.5), 1e30) == 0);
-  CHECK(power(F(1), 1e30) == 1);
+  CHECK(refraster::pow(F(0.99), 1e6) == 0); // 2^-14499.6
+  CHECK(refraster::pow(F(0.5), 1e30) == 0);
+  CHECK(refraster::pow(F(1), 1e30) == 1);
   double worst = 0;
   for (const double s : {1e-3, 0.5, 1.0, 2.2, 8.0, 1e3, 1e6, 1e9})
     for_all(200, [&](Random& random) {
-      const F x = static_cast<F>(random.below(2) ? random.uniform(0, 1) : 1 - random.magnitude(1e-15, 0.1));
+      const F x = static_cast<F>(random.below(2) ? random.uniform(0, 1) : 1 - random.log_uniform(1e-15, 0.1));
       if (!(x > 0)) return;
       const Mpfr expected = exp(Mpfr(s) * log(Mpfr(x)));
       if (expected < Mpfr(std::ldexp(1.0, sizeof(F) == 4 ? -119 : -999))) return; // cut to 0 from there down
-      const double error = ulp_error(power(x, s), expected);
+      const double error = ulp_error(refraster::pow(x, s), expected);
       worst = std::max(worst, error);
       CHECK(error <= 1);
     });
@@ -215,7 +215,7 @@ TEST_CASE_TEMPLATE("S9: exponents from 1e-3 to 1e30 give the exact power to an u
       const Vec3<F> a(0, 0, 1),
           b = normalize(Vec3<F>(static_cast<F>(std::sin(angle)), 0, static_cast<F>(std::cos(angle))));
       const Mpfr expected = exp(Mpfr(s) * log(exact_cosine(a, b)));
-      // math/elementary/power.h: an error of r q in q = |a - b|^2 / 2 changes the power by 1.4 r at most; r is 4
+      // math/elementary/pow.h: an error of r q in q = |a - b|^2 / 2 changes the power by 1.4 r at most; r is 4
       // roundings.
       const Mpfr bound = Mpfr(5.6 + 1) * Mpfr(std::numeric_limits<F>::epsilon()) / 2 +
                          Mpfr(std::ldexp(1.0, sizeof(F) == 4 ? -120 : -1000));
@@ -236,7 +236,7 @@ TEST_CASE("S10: an exponent does not magnify the rounding of the cosine") {
       const Mpfr expected = exp(Mpfr(s) * log(exact_cosine(a, b)));
       const auto error = [&](float got) { return Mpfr(abs(Mpfr(got) - expected)).convert_to<double>() / 0x1p-24; };
       worst = std::max(worst, error(cosine_power(a, b, s)));
-      worst_by_dot = std::max(worst_by_dot, error(power(dot(a, b), s)));
+      worst_by_dot = std::max(worst_by_dot, error(refraster::pow(dot(a, b), s)));
     });
     MESSAGE("exponent " << s << ": " << worst << " units of 2^-24, by the dot product " << worst_by_dot);
     CHECK(worst <= 5.6 + 1); // as in S9
@@ -245,13 +245,13 @@ TEST_CASE("S10: an exponent does not magnify the rounding of the cosine") {
 
 TEST_CASE_TEMPLATE("S11: a base that rounding has made negative gives 0", F, double, float) {
   for (const double s : {1e-3, 1.0, 2.0, 32.0, 32.5, 1e6}) {
-    CHECK(power(F(-1e-8), s) == 0);
-    CHECK(power(-std::numeric_limits<F>::denorm_min(), s) == 0);
-    CHECK(power(F(-0.0), s) == 0);
+    CHECK(refraster::pow(F(-1e-8), s) == 0);
+    CHECK(refraster::pow(-std::numeric_limits<F>::denorm_min(), s) == 0);
+    CHECK(refraster::pow(F(-0.0), s) == 0);
     const F tiny = F(-1e-8);
     CHECK(cosine_power(Vec3<F>(1, 0, 0), Vec3<F>(tiny, 1, 0), s) == 0);
-    BlinnPhong model = shiny<BlinnPhong>(s);
-    CHECK(shade(model, Vec3<F>(0, 0, 1), Vec3<F>(1, 0, tiny), Vec3<F>(1, 0, tiny)).colour == Rgb<F>(F(0)));
+    BlinnPhong function = shiny<BlinnPhong>(s);
+    CHECK(shade(function, Vec3<F>(0, 0, 1), Vec3<F>(1, 0, tiny), Vec3<F>(1, 0, tiny)).colour == Rgb<F>(F(0)));
   }
 }
 
@@ -265,7 +265,7 @@ TEST_CASE("S12: float images keep values outside 0 to 1, levels clamp; NaN and i
     int level;
     std::uint64_t counted;
   };
-  for (const std::string_view rung : {"double", "float"})
+  for (const std::string_view precision : {"double", "float"})
     for (const Case& c :
          {Case{0.5, 0.5f, 128, 0}, Case{2.5, 2.5f, 255, 0}, Case{-1, -1, 0, 0}, Case{1e30, 1e30f, 255, 0},
           Case{not_a_number, 0, 0, 3}, Case{infinite, largest, 255, 3}, Case{-infinite, -largest, 0, 3}}) {
@@ -273,10 +273,10 @@ TEST_CASE("S12: float images keep values outside 0 to 1, levels clamp; NaN and i
       WindowScene window(1);
       window.add({window.place(-4, -4, 1), window.place(-4, 12, 1), window.place(12, -4, 1)}, Double3(c.value));
       RenderOptions options = window.options();
-      options.rung = rung;
+      options.precision = precision;
       const Frame frame = render(window.scene, options);
       CHECK(frame.radiance.values[0] == c.radiance);
-      CHECK(frame.levels.values[0] == c.level); // 127.5 goes to the even 128
+      CHECK(frame.rgb8.values[0] == c.level); // 127.5 goes to the even 128
       CHECK(frame.counts.undefined[Undefined::not_finite] == c.counted);
     }
   // Finite in double and beyond float: the largest float.
@@ -300,24 +300,24 @@ TEST_CASE("S13: lights are summed in the order of the scene: none, one, a thousa
   WindowScene window(4);
   Phong matt;
   matt.ka = Double3(0.1), matt.kd = Double3(1), matt.ks = Double3(0);
-  add_wall(window).material.model = matt;
+  add_wall(window).material.fragment_function = matt;
   Double3 sum(0.1);
-  Mpfr exact_sum(0.1);
+  Mpfr expected_sum(0.1);
   for (int lights = 0; lights <= 1000; ++lights) {
     if (lights > 0) {
-      const Double3 radiance(random.magnitude(1e-6, 1), random.uniform(0, 1), random.magnitude(1e-12, 1e3));
+      const Double3 radiance(random.log_uniform(1e-6, 1), random.uniform(0, 1), random.log_uniform(1e-12, 1e3));
       window.scene.direction_lights.push_back({{0, 0, -1}, radiance}); // straight at the wall: n.l is exactly 1
       sum += radiance;
-      exact_sum += Mpfr(radiance.x);
+      expected_sum += Mpfr(radiance.x);
     }
     if (lights > 1 && lights < 1000) continue;
     const Frame frame = window.frame();
     for (int c = 0; c < 3; ++c) CHECK(frame.radiance.at(1, 1)[c] == static_cast<float>(sum[c]));
-    CHECK(abs(Mpfr(frame.radiance.at(1, 1)[0]) - exact_sum) <=
-          half_float_ulp(exact_sum) + exact_sum * lights * Mpfr(0x1p-53));
+    CHECK(abs(Mpfr(frame.radiance.at(1, 1)[0]) - expected_sum) <=
+          half_float_ulp(expected_sum) + expected_sum * lights * Mpfr(0x1p-53));
   }
   // In another order: within a rounding a light of the exact sum, so of each other too.
   std::reverse(window.scene.direction_lights.begin(), window.scene.direction_lights.end());
-  CHECK(abs(Mpfr(window.frame().radiance.at(1, 1)[0]) - exact_sum) <=
-        half_float_ulp(exact_sum) + exact_sum * 1000 * Mpfr(0x1p-53));
+  CHECK(abs(Mpfr(window.frame().radiance.at(1, 1)[0]) - expected_sum) <=
+        half_float_ulp(expected_sum) + expected_sum * 1000 * Mpfr(0x1p-53));
 }

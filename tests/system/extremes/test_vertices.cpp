@@ -1,4 +1,4 @@
-// The catalogue of extremes (docs/extremes.md), rows V1 to V10: vertices and clipping.
+// The extremes (docs/extremes.md), rows V1 to V10: vertices and clipping.
 
 #include "tests/support/for_all.h"
 #include "tests/support/raster/triangles.h"
@@ -20,7 +20,7 @@ constexpr float infinite = std::numeric_limits<float>::infinity();
 constexpr float largest = std::numeric_limits<float>::max();
 
 bool same_picture(const Frame& a, const Frame& b) {
-  bool same = a.levels.values == b.levels.values && a.radiance.values == b.radiance.values;
+  bool same = a.rgb8.values == b.rgb8.values && a.radiance.values == b.radiance.values;
   for (std::size_t i = 0; i < a.aovs.size(); ++i) same = same && a.aovs[i].values == b.aovs[i].values;
   return same;
 }
@@ -92,9 +92,9 @@ TEST_CASE("V3: a triangle as large as the largest float covers the view that it 
     CAPTURE(size);
     WindowScene window(32);
     window.add({{-size, -size, -1}, {size, -size, -1}, {0, size, -1}});
-    for (const std::string_view rung : {"double", "float"}) {
+    for (const std::string_view precision : {"double", "float"}) {
       RenderOptions options = window.options({Aov::object, Aov::depth});
-      options.rung = rung;
+      options.precision = precision;
       const Frame frame = render(window.scene, options);
       CHECK(drawn_pixels(frame) == 1024);
       // z / w of every corner is a + b with a = (far + near) / (near - far), b = 2 far near / (near - far) at w = 1.
@@ -179,7 +179,7 @@ TEST_CASE("V7: a triangle behind the eye is not drawn, nor its mirror image") {
     WindowScene window(16);
     std::vector<Float3> corners;
     for (int k = 0; k < 3; ++k)
-      corners.emplace_back(random.uniform(-9, 9), random.uniform(-9, 9), random.magnitude(1e-6, 100));
+      corners.emplace_back(random.uniform(-9, 9), random.uniform(-9, 9), random.log_uniform(1e-6, 100));
     window.add(corners);
     const Frame frame = window.frame({Aov::object});
     CHECK(drawn_pixels(frame) == 0);
@@ -222,23 +222,23 @@ TEST_CASE("V9: the edge of two triangles is the same line, whichever way each ru
   int edges = 0;
   for_all(2000, [&](Random& random) {
     const auto corner = [&] {
-      const double w = random.sign() * random.magnitude(1e-3, 1e3);
-      return Double4(random.sign() * random.magnitude(1e-3, 1e12), random.sign() * random.magnitude(1e-3, 1e12),
+      const double w = random.sign() * random.log_uniform(1e-3, 1e3);
+      return Double4(random.sign() * random.log_uniform(1e-3, 1e12), random.sign() * random.log_uniform(1e-3, 1e12),
                      random.uniform(-2, 2), w);
     };
     const Double4 p = corner(), q = corner(), left = corner(), right = corner();
     // One of each triangle's lines is the other's, up to a factor: those of integers that fit without a cut may differ
     // by a power of two.
     const auto lines_of = [](const std::array<Double4, 3>& clip) {
-      std::vector<ProjectiveLine> lines;
+      std::vector<ProjectiveEdge> lines;
       std::array<WindowVertex, 3> v;
       for (std::size_t k = 0; k < 3; ++k) v[k] = window_vertex(clip[k], 64, 64);
       if (const auto t = set_up_projective(v, clip, {64, 64, 0x1p-20}))
         for (std::size_t i = 0; i < static_cast<std::size_t>(t->pieces); ++i)
-          lines.insert(lines.end(), t->piece[i].line.begin(), t->piece[i].line.end());
+          lines.insert(lines.end(), t->piece[i].edge.begin(), t->piece[i].edge.end());
       return lines;
     };
-    const auto same = [](const ProjectiveLine& one, const ProjectiveLine& other) {
+    const auto same = [](const ProjectiveEdge& one, const ProjectiveEdge& other) {
       using Wide = boost::multiprecision::cpp_int;
       return Wide(one.a) * other.b == Wide(one.b) * other.a && Wide(one.a) * Wide(other.c) == Wide(one.c) * other.a &&
              Wide(one.b) * Wide(other.c) == Wide(one.c) * other.b;
@@ -248,8 +248,8 @@ TEST_CASE("V9: the edge of two triangles is the same line, whichever way each ru
     REQUIRE(!lines.empty());
     REQUIRE(!others.empty());
     bool shared = false;
-    for (const ProjectiveLine& one : lines)
-      for (const ProjectiveLine& other : others) shared |= same(one, other);
+    for (const ProjectiveEdge& one : lines)
+      for (const ProjectiveEdge& other : others) shared |= same(one, other);
     CHECK(shared);
     edges += 1;
   });

@@ -1,4 +1,4 @@
-// The catalogue of extremes (docs/extremes.md), rows V11 to V15: the guard band, the viewport, many triangles.
+// The extremes (docs/extremes.md), rows V11 to V15: the guard band, the viewport, many triangles.
 
 #include "io/file/input_error.h"
 #include "io/mesh/obj_file.h"
@@ -72,7 +72,7 @@ TEST_CASE("V12: a pixel of the largest image is the same alone; images of one pi
   // is known. The shared edge runs through pixel corners.
   window.add({window.place(0, 0, 1), window.place(side, 0, 1), window.place(0, side, 1)}, {1, 0, 0});
   window.add({window.place(side, side, 1), window.place(side, 0, 1), window.place(0, side, 1)}, {0, 1, 0});
-  const auto crop = [&](const Crop& c) {
+  const auto crop = [&](const PixelRect& c) {
     RenderOptions options = window.options({Aov::object, Aov::position});
     options.crop = {c};
     return render(window.scene, options);
@@ -126,7 +126,7 @@ TEST_CASE("V13: moving a triangle by whole pixels moves its fragments and change
       for (int px = 128; px < 32 * 256; px += 256) {
         REQUIRE(here->covers(px, py) == there->covers(px + dx * 256, py + dy * 256));
         REQUIRE(here->depth(px, py) == there->depth(px + dx * 256, py + dy * 256));
-        for (std::size_t k = 0; k < 3; ++k) REQUIRE(a.line[k].at(px, py) == b.line[k].at(px + dx * 256, py + dy * 256));
+        for (std::size_t k = 0; k < 3; ++k) REQUIRE(a.edge[k].at(px, py) == b.edge[k].at(px + dx * 256, py + dy * 256));
       }
   });
 }
@@ -183,7 +183,7 @@ TEST_CASE("V15: all of (x, y, z, w) times a power of two is the same image") {
     std::array<Double4, 3> clip;
     for (Double4& c : clip)
       c = {random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-1, 1),
-           random.below(4) ? random.magnitude(0.1, 10) : -random.magnitude(1e-9, 10)};
+           random.below(4) ? random.log_uniform(0.1, 10) : -random.log_uniform(1e-9, 10)};
     const auto here = set_up(clip, 32, 32);
     for (const int power : {-900, -30, 1, 64, 900}) {
       std::array<Double4, 3> scaled;
@@ -209,7 +209,7 @@ TEST_CASE("V15: all of (x, y, z, w) times a power of two is the same image") {
   const Frame plain = frame_of(1);
   for (const float scale : {0x1p-60f, 0x1p-1f, 0x1p60f}) {
     const Frame scaled = frame_of(scale);
-    CHECK(scaled.levels.values == plain.levels.values);
+    CHECK(scaled.rgb8.values == plain.rgb8.values);
     CHECK(scaled.aovs[0].values == plain.aovs[0].values);
     for (std::size_t i = 0; i < plain.aovs[1].values.size(); ++i)
       REQUIRE(scaled.aovs[1].values[i] == plain.aovs[1].values[i] * scale);

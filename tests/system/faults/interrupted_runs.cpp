@@ -83,7 +83,7 @@ std::vector<FaultRow> interrupted_runs(Effort effort) {
   };
   run_program(folder.path, {"mesh", "plane", "--segments", "1200", "-o", "m.obj"});
   run_program(folder.path, {"render", "s.json", "--size", "3000x3000", "-o", "a.png"});
-  run_program(folder.path, {"render", "s.json", "--size", "3000x3000", "--rung", "fast", "-o", "b.png"});
+  run_program(folder.path, {"render", "s.json", "--size", "3000x3000", "--precision", "fast", "-o", "b.png"});
   work.push_back({"reading an OBJ file of 2.9 million triangles",
                   render("mesh.json", "64x64", "out/o.png"),
                   "o.png",

@@ -15,7 +15,7 @@ void print_head(const std::string& driver, int width, int height) {
   std::printf(
       "%s, %d x %d\n\n"
       "| scene | equal | off by 1 | off by more | edge (farthest) | depth | unexplained | worst pixel | worst of "
-      "the same surface | largest share of the bound |\n|---|---|---|---|---|---|---|---|---|---|\n",
+      "the same surface | largest fraction of the bound |\n|---|---|---|---|---|---|---|---|---|---|\n",
       driver.c_str(), width, height);
 }
 
@@ -32,7 +32,7 @@ void print(const std::string& scene, const SideBySide& s) {
               n(s.off_by_one), n(s.off_by_more), n(s.edge_pixels), s.farthest_edge * 256, n(s.depth_pixels),
               n(s.coverage_pixels + s.over_bound), pixel(s.worst).c_str(),
               s.worst.difference > s.worst_same.difference ? pixel(s.worst_same).c_str() : "the same",
-              s.worst_share_of_bound);
+              s.worst_fraction_of_bound);
   for (const WorstPixel& p : s.unexplained)
     std::fprintf(stderr, "%s: (%d, %d) %s, %s: %g levels; ours %g %g %g, gl %g %g %g, allowed %g %g %g\n",
                  scene.c_str(), p.x, p.y, p.object.c_str(), p.cause.c_str(), p.difference,

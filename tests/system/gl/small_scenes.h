@@ -7,7 +7,7 @@
 namespace refraster {
 
 /// A ball, stretched along one axis, before a dark ground; a lamp at the upper left.
-inline Scene ball(Model model) {
+inline Scene ball(FragmentFunction function) {
   Scene scene;
   scene.camera.position = {0, 0, 5};
   scene.camera.target = {0, 0, 0};
@@ -19,7 +19,7 @@ inline Scene ball(Model model) {
   object.mesh = std::make_shared<const Mesh>(sphere_mesh(32, 16));
   object.scale = {1.6, 1, 0.7};
   object.rotate_degrees = {10, 25, 0};
-  object.material.model = std::move(model);
+  object.material.fragment_function = std::move(function);
   scene.objects = {object};
   return scene;
 }

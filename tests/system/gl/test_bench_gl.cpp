@@ -42,7 +42,7 @@ TEST_CASE("bench draws with OpenGL too, for each number of threads, and tells th
     const Finished run = folder.bench({"--threads", "1,2", "--gl", renderer});
     REQUIRE_MESSAGE(run.exit_code == 0, run.err);
     CHECK(count(run.out, "\"renderer\": \"" + std::string(renderer)) == 2);
-    CHECK(count(run.out, "\"opengl_ratio\": {") == count(run.out, "\"rung\": "));
+    CHECK(count(run.out, "\"opengl_ratio\": {") == count(run.out, "\"precision\": "));
     CHECK(count(run.out, "\"of_cpu_medians\"") >= 2);
     CHECK(!holds(run.out, "without OpenGL beside")); // there may be notes on the load of the machine
   }

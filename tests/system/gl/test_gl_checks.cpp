@@ -27,7 +27,7 @@ GlOptions small_image() {
   GlOptions options;
   options.width = 64, options.height = 48;
   options.renderer = GlRenderer::llvmpipe;
-  options.want_levels = false;
+  options.want_rgb8 = false;
   options.want_radiance = true;
   return options;
 }
@@ -37,14 +37,14 @@ struct FullWindow {
   TemporaryFolder folder;
   Scene scene;
 
-  explicit FullWindow(const std::string& fragment, Model model = Phong{}) {
+  explicit FullWindow(const std::string& fragment, FragmentFunction function = Phong{}) {
     save_text(folder / "vs.glsl", "#version 330 core\nlayout(location = 0) in vec3 vPos;\n"
                                   "void main() { gl_Position = vec4(vPos.xz, 0.0, 1.0); }\n");
     save_text(folder / "fs.glsl", "#version 330 core\nout vec4 FragColor;\n" + fragment);
     Object object;
     object.name = "quad";
     object.mesh = std::make_shared<const Mesh>(plane_mesh(1));
-    object.material.model = std::move(model);
+    object.material.fragment_function = std::move(function);
     object.vertex_shader_path = folder / "vs.glsl";
     object.fragment_shader_path = folder / "fs.glsl";
     scene.objects = {object};
@@ -94,12 +94,12 @@ TEST_CASE("what one object is given does not reach the next one that has the sam
   Scene scene = window.scene;
   Phong bright;
   bright.kd = Double3(1);
-  scene.objects[0].material.model = bright;
+  scene.objects[0].material.fragment_function = bright;
   scene.objects[0].name = "bright";
   Merl measured;
   measured.table.reset(new MerlTable(merl_table_from(Lambert{Double3(1)})));
   scene.objects.push_back(scene.objects[0]);
-  scene.objects[1].material.model = measured;
+  scene.objects[1].material.fragment_function = measured;
   scene.objects[1].name = "measured";
   std::swap(scene.objects[0], scene.objects[1]); // depth LESS: the first one is seen
   const GlFrame first = render_gl(scene, small_image());
@@ -161,9 +161,9 @@ TEST_CASE("asking why nothing is drawn leaves the image as it was") {
   scene.objects[1].name = "none";
   scene.camera.position = {0, 5, 0.1}; // so that ours would show it: a plane from above
   GlOptions options = small_image();
-  options.want_levels = true;
+  options.want_rgb8 = true;
   const GlFrame frame = render_gl(scene, options);
-  CHECK(std::all_of(frame.levels.values.begin(), frame.levels.values.end(), [](int value) { return value == 255; }));
+  CHECK(std::all_of(frame.rgb8.values.begin(), frame.rgb8.values.end(), [](int value) { return value == 255; }));
   CHECK(frame.samples_passed == 64 * 48);
   CHECK(std::any_of(frame.warnings.begin(), frame.warnings.end(),
                     [](const std::string& line) { return line.starts_with("none: its shaders draw nothing"); }));

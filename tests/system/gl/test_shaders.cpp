@@ -132,7 +132,7 @@ TEST_CASE("an array of lights that is too short is a warning, and no light is re
   CHECK(largest_difference(two_lights_of_three, frame) < 1e-4);
 }
 
-TEST_CASE("an error in GLSL is told with file, line and column") {
+TEST_CASE("an error in GLSL is reported with file, line and column") {
   const TemporaryFolder folder;
   const std::string path = folder / "broken_fs.glsl";
   save_text(path, "#version 330 core\nout vec4 FragColor;\nvoid main() {\n    FragColor = vec4(1.0)\n}\n");
@@ -161,7 +161,7 @@ TEST_CASE("the logs of other compilers are understood") {
   CHECK(place("internal error") == std::tuple(0, 0, "internal error"));
 }
 
-TEST_CASE("shaders that do not fit each other are told with both names") {
+TEST_CASE("shaders that do not fit each other are reported with both names") {
   const TemporaryFolder folder;
   const std::string path = folder / "other_fs.glsl";
   save_text(path,
@@ -195,19 +195,19 @@ TEST_CASE("our GLSL compiles for every fragment function, lookup, angle method a
   for (const auto& lookup : EnumNames<MerlLookup>::names)
     for (const auto& angles : EnumNames<MerlAngles>::names)
       for (const auto& filter : EnumNames<MerlFilter>::names) {
-        Merl model;
-        model.table = table;
-        model.lookup = lookup.first;
-        model.angles = angles.first;
+        Merl function;
+        function.table = table;
+        function.lookup = lookup.first;
+        function.angles = angles.first;
         GlOptions options;
         options.width = options.height = 32;
         options.renderer = GlRenderer::llvmpipe;
         options.merl_filter = filter.first;
         options.want_radiance = true;
-        Scene scene = ball(model);
+        Scene scene = ball(function);
         scene.direction_lights.clear();
         const GlFrame frame = render_gl(scene, options);
-        INFO(name_of(model.lookup) << ", " << name_of(model.angles) << ", " << name_of(options.merl_filter));
+        INFO(name_of(function.lookup) << ", " << name_of(function.angles) << ", " << name_of(options.merl_filter));
         CHECK(frame.warnings.empty());
         CHECK(frame.radiance.at(14, 14)[0] > 0.05f); // lit
       }

@@ -22,7 +22,7 @@ const DriverProfile& profile(std::string_view name) {
                        [&](const DriverProfile& listed) { return listed.name == name; });
 }
 
-std::string told(const WorstPixel& pixel) {
+std::string reported(const WorstPixel& pixel) {
   std::ostringstream text;
   text << "(" << pixel.x << ", " << pixel.y << ") " << pixel.object << ", " << pixel.cause << ", " << pixel.difference
        << " levels";
@@ -31,28 +31,28 @@ std::string told(const WorstPixel& pixel) {
   return text.str();
 }
 
-/// Gives the largest share of its bound that a pixel uses.
+/// Gives the largest fraction of its bound that a pixel uses.
 double check_scene(const std::string& name, const Scene& scene, int width, int height, const DriverProfile& profile) {
   const SideBySide found = side_by_side(scene, width, height, profile);
   INFO(name << " through " << found.driver << ", " << width << " x " << height << ": " << found.equal
             << " pixels equal, " << found.off_by_one << " off by one level, " << found.off_by_more << " by more, "
             << found.edge_pixels << " on edges");
-  for (const WorstPixel& pixel : found.unexplained) MESSAGE(name << ": " << told(pixel));
+  for (const WorstPixel& pixel : found.unexplained) MESSAGE(name << ": " << reported(pixel));
   CHECK(found.coverage_pixels == 0);
   CHECK(found.over_bound == 0);
   CHECK(found.levels_not_rounded == 0);
-  return found.worst_share_of_bound;
+  return found.worst_fraction_of_bound;
 }
 double check_scene(const std::string& path, int width, int height, const DriverProfile& profile) {
   return check_scene(std::filesystem::path(path).stem(), listed_scene(path), width, height, profile);
 }
 
 void check_gallery(std::string_view profile_name, int width, int height) {
-  double largest_share = 0;
+  double largest_fraction = 0;
   for (const std::string& path : listed_scenes())
-    largest_share = std::max(largest_share, check_scene(path, width, height, profile(profile_name)));
+    largest_fraction = std::max(largest_fraction, check_scene(path, width, height, profile(profile_name)));
   // A bound that nothing comes near would be no test.
-  CHECK(largest_share > 0.7);
+  CHECK(largest_fraction > 0.7);
 }
 
 } // namespace

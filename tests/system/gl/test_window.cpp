@@ -65,8 +65,8 @@ TEST_CASE("gl_FragCoord is (0.5, 0.5) in the lower left pixel, and the first row
       for (int x = 0; x < size.width; ++x) {
         REQUIRE(at_window(frame.radiance, x, y)[0] == static_cast<float>(x) + 0.5f);
         REQUIRE(at_window(frame.radiance, x, y)[1] == static_cast<float>(y) + 0.5f);
-        REQUIRE(at_window(coloured.levels, x, y)[0] == x);
-        REQUIRE(at_window(coloured.levels, x, y)[1] == y);
+        REQUIRE(at_window(coloured.rgb8, x, y)[0] == x);
+        REQUIRE(at_window(coloured.rgb8, x, y)[1] == y);
         // A plane from 0 to 1, from corners in clip space that are exact: a few roundings of numbers up to 1.
         const double depth = (y + 0.5) / size.height;
         REQUIRE(std::abs(static_cast<double>(*at_window(frame.depth, x, y)) - depth) <= 8 * float_rounding);
@@ -138,7 +138,7 @@ TEST_CASE("the cross product of a position's derivatives is the normal of a face
   Object cube;
   cube.mesh = std::make_shared<const Mesh>(cube_mesh());
   cube.position = {0.3, -0.2, -4};
-  cube.material.model = Phong{};
+  cube.material.fragment_function = Phong{};
   for (const GlRenderer renderer : software_renderers)
     for (const Double3 angles : {Double3(0), Double3(30, 40, 0), Double3(-35, 200, 77)})
       for (const Double3 scale : {Double3(1), Double3(1.5, 0.7, 1), Double3(-1, 1, 1)}) {
@@ -175,7 +175,7 @@ TEST_CASE("a position that is rebuilt from gl_FragCoord and the matrices is the 
   cube.mesh = std::make_shared<const Mesh>(cube_mesh());
   cube.position = {0.3, -0.8, -4};
   cube.rotate_degrees = {30, 40, 0};
-  cube.material.model = Phong{};
+  cube.material.fragment_function = Phong{};
   for (const GlRenderer renderer : software_renderers) {
     const GlFrame frame = drawn_with(of(cube), vertex, fragment, {48, 47}, renderer);
     double farthest = 0;
@@ -226,7 +226,7 @@ TEST_CASE("from inside a closed body all faces are back, and culling leaves noth
   Object cube;
   cube.mesh = std::make_shared<const Mesh>(cube_mesh());
   cube.rotate_degrees = {20, 30, 40};
-  cube.material.model = Phong{};
+  cube.material.fragment_function = Phong{};
   const std::string fragment = "#version 330 core\n"
                                "out vec4 FragColor;\n"
                                "void main() { FragColor = vec4(gl_FrontFacing ? 1.0 : 0.5, 0.0, 0.0, 1.0); }\n";
@@ -254,7 +254,7 @@ TEST_CASE("a texture is seen the way up that its file has") {
       for (const WindowSize size : {WindowSize{8, 8}, WindowSize{9, 9}}) {
         const GlFrame frame = drawn_with(of(plane), vertex, fragment, size, renderer);
         const auto colour = [&](int x, int y) {
-          const std::uint8_t* const level = frame.levels.at(x, y);
+          const std::uint8_t* const level = frame.rgb8.at(x, y);
           return std::array<int, 3>{level[0], level[1], level[2]};
         };
         CHECK(colour(1, 1) == std::array<int, 3>{0, 0, 255});

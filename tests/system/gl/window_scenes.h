@@ -23,7 +23,7 @@ inline Object shining(const std::vector<Float3>& corners, const Double3& colour 
   phong.ka = colour, phong.kd = phong.ks = Double3(0);
   Object object;
   object.mesh = mesh;
-  object.material.model = phong;
+  object.material.fragment_function = phong;
   return object;
 }
 

@@ -142,13 +142,13 @@ TEST_CASE("an include that goes up, or names no layer, is found") {
     return objection(file, included(line).value());
   };
   CHECK(judged("raster/frame.h", "#include \"shading/light.h\"").empty());
-  CHECK(judged("raster/shade/surface.h", "#include \"raster/visibility/bin.h\"").empty());
+  CHECK(judged("raster/shade/attribute_setup.h", "#include \"raster/visibility/bin.h\"").empty());
   CHECK(judged("bench/precision/inputs.h", "#include \"tests/support/random.h\"").empty());
   CHECK(judged("tests/unit/io/test_text.cpp", "#include \"app/output.h\"").empty());
   CHECK_FALSE(judged("raster/frame.h", "#include \"io/file/input_error.h\"").empty());
   CHECK_FALSE(judged("raster/frame.h", "  #  include \"gl/context/context.h\" // why").empty());
   CHECK_FALSE(judged("raster/frame.h", "#include \"scene.h\"").empty());
-  CHECK_FALSE(judged("raster/visibility/bin.h", "#include \"raster/shade/surface.h\"").empty());
+  CHECK_FALSE(judged("raster/visibility/bin.h", "#include \"raster/shade/attribute_setup.h\"").empty());
   CHECK_FALSE(judged("raster/visibility/bin.h", "#include \"raster/render.h\"").empty());
   CHECK_FALSE(judged("bench/measure/scaling.h", "#include \"tests/support/random.h\"").empty());
   CHECK_FALSE(judged("bench/measure/scaling.h", "#include \"bench/precision/inputs.h\"").empty());

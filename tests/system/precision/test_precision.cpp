@@ -68,7 +68,7 @@ void check_shading(int trials, Judge judge) {
   CHECK(rows.size() == std::size(precision_bounds));
   for (const ShadingRow& row : rows) {
     const auto check = [&](const std::string& number, const Error& error, const UlpBound& bound) {
-      check_error(row.bound.model, row.bound.inputs, number, error, bound, judge);
+      check_error(row.bound.function, row.bound.inputs, number, error, bound, judge);
     };
     check("double, terms", row.double_terms, row.bound.double_terms);
     check("float, terms", row.float_terms, row.bound.float_terms);
@@ -88,9 +88,9 @@ void check_coordinates(int trials, Judge judge) {
   }
 }
 
-const PrecisionBound& bound_of(std::string_view model, std::string_view inputs) {
+const PrecisionBound& bound_of(std::string_view function, std::string_view inputs) {
   for (const PrecisionBound& bound : precision_bounds)
-    if (bound.model == model && bound.inputs == inputs) return bound;
+    if (bound.function == function && bound.inputs == inputs) return bound;
   FAIL("no such bound");
   return precision_bounds[0];
 }
@@ -103,7 +103,7 @@ TEST_CASE("docs/precision.md quotes the bounds of the source") {
     if (row.has_float) check_bounds_in_page(row.function, row.inputs, {bound_text(row.float_bound)});
   }
   for (const PrecisionBound& bound : precision_bounds)
-    check_bounds_in_page(bound.model, bound.inputs,
+    check_bounds_in_page(bound.function, bound.inputs,
                          {bound_text(bound.double_terms), bound_text(bound.float_terms),
                           bound_text(bound.double_result), bound_text(bound.float_result)});
   for (const CoordinateBound& bound : coordinate_bounds)
@@ -112,8 +112,8 @@ TEST_CASE("docs/precision.md quotes the bounds of the source") {
 }
 
 TEST_CASE("double keeps within 4 ulp on ordinary inputs, float within 1.2e-4 bin") {
-  for (const std::string_view model : {"phong", "blinn_phong", "merl trilinear"})
-    CHECK(bound_of(model, "ordinary").double_terms.max <= 4);
+  for (const std::string_view function : {"phong", "blinn_phong", "merl trilinear"})
+    CHECK(bound_of(function, "ordinary").double_terms.max <= 4);
   for (const CoordinateBound& bound : coordinate_bounds)
     if (bound.method == "closed" && bound.coordinate != "w" && bound.inputs == "uniform")
       CHECK(bound.float_bins.max <= 1.2e-4);

@@ -20,12 +20,12 @@ inline Scene half_textured(TextureFilter filter) {
   for (int i = 0; i < 3 * 8 * 4; ++i) image.rgb.push_back(static_cast<float>(i * 89 % 200));
   texture->levels.push_back(std::move(image));
   build_mip_levels(*texture);
-  BlinnPhong model;
-  model.ka = Double3(0.2), model.kd = Double3(0.8), model.ks = Double3(0.3), model.glossiness = 20;
+  BlinnPhong function;
+  function.ka = Double3(0.2), function.kd = Double3(0.8), function.ks = Double3(0.3), function.glossiness = 20;
   Object object;
   object.name = "knot";
   object.mesh = std::make_shared<const Mesh>(std::move(mesh));
-  object.material = {model, std::move(texture), filter};
+  object.material = {function, std::move(texture), filter};
   scene.objects = {object};
   return scene;
 }

@@ -152,15 +152,15 @@ Real highlight_cosine(const BlinnPhong&, Vec n, Vec l, Vec v) {
 }
 
 /// Phong and Blinn-Phong.
-std::optional<Shaded> shaded_by(const auto& model, const Scene& scene, const Seen& seen, Vec to_eye) {
+std::optional<Shaded> shaded_by(const auto& function, const Scene& scene, const Seen& seen, Vec to_eye) {
   const Vec texture = texture_colour(seen.object->material, seen);
-  Shaded result{vec(model.ka) * texture, vec(model.ka)};
+  Shaded result{vec(function.ka) * texture, vec(function.ka)};
   for (const Arriving& light : lights_at(scene, seen.position)) {
     const Real n_l = dot(seen.normal, light.direction);
-    const Real cosine = std::max(highlight_cosine(model, seen.normal, light.direction, to_eye), Real(0));
-    const bool cut = model.specular_gate == SpecularGate::cut_below_horizon && !(n_l > 0);
-    const Real highlight = cut ? 0 : std::pow(cosine, real(model.glossiness));
-    const Vec diffuse = vec(model.kd) * std::max(n_l, Real(0)), specular = vec(model.ks) * highlight;
+    const Real cosine = std::max(highlight_cosine(function, seen.normal, light.direction, to_eye), Real(0));
+    const bool cut = function.specular_gate == SpecularGate::cut_below_horizon && !(n_l > 0);
+    const Real highlight = cut ? 0 : std::pow(cosine, real(function.glossiness));
+    const Vec diffuse = vec(function.kd) * std::max(n_l, Real(0)), specular = vec(function.ks) * highlight;
     result.radiance = result.radiance + (diffuse * texture + specular) * light.radiance;
     result.magnitude = result.magnitude + (diffuse + specular) * light.radiance;
   }
@@ -185,8 +185,8 @@ std::optional<Shaded> shaded_by(const Merl& merl, const Scene& scene, const Seen
 std::optional<Shaded> shaded(const Scene& scene, const Seen& seen) {
   if (!seen.object) return Shaded{vec(scene.background), vec(scene.background)};
   const Vec to_eye = unit(vec(scene.camera.position) - seen.position);
-  return std::visit([&](const auto& model) { return shaded_by(model, scene, seen, to_eye); },
-                    seen.object->material.model);
+  return std::visit([&](const auto& function) { return shaded_by(function, scene, seen, to_eye); },
+                    seen.object->material.fragment_function);
 }
 
 } // namespace refraster::slow

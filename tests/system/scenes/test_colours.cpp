@@ -13,13 +13,13 @@
 namespace refraster {
 namespace {
 
-/// Of the double rung, as a share of the sum of all that was added up to a colour.
+/// Of the double precision, as a fraction of the sum of all that was added up to a colour.
 ///   2^-24   the value is rounded to float at the very end
 ///   2^-30   before that, it is computed in double. World positions have magnitudes up to 2^10 and are seen from 2^-1
 ///           away or more: their few roundings of 2^-53 turn directions by at most 2^-53 2^11 2^2 = 2^-40. A highlight,
 ///           a texel or a bin of a table changes its value at most 2^10 times as fast as the direction turns (exponents
 ///           here are at most 220, tables have 90 bins in a quarter turn and change by less than a factor 2^3 a bin).
-constexpr slow::Real error_share = 0x1p-24L + 0x1p-30L;
+constexpr slow::Real error_fraction = 0x1p-24L + 0x1p-30L;
 
 constexpr int width = 320, height = 180;
 
@@ -66,9 +66,9 @@ void check_colours(const Scene& scene, int rows_apart) {
     const std::array<slow::Real, 3> size = {shaded->magnitude.x, shaded->magnitude.y, shaded->magnitude.z};
     for (std::size_t c = 0; c < 3; ++c) {
       CAPTURE(c);
-      const slow::Real error = error_share * size[c];
+      const slow::Real error = error_fraction * size[c];
       CHECK(std::abs(slow::real(frame.radiance.at(x, y)[c]) - expected[c]) <= error);
-      if (const auto level = level_of_value(expected[c], error)) CHECK(int{frame.levels.at(x, y)[c]} == *level);
+      if (const auto level = level_of_value(expected[c], error)) CHECK(int{frame.rgb8.at(x, y)[c]} == *level);
     }
   }
   // Nearly all are judged: what the slow path leaves out are a few pixels on edges, and one of three panels of the

@@ -1,5 +1,5 @@
-// The rung `exact` against the tests' own renderer in long double, which shares no line with it; and every rung against
-// `exact` and against bounds.
+// The precision `exact` against the tests' own renderer in long double, which shares no line with it; and every
+// precision against `exact` and against bounds.
 
 #include "math/bounds/interval_functions.h"
 #include "raster/render_in.h"
@@ -15,11 +15,11 @@
 namespace refraster {
 namespace {
 
-/// Of the slow path, as a share of the sum of all that was added up to a colour: roundings of 2^-64, of world positions
-/// with magnitudes up to 2^10 that are seen from 2^-1 away or more, turn directions by at most 2^-64 2^11 2^2; and a
-/// highlight, a texel or a bin of a table changes its value at most 2^10 times as fast as the direction turns. As in
-/// test_colours.cpp, for another number.
-constexpr slow::Real error_share = 0x1p-41L;
+/// Of the slow path, as a fraction of the sum of all that was added up to a colour: roundings of 2^-64, of world
+/// positions with magnitudes up to 2^10 that are seen from 2^-1 away or more, turn directions by at most 2^-64 2^11
+/// 2^2; and a highlight, a texel or a bin of a table changes its value at most 2^10 times as fast as the direction
+/// turns. As in test_colours.cpp, for another number.
+constexpr slow::Real error_fraction = 0x1p-41L;
 
 /// How many pixels were compared.
 std::size_t check_against_slow_path(const Scene& scene, int rows_apart) {
@@ -55,7 +55,7 @@ std::size_t check_against_slow_path(const Scene& scene, int rows_apart) {
     for (int c = 0; c < 3; ++c) {
       CAPTURE(c);
       const auto exact = found.at(x, y)[c].value().convert_to<slow::Real>();
-      CHECK(std::abs(exact - values[c]) <= error_share * sizes[c]);
+      CHECK(std::abs(exact - values[c]) <= error_fraction * sizes[c]);
     }
   }
   return compared;
@@ -77,14 +77,14 @@ bool contains(const auto& bounds, const Exact& x) {
   return Exact(bounds.lo) <= x && x <= Exact(bounds.hi);
 }
 
-/// Every pixel of a small frame. The samples of `exact`, of the bounds and of the rungs are the same.
+/// Every pixel of a small frame. The samples of `exact`, of the bounds and of the precisions are the same.
 void check_frame(const Scene& scene, int samples) {
   CAPTURE(samples);
   RenderOptions options;
   options.width = 64, options.height = 36, options.samples = samples;
-  options.want_levels = false, options.want_radiance_double = true;
+  options.want_rgb8 = false, options.want_radiance_double = true;
   const Frame in_double = render(scene, options);
-  options.rung = FloatRung::name;
+  options.precision = FloatPrecision::name;
   const Frame in_float = render(scene, options);
   const Image<Exact> exact = render_in<Exact>(scene, options);
   const Image<InDouble> double_bounds = render_in<InDouble>(scene, options);
@@ -94,8 +94,8 @@ void check_frame(const Scene& scene, int samples) {
     const double found = in_double.radiance_double.values[i];
     // docs/precision.md, "Frames": the error of a pixel in units of 2^-53 of the image's white, or of itself if
     // brighter.
-    const Exact error = magnitude(Exact(found) - exact.values[i]);
-    far += error > Exact(frame_error_units * 0x1p-53) * maximum(Exact(1), magnitude(exact.values[i]));
+    const Exact error = abs(Exact(found) - exact.values[i]);
+    far += error > Exact(frame_error_units * 0x1p-53) * max(Exact(1), abs(exact.values[i]));
     outside += !double_bounds.values[i].contains(found);
     outside += !contains(double_bounds.values[i], exact.values[i]);
     outside += !float_bounds.values[i].contains(in_float.radiance_double.values[i]);

@@ -17,10 +17,10 @@ namespace refraster {
 namespace {
 
 /// Levels, radiance and all AOVs.
-RenderOptions everything(int width, int height, std::string_view rung = "double") {
+RenderOptions everything(int width, int height, std::string_view precision = "double") {
   RenderOptions options;
   options.width = width, options.height = height;
-  options.rung = rung;
+  options.precision = precision;
   options.want_radiance = true;
   for (int aov = 0; aov < static_cast<int>(Aov::count_); ++aov) options.aovs.push_back(static_cast<Aov>(aov));
   return options;
@@ -33,7 +33,7 @@ bool same_bits(const Image<Value>& a, const Image<Value>& b) {
 }
 
 template <class Value>
-Image<Value> cut_out(const Image<Value>& image, const Crop& crop) {
+Image<Value> cut_out(const Image<Value>& image, const PixelRect& crop) {
   Image<Value> part(crop.width, crop.height, image.channels);
   for (int y = 0; y < crop.height; ++y)
     std::copy_n(image.at(crop.x, crop.y + y), crop.width * image.channels, part.at(0, y));
@@ -41,22 +41,22 @@ Image<Value> cut_out(const Image<Value>& image, const Crop& crop) {
 }
 
 void check_same(const Frame& a, const Frame& b) {
-  CHECK(same_bits(a.levels, b.levels));
+  CHECK(same_bits(a.rgb8, b.rgb8));
   CHECK(same_bits(a.radiance, b.radiance));
   REQUIRE(a.aovs.size() == b.aovs.size());
   for (std::size_t i = 0; i < a.aovs.size(); ++i) CHECK_MESSAGE(same_bits(a.aovs[i], b.aovs[i]), aov_names[i]);
 }
 
-/// The greatest difference between the 8-bit images of the rungs double and float, in levels.
+/// The greatest difference between the 8-bit images of the precisions double and float, in levels.
 int float_difference(const Scene& scene, int width, int height) {
   RenderOptions options;
   options.width = width, options.height = height;
   const Frame reference = render(scene, options);
-  options.rung = "float";
-  const Frame quick = render(scene, options);
+  options.precision = "float";
+  const Frame fast = render(scene, options);
   int most = 0;
-  for (std::size_t i = 0; i < reference.levels.values.size(); ++i)
-    most = std::max(most, std::abs(int{reference.levels.values[i]} - int{quick.levels.values[i]}));
+  for (std::size_t i = 0; i < reference.rgb8.values.size(); ++i)
+    most = std::max(most, std::abs(int{reference.rgb8.values[i]} - int{fast.rgb8.values[i]}));
   return most;
 }
 
@@ -64,14 +64,14 @@ int float_difference(const Scene& scene, int width, int height) {
 double fast_difference(const Scene& scene, int width, int height) {
   RenderOptions options;
   options.width = width, options.height = height;
-  options.want_levels = false, options.want_radiance = true;
+  options.want_rgb8 = false, options.want_radiance = true;
   const Frame reference = render(scene, options);
-  options.rung = "fast";
-  const Frame quick = render(scene, options);
+  options.precision = "fast";
+  const Frame fast = render(scene, options);
   std::vector<double> levels;
   const auto level = [](float x) { return 255 * std::clamp(static_cast<double>(x), 0.0, 1.0); };
   for (std::size_t i = 0; i < reference.radiance.values.size(); ++i)
-    levels.push_back(std::abs(level(reference.radiance.values[i]) - level(quick.radiance.values[i])));
+    levels.push_back(std::abs(level(reference.radiance.values[i]) - level(fast.radiance.values[i])));
   const auto place = levels.begin() + static_cast<std::ptrdiff_t>(levels.size() / 1000 * 999);
   std::nth_element(levels.begin(), place, levels.end());
   return *place;
@@ -87,8 +87,8 @@ void for_scenes(const std::vector<std::string>& paths, const Law& law) {
 }
 
 void check_finite(const Scene& scene) {
-  for (const std::string_view rung : {"double", "float", "fast"}) {
-    const Frame frame = render(scene, everything(160, 90, rung));
+  for (const std::string_view precision : {"double", "float", "fast"}) {
+    const Frame frame = render(scene, everything(160, 90, precision));
     const auto finite = [](const Image<float>& image) {
       return std::all_of(image.values.begin(), image.values.end(), [](float x) { return std::isfinite(x); });
     };
@@ -99,11 +99,11 @@ void check_finite(const Scene& scene) {
   }
 }
 
-void check_crop(const Scene& scene, const Frame& whole_frame, RenderOptions options, const Crop& crop) {
+void check_crop(const Scene& scene, const Frame& whole_frame, RenderOptions options, const PixelRect& crop) {
   options.crop = {crop};
   options.threads = 3, options.tile_size = 16;
   const Frame part = render(scene, options);
-  CHECK(same_bits(part.levels, cut_out(whole_frame.levels, crop)));
+  CHECK(same_bits(part.rgb8, cut_out(whole_frame.rgb8, crop)));
   CHECK(same_bits(part.radiance, cut_out(whole_frame.radiance, crop)));
   for (std::size_t i = 0; i < part.aovs.size(); ++i)
     CHECK_MESSAGE(same_bits(part.aovs[i], cut_out(whole_frame.aovs[i], crop)), aov_names[i]);
@@ -111,7 +111,7 @@ void check_crop(const Scene& scene, const Frame& whole_frame, RenderOptions opti
 
 } // namespace
 
-TEST_CASE("every value of an image is a finite number, in every rung") {
+TEST_CASE("every value of an image is a finite number, in every precision") {
   for_scenes(quick_scenes(), check_finite);
 }
 
@@ -154,7 +154,7 @@ TEST_CASE("the lecture's file says what the lecture says") {
   const Object& cube = scene.objects[0];
   CHECK(cube.mesh->triangles.size() == 12);
   CHECK(cube.scale == Double3(1, 1, 1));
-  const Phong* phong = std::get_if<Phong>(&cube.material.model);
+  const Phong* phong = std::get_if<Phong>(&cube.material.fragment_function);
   REQUIRE(phong != nullptr);
   CHECK(phong->ka == Double3(0.05));
   CHECK(phong->kd == Double3(1));
@@ -203,8 +203,8 @@ TEST_SUITE("slow") {
 
   TEST_CASE("every thread count with every tile size gives the same bits, in double and in float") {
     for_scenes(listed_scenes(), [](const Scene& scene) {
-      for (const std::string_view rung : {"double", "float"}) {
-        RenderOptions options = everything(211, 119, rung);
+      for (const std::string_view precision : {"double", "float"}) {
+        RenderOptions options = everything(211, 119, precision);
         const Frame reference = render(scene, options);
         for (const int threads : {1, 2, 3, 7})
           for (const int tile_size : {8, 16, 32, 64, 128}) {

@@ -44,9 +44,9 @@ int main(int argc, char** argv) try {
   const auto n = [](std::uint64_t count) { return static_cast<unsigned long long>(count); };
   std::printf(
       "%llu pixels equal, %llu off by one level, %llu by more; %llu on edges, %llu equally far, %llu other surfaces; "
-      "%llu over the bound, largest share of it %.3g; worst pixel (%d, %d) %s: %.3g levels, %s\n",
+      "%llu over the bound, largest fraction of it %.3g; worst pixel (%d, %d) %s: %.3g levels, %s\n",
       n(found.equal), n(found.off_by_one), n(found.off_by_more), n(found.edge_pixels), n(found.depth_pixels),
-      n(found.coverage_pixels), n(found.over_bound), found.worst_share_of_bound, found.worst.x, found.worst.y,
+      n(found.coverage_pixels), n(found.over_bound), found.worst_fraction_of_bound, found.worst.x, found.worst.y,
       found.worst.object.c_str(), found.worst.difference, found.worst.cause.c_str());
   for (const WorstPixel& p : found.unexplained)
     std::printf("  (%d, %d) %s, %s: %.3g levels\n", p.x, p.y, p.object.c_str(), p.cause.c_str(), p.difference);

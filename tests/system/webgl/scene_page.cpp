@@ -86,7 +86,7 @@ void write_texture(JsonWriter& json, const Material& material) {
 
 void write_table(JsonWriter& json, const Material& material) {
   json.key("table");
-  const Merl* const merl = std::get_if<Merl>(&material.model);
+  const Merl* const merl = std::get_if<Merl>(&material.fragment_function);
   if (!merl) return json.null();
   const float* const rgb =
       reads_logarithms(merl->lookup) ? merl->table->log_values<float>() : merl->table->values<float>();

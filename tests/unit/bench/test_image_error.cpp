@@ -1,5 +1,5 @@
 #include "bench/measure/image_error.h"
-#include "bench/measure/rung_errors.h"
+#include "bench/measure/precision_errors.h"
 #include "bench/workloads/built_in.h"
 
 #include <doctest/doctest.h>
@@ -12,12 +12,12 @@ namespace {
 /// 2 x 2 pixels of grey; the last shows nothing.
 Frame grey(const std::vector<double>& radiance, const std::vector<int>& levels) {
   Frame frame;
-  frame.levels = Image<std::uint8_t>(2, 2, 3);
+  frame.rgb8 = Image<std::uint8_t>(2, 2, 3);
   frame.radiance_double = Image<double>(2, 2, 3);
   frame.aovs.emplace_back(2, 2, 1, 1.0f);
   frame.aovs[0].values[3] = 0;
   for (std::size_t i = 0; i < 12; ++i) {
-    frame.levels.values[i] = static_cast<std::uint8_t>(levels[i / 3]);
+    frame.rgb8.values[i] = static_cast<std::uint8_t>(levels[i / 3]);
     frame.radiance_double.values[i] = radiance[i / 3];
   }
   return frame;
@@ -34,9 +34,9 @@ TEST_CASE("errors are those of the worst channel of pixels that show a surface")
   CHECK(none.relative.max == 0);
 
   other.radiance_double.values[1] = 0.25; // green of the first pixel
-  other.levels.values[1] = 64;
+  other.rgb8.values[1] = 64;
   other.radiance_double.values[3] = 1.0 / 255; // red of the second, black in the reference
-  other.levels.values[3] = 1;
+  other.rgb8.values[3] = 1;
   other.radiance_double.values[8] = 2; // blue of the third: not told apart on a screen
   const ImageError some = image_error(other, reference);
   CHECK(some.levels.max == doctest::Approx(0.25 * 255));
@@ -50,7 +50,7 @@ TEST_CASE("errors are those of the worst channel of pixels that show a surface")
 TEST_CASE("999 of 1000 pixels keep to p99_9") {
   Frame reference, frame;
   for (Frame* const one : {&reference, &frame}) {
-    one->levels = Image<std::uint8_t>(1000, 1, 3);
+    one->rgb8 = Image<std::uint8_t>(1000, 1, 3);
     one->radiance_double = Image<double>(1000, 1, 3, 0.5);
     one->aovs.emplace_back(1000, 1, 1, 1.0f);
   }
@@ -62,9 +62,13 @@ TEST_CASE("999 of 1000 pixels keep to p99_9") {
 }
 
 TEST_CASE("on the built-in sphere double is right to 1e-12 on average, and no level of float is off by more than one") {
-  const SceneTask task{
-      .name = "", .scene = built_in_scene(), .width = 320, .height = 180, .rungs = {"double", "float"}, .threads = {1}};
-  const std::vector<RungError> errors = rung_errors(task, 2);
+  const SceneTask task{.name = "",
+                       .scene = built_in_scene(),
+                       .width = 320,
+                       .height = 180,
+                       .precisions = {"double", "float"},
+                       .threads = {1}};
+  const std::vector<PrecisionError> errors = precision_errors(task, 2);
   REQUIRE(errors.size() == 2);
   CHECK_FALSE(errors[0].against_double);
   CHECK(errors[0].against_exact.pixels == 400);
@@ -78,6 +82,6 @@ TEST_CASE("on the built-in sphere double is right to 1e-12 on average, and no le
 
 TEST_CASE("images that are too large are not compared") {
   const SceneTask task{
-      .name = "", .scene = built_in_scene(), .width = 16384, .height = 1025, .rungs = {"float"}, .threads = {1}};
-  CHECK(rung_errors(task, 1).empty());
+      .name = "", .scene = built_in_scene(), .width = 16384, .height = 1025, .precisions = {"float"}, .threads = {1}};
+  CHECK(precision_errors(task, 1).empty());
 }

@@ -24,7 +24,7 @@ bool holds(const std::string& text, const std::string& words) {
   return text.find(words) != std::string::npos;
 }
 
-/// A run of one scene on a quiet machine of four CPUs: ten rounds of 10 ms. `light`: what one more light costs.
+/// A run of one scene on a quiet machine of four CPUs: ten repetitions of 10 ms. `light`: what one more light costs.
 Run quiet_run(const Spread& light) {
   Run run;
   run.machine.cpus = 4;
@@ -33,16 +33,16 @@ Run quiet_run(const Spread& light) {
   SceneResult scene;
   scene.scene = "folder/ball <1>.json";
   scene.width = 64, scene.height = 36;
-  scene.rounds = 10;
+  scene.repetitions = 10;
   scene.counts.shaded = 1000;
-  RungResult rung;
-  rung.rung = "double";
-  rung.threads = 2;
-  rung.frame_ms = rung.cpu_ms = {9.9, 9.95, 10, 10.05, 10.1};
-  rung.split_ns.lighting = -3;
-  rung.lighting_ns = {-9, -4, -3, 2, 5};
-  rung.marginal = Marginal{.light = light, .texture = {}, .double_samples = {}};
-  scene.rungs = {rung};
+  PrecisionResult precision;
+  precision.precision = "double";
+  precision.threads = 2;
+  precision.frame_ms = precision.cpu_ms = {9.9, 9.95, 10, 10.05, 10.1};
+  precision.split_ns.lighting = -3;
+  precision.lighting_ns = {-9, -4, -3, 2, 5};
+  precision.marginal = Marginal{.light = light, .texture = {}, .double_samples = {}};
+  scene.precisions = {precision};
   run.scenes = {scene};
   return run;
 }
@@ -136,22 +136,22 @@ TEST_CASE("other programs on the CPUs are noted, at the start and, beside our ow
   REQUIRE(doubts(run).size() == 1);
   CHECK(doubts(run)[0].starts_with("at the end other programs kept 2.6 of 4 CPUs busy"));
   // 64 threads on 4 CPUs are our own load.
-  run.scenes[0].rungs[0].threads = 64;
+  run.scenes[0].precisions[0].threads = 64;
   run.load_at_end = {63, 0, 0};
   CHECK(doubts(run).empty());
 }
 
-TEST_CASE("times that scatter are noted, and rounds that are too few to know") {
+TEST_CASE("times that scatter are noted, and repetitions that are too few to know") {
   Run run = quiet_run(resolved);
-  run.scenes[0].rungs[0].frame_ms = {5, 8, 10, 12, 50}; // 0.117 of the median
+  run.scenes[0].precisions[0].frame_ms = {5, 8, 10, 12, 50}; // 0.117 of the median
   REQUIRE(doubts(run).size() == 1);
   CHECK(doubts(run)[0] ==
         "1 of 1 frame times scatter so much that their second digit means nothing; most of all double "
         "with 2 threads on folder/ball <1>.json, 64x36, whose quartiles are 40 % of the median "
-        "apart, over 10 rounds");
-  run.scenes[0].rounds = 2;
+        "apart, over 10 repetitions");
+  run.scenes[0].repetitions = 2;
   REQUIRE(doubts(run).size() == 1);
-  CHECK(doubts(run)[0].find("1 of 1 frame times are of fewer than three rounds") == 0);
+  CHECK(doubts(run)[0].find("1 of 1 frame times are of fewer than three repetitions") == 0);
 }
 
 TEST_CASE("every table is a file: headings, then rows of as many cells, with quotes where they are needed") {
@@ -162,7 +162,7 @@ TEST_CASE("every table is a file: headings, then rows of as many cells, with quo
   const auto costs = lines_of(table_named(tables, "costs.csv").text);
   REQUIRE(costs.size() == 2);
   CHECK(costs[0] ==
-        "scene,width,height,samples,rung,threads,what,of,ns_min,ns_lower,ns_median,ns_upper,ns_max,resolved,"
+        "scene,width,height,samples,precision,threads,what,of,ns_min,ns_lower,ns_median,ns_upper,ns_max,resolved,"
         "below_ns");
   CHECK(costs[1] == "folder/ball <1>.json,64,36,1,double,2,one more light,pixel,-9,-4,1,2.5,7,no,6.5");
   CHECK(lines_of(table_named(tables, "frames.csv").text).size() == 2);
@@ -183,15 +183,15 @@ TEST_CASE("every table is a file: headings, then rows of as many cells, with quo
 TEST_CASE("a picture that is cut out of the page is a file of its own: XML, SVG's name space, a style, paper") {
   Run run = quiet_run(resolved);
   run.scenes[0].scene = "a\x01 & <b>\xff.json";
-  RungError error;
-  error.rung = "double";
+  PrecisionError error;
+  error.precision = "double";
   error.against_exact = {.pixels = 1, .max_relative = 1, .mean_relative = 1};
   run.scenes[0].errors = {error};
   run.scenes[0].opengl = {{2, "driver", "1", resolved, resolved}};
-  run.scenes[0].rungs[0].opengl_ratio = resolved;
+  run.scenes[0].precisions[0].opengl_ratio = resolved;
   ScalingCurve curve;
   curve.growth = Growth::lights;
-  curve.rung = "double";
+  curve.precision = "double";
   for (const double n : {1, 2}) {
     MeasuredPoint point;
     point.point.n = n;

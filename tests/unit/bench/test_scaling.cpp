@@ -41,12 +41,12 @@ std::size_t triangles(const Scene& scene) {
 }
 
 ScalingTask small_task(Growth growth, double most) {
-  return {.growth = growth, .most = most, .size = {96, 54}, .rungs = {"double", "float"}};
+  return {.growth = growth, .most = most, .size = {96, 54}, .precisions = {"double", "float"}};
 }
 
 std::vector<ScalingCurve> quickly(const ScalingTask& task) {
-  const PinnedTeams teams;
-  return measure_scaling(task, {.least = 2, .seconds = 0}, teams);
+  const PinnedThreadPool thread_pool;
+  return measure_scaling(task, {.least = 2, .seconds = 0}, thread_pool);
 }
 
 } // namespace
@@ -55,7 +55,7 @@ TEST_CASE("what grows linearly, or slower, grows no faster than linearly; what g
   CHECK(*curve_of({5, 5, 50, 500, 5000}).no_faster_than_linear());
   CHECK(*curve_of({100, 101, 110, 200, 1100}).no_faster_than_linear());
   CHECK_FALSE(*curve_of({1, 20, 400, 8000, 160000}).no_faster_than_linear()); // n^1.3
-  // Steep only where it does not count yet: the lower half takes no part; but it is told.
+  // Steep only where it does not count yet: the lower half takes no part; but it is reported.
   const ScalingCurve late = curve_of({1, 100, 1000, 10000, 100000});
   CHECK(*late.no_faster_than_linear());
   CHECK(late.steepest()->slope == doctest::Approx(2));
@@ -103,7 +103,7 @@ TEST_CASE("each image is full: every pixel is shaded once, however many triangle
     const std::vector<ScalingCurve> curves = quickly(small_task(growth, growth == Growth::pixels ? 4e4 : 2e4));
     REQUIRE(curves.size() == 2);
     for (const ScalingCurve& curve : curves) {
-      CHECK(curve.rung == (&curve == &curves[0] ? "double" : "float"));
+      CHECK(curve.precision == (&curve == &curves[0] ? "double" : "float"));
       CHECK((growth == Growth::pixels || curve.same_fragments()));
       for (const MeasuredPoint& point : curve.points) {
         CHECK(point.frames == 2);

@@ -45,19 +45,19 @@ struct CacheFolder : TemporaryFolder {
   }
   Mesh read() const { return read_obj_by_cache(obj, cache, {}, 0); }
   std::string key() const { return mesh_key(file_sha256(obj), {}); }
-  fs::path kept() const {
+  fs::path cached() const {
     REQUIRE(files_in(cache).size() == 1);
     return files_in(cache).front();
   }
-  void keep_bytes(const std::string& bytes) const { std::ofstream(kept(), std::ios::binary) << bytes; }
+  void store_bytes(const std::string& bytes) const { std::ofstream(cached(), std::ios::binary) << bytes; }
   /// With the digest that makes these bytes look as if we had written them.
-  void keep_with_digest(std::string bytes) const {
+  void store_with_digest(std::string bytes) const {
     Sha256 digest;
     digest.add(key().data(), key().size());
     digest.add(bytes.data(), bytes.size());
     const auto result = digest.result();
     bytes.append(reinterpret_cast<const char*>(result.data()), result.size());
-    keep_bytes(bytes);
+    store_bytes(bytes);
   }
 };
 
@@ -68,20 +68,20 @@ constexpr std::size_t vertices_at = 24, uvs_at = 32, triangles_at = 40, header_b
 TEST_CASE("a mesh comes out of the cache bit for bit") {
   const CacheFolder folder;
   CHECK(same(folder.read(), read_obj(folder.obj)));
-  CHECK(kept_mesh(folder.cache, folder.key()));
+  CHECK(cached_mesh(folder.cache, folder.key()));
   CHECK(same(folder.read(), read_obj(folder.obj)));
   // With texture coordinates for some vertices, or none.
   for (const std::size_t uvs : {folder.ball.uvs.size() / 2, std::size_t{0}}) {
     Mesh plain = folder.ball;
     plain.uvs.resize(uvs);
-    keep_mesh(folder.cache, "plain", {plain, {}});
-    CHECK(same(kept_mesh(folder.cache, "plain")->mesh, plain));
+    store_mesh(folder.cache, "plain", {plain, {}});
+    CHECK(same(cached_mesh(folder.cache, "plain")->mesh, plain));
   }
 }
 
 TEST_CASE("what was kept is read instead of the text, whatever the file's name; another text is another mesh") {
   const CacheFolder folder;
-  keep_mesh(folder.cache, folder.key(), {cube_mesh(), {}});
+  store_mesh(folder.cache, folder.key(), {cube_mesh(), {}});
   CHECK(same(folder.read(), cube_mesh()));
   fs::copy_file(folder.obj, folder / "copy.obj");
   CHECK(same(read_obj_by_cache(folder / "copy.obj", folder.cache, {}, 0), cube_mesh()));
@@ -133,12 +133,12 @@ TEST_CASE("small files are not kept") {
 TEST_CASE("a kept file that is changed in any byte, cut or longer is not believed, and made again") {
   const CacheFolder folder;
   folder.read();
-  const std::string sound = bytes_of(folder.kept()), key = folder.key();
+  const std::string sound = bytes_of(folder.cached()), key = folder.key();
   const auto check = [&](const std::string& bytes) {
-    folder.keep_bytes(bytes);
-    CHECK_FALSE(kept_mesh(folder.cache, key));
+    folder.store_bytes(bytes);
+    CHECK_FALSE(cached_mesh(folder.cache, key));
     CHECK(same(folder.read(), folder.ball));
-    CHECK(bytes_of(folder.kept()) == sound);
+    CHECK(bytes_of(folder.cached()) == sound);
   };
   for (std::size_t at = 0; at < sound.size(); at += at < header_bytes ? 1 : 97) {
     std::string changed = sound;
@@ -154,15 +154,15 @@ TEST_CASE("a kept file that is changed in any byte, cut or longer is not believe
 TEST_CASE("a kept file that lies is not believed either") {
   const CacheFolder folder;
   folder.read();
-  const std::string whole = bytes_of(folder.kept()), sound = whole.substr(0, whole.size() - sha256_bytes);
+  const std::string whole = bytes_of(folder.cached()), sound = whole.substr(0, whole.size() - sha256_bytes);
   const std::string key = folder.key();
-  folder.keep_with_digest(sound);
-  CHECK(kept_mesh(folder.cache, key)); // the digest is right here
+  folder.store_with_digest(sound);
+  CHECK(cached_mesh(folder.cache, key)); // the digest is right here
   const auto check = [&](std::size_t at, auto value) {
     std::string changed = sound;
     std::memcpy(&changed[at], &value, sizeof value);
-    folder.keep_with_digest(changed);
-    CHECK_FALSE(kept_mesh(folder.cache, key));
+    folder.store_with_digest(changed);
+    CHECK_FALSE(cached_mesh(folder.cache, key));
   };
   check(sound.size() - 4, static_cast<std::uint32_t>(folder.ball.positions.size())); // the last corner
   check(sound.size() - 4, 0xffffffffu);
@@ -180,25 +180,25 @@ TEST_CASE("a kept file that lies is not believed either") {
   fs::remove_all(folder.cache);
   check_cache_folder(folder.cache);
   folder.read();
-  const std::string noted = bytes_of(folder.kept());
+  const std::string noted = bytes_of(folder.cached());
   std::string lie = noted.substr(0, noted.size() - sha256_bytes);
-  folder.keep_with_digest(lie);
-  CHECK(kept_mesh(folder.cache, folder.key())->notes.notes().size() == 1);
+  folder.store_with_digest(lie);
+  CHECK(cached_mesh(folder.cache, folder.key())->notes.notes().size() == 1);
   lie[lie.rfind("\ts without") - 1] = 'x'; // no number
-  folder.keep_with_digest(lie);
-  CHECK_FALSE(kept_mesh(folder.cache, folder.key()));
+  folder.store_with_digest(lie);
+  CHECK_FALSE(cached_mesh(folder.cache, folder.key()));
 }
 
 TEST_CASE("a kept file under another mesh's name is not believed") {
   const CacheFolder folder;
-  keep_mesh(folder.cache, "other", {cube_mesh(), {}});
-  CHECK(same(kept_mesh(folder.cache, "other")->mesh, cube_mesh()));
-  const fs::path other = folder.kept();
+  store_mesh(folder.cache, "other", {cube_mesh(), {}});
+  CHECK(same(cached_mesh(folder.cache, "other")->mesh, cube_mesh()));
+  const fs::path other = folder.cached();
   folder.read();
   for (const fs::path& file : files_in(folder.cache))
     if (file != other) fs::copy_file(other, file, fs::copy_options::overwrite_existing);
   CHECK(same(folder.read(), folder.ball));
-  CHECK(same(kept_mesh(folder.cache, folder.key())->mesh, folder.ball));
+  CHECK(same(cached_mesh(folder.cache, folder.key())->mesh, folder.ball));
 }
 
 TEST_CASE("several may read and keep at once") {
@@ -219,7 +219,7 @@ TEST_CASE("several may read and keep at once") {
   CHECK(files_in(folder.cache).size() == 1); // no temporary files
 }
 
-TEST_CASE("faults of the text are told with a cache too, and nothing is kept") {
+TEST_CASE("faults of the text are reported with a cache too, and nothing is kept") {
   const CacheFolder folder;
   write_files(folder.path, {{"bad.obj", "v 0 0 0\nf 1 2 3\n"}});
   CHECK_THROWS_AS(read_obj_by_cache(folder / "bad.obj", folder.cache, {}, 0), InputError);
@@ -227,7 +227,7 @@ TEST_CASE("faults of the text are told with a cache too, and nothing is kept") {
   CHECK(files_in(folder.cache).empty());
 }
 
-TEST_CASE("a cache that cannot be written to is told") {
+TEST_CASE("a cache that cannot be written to is reported") {
   const CacheFolder folder;
   CHECK_THROWS_AS(check_cache_folder(folder.obj), OutputError);
   CHECK_THROWS_AS(check_cache_folder(folder.obj + "/below"), OutputError);
@@ -243,11 +243,11 @@ TEST_CASE("mesh_cache_version is that of the meshes that are made today") {
   const TemporaryFolder folder;
   write_files(folder.path, {{"m.obj", "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 2 1 0\nv 0 4 0\nv 0 0 3\nvt 0.25 0.5\nvn 0 0 1\n"
                                       "s 1\nf 1/1 2/1 3/1 4/1 5/1\ns off\nf 1 6 2\nf 1//1 2//1 3//1\ns 2\nf 1 5 6\n"}});
-  keep_mesh(folder.path, "m", {read_obj(folder / "m.obj"), {}});
+  store_mesh(folder.path, "m", {read_obj(folder / "m.obj"), {}});
   write_files(folder.path,
               {{"c.obj", "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 0 0 3\nv 4 0 3\nv 4 -4 -1\nv 0 -4 -1\nvt 0 1\n"
                          "f 1/1 2/1 3/1 3/1 4/1\nf 1 5 6 2\nf 1 8 7 2\nf 3 2 1\n"}});
-  keep_mesh(folder.path, "c", {read_obj(folder / "c.obj"), {}});
+  store_mesh(folder.path, "c", {read_obj(folder / "c.obj"), {}});
   CHECK(mesh_cache_version == 3);
   CHECK(file_sha256(folder / "m.3.mesh") == "02eb13e3907b4edabff5c408371a49ea47ed5a9ac344e979b64ae625082ae091");
   CHECK(file_sha256(folder / "c.3.mesh") == "9a4d797ae4efbefc4bc4daf0ff30d9921e6e0fee8560bbf94746ebdd09509931");

@@ -48,7 +48,7 @@ bool shows_something(const std::string& path) {
   options.width = 120, options.height = 90;
   const Frame frame = render(scene, options);
   return frame.counts.shaded > 500 &&
-         explain_dark_image(scene, options, {frame.levels, frame.radiance}, frame.counts.shaded).empty();
+         explain_dark_image(scene, options, {frame.rgb8, frame.radiance}, frame.counts.shaded).empty();
 }
 
 const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";

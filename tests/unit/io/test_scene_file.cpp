@@ -51,8 +51,9 @@ TEST_CASE("the lecture's own file loads unchanged") {
   CHECK(cube.name == "cube");
   CHECK(cube.mesh->triangles.size() == 1);
   CHECK(cube.vertex_shader_path == folder / "shader/vertex.glsl");
-  REQUIRE(std::holds_alternative<Phong>(cube.material.model)); // by the stem phong_fs; the BRDF file need not exist
-  const Phong& phong = std::get<Phong>(cube.material.model);
+  REQUIRE(std::holds_alternative<Phong>(
+      cube.material.fragment_function)); // by the stem phong_fs; the BRDF file need not exist
+  const Phong& phong = std::get<Phong>(cube.material.fragment_function);
   CHECK(phong.ka == Double3(0.05));
   CHECK(phong.glossiness == 8);
   CHECK(phong.specular_gate == SpecularGate::open);
@@ -95,7 +96,7 @@ TEST_CASE("a number may be written in every way that JSON has, and is rounded on
   for (const auto& number : numbers) {
     CAPTURE(number.first);
     const Scene read = scene("\"glossiness\": 8", std::string("\"glossiness\": ") + number.first);
-    CHECK(std::get<Phong>(read.objects[0].material.model).glossiness == number.second);
+    CHECK(std::get<Phong>(read.objects[0].material.fragment_function).glossiness == number.second);
   }
 }
 
@@ -118,18 +119,19 @@ TEST_CASE("mirrored and singular scales are allowed") {
 }
 
 TEST_CASE("a fragment function is chosen by its name, else by the stem of the shader file") {
-  CHECK(std::holds_alternative<BlinnPhong>(scene("\"phong\"", "\"blinn_phong\"").objects[0].material.model));
+  CHECK(
+      std::holds_alternative<BlinnPhong>(scene("\"phong\"", "\"blinn_phong\"").objects[0].material.fragment_function));
   const std::string shaders = "\"vertex_shader_file_path\": \"v.glsl\", \"fragment_shader_file_path\": ";
   for (const char* const stem : {"blinn_phong_fs", "blinn_fs", "blinn_phong", "blinn"})
     CHECK(std::holds_alternative<BlinnPhong>(
         scene("\"fragment_function\": \"phong\"", shaders + "\"any/folder/" + stem + ".glsl\"")
             .objects[0]
-            .material.model));
+            .material.fragment_function));
   // The key wins.
   CHECK(std::holds_alternative<Phong>(
       scene("\"fragment_function\": \"phong\"", "\"fragment_function\": \"phong\", " + shaders + "\"blinn_fs.glsl\"")
           .objects[0]
-          .material.model));
+          .material.fragment_function));
 }
 
 TEST_CASE("choices are read by their names") {
@@ -140,7 +142,7 @@ TEST_CASE("choices are read by their names") {
   CHECK(object.cull == Cull::back);
   CHECK(object.name == "ball");
   CHECK(object.material.texture_filter == TextureFilter::nearest);
-  CHECK(std::get<Phong>(object.material.model).specular_gate == SpecularGate::cut_below_horizon);
+  CHECK(std::get<Phong>(object.material.fragment_function).specular_gate == SpecularGate::cut_below_horizon);
 }
 
 TEST_CASE("shapes are made with their parameters, and equal ones once") {
@@ -165,15 +167,15 @@ TEST_CASE("a merl material needs its table alone; what belongs to other function
     return read_scene(folder / "s.json");
   };
   const Scene plain = with("");
-  const Merl& merl = std::get<Merl>(plain.objects[0].material.model);
+  const Merl& merl = std::get<Merl>(plain.objects[0].material.fragment_function);
   CHECK(merl.table);
   CHECK(merl.lookup == MerlLookup::trilinear);
   CHECK(merl.angles == MerlAngles::closed);
   const Scene other =
       with(", \"merl_lookup\": \"trilinear-edge\", \"merl_angles\": \"frame\", \"ka\": \"0 0 0\", \"glossiness\": 8, "
            "\"texture_file_path\": \"none.png\"");
-  CHECK(std::get<Merl>(other.objects[0].material.model).lookup == MerlLookup::trilinear_edge);
-  CHECK(std::get<Merl>(other.objects[0].material.model).angles == MerlAngles::frame);
+  CHECK(std::get<Merl>(other.objects[0].material.fragment_function).lookup == MerlLookup::trilinear_edge);
+  CHECK(std::get<Merl>(other.objects[0].material.fragment_function).angles == MerlAngles::frame);
   CHECK_THROWS_AS(with(", \"glossiness\": -1"), InputError);
 }
 

@@ -99,7 +99,7 @@ TEST_CASE("what there is to note of a mesh is noted once, however many normals a
   CHECK(folder.told() == expected);
 }
 
-TEST_CASE("a fault of a mesh is told once, however many normals are wanted of it") {
+TEST_CASE("a fault of a mesh is reported once, however many normals are wanted of it") {
   const std::string file = "\"obj_file_path\": \"m.obj\"";
   const std::string three = object_of(file) + "," + object_of(file + ", \"normals\": \"flat\"") + "," + object_of(file);
   SceneFolder folder(three, "v 0 0 0\nf 1 1 2\n");
@@ -130,7 +130,7 @@ TEST_CASE("a path with backslashes names the file that it names with slashes, if
   CHECK(other.notes.empty());
 }
 
-TEST_CASE("a path with backslashes that names nothing is told as it stands, one that leads outside as such") {
+TEST_CASE("a path with backslashes that names nothing is reported as it stands, one that leads outside as such") {
   const auto refusal = [](const std::string& path) -> std::string {
     SceneFolder folder(object_of("\"obj_file_path\": \"" + path + "\""));
     try {
@@ -143,7 +143,7 @@ TEST_CASE("a path with backslashes that names nothing is told as it stands, one 
   };
   CHECK(refusal("models\\\\n.obj").ends_with("models\\n.obj"));
   CHECK(refusal("models\\\\n.obj").starts_with("no such file, "));
-  // Whether there is such a file is not told.
+  // Whether there is such a file is not reported.
   for (const char* const outside :
        {"..\\\\m.obj", "..\\\\..\\\\..\\\\..\\\\etc\\\\passwd", "models\\\\..\\\\..\\\\m.obj"})
     CHECK(refusal(outside).ends_with(", outside the scene's folder"));

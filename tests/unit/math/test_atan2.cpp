@@ -14,7 +14,7 @@ double error_of_atan2(F y, F x) {
 /// There the quotient's rounding is not made up for, and scaling may have cost bits.
 template <class F>
 bool is_small(F angle) {
-  return std::abs(angle) < F(4 * least_wide_product<F>);
+  return std::abs(angle) < F(4 * min_two_product<F>);
 }
 
 TEST_CASE_TEMPLATE("atan2 keeps its error bound in all directions", F, double, float) {
@@ -33,7 +33,7 @@ TEST_CASE_TEMPLATE("a tiny angle is off by at most 2 units in the last place", F
   for_all(20000, [](Random& random) {
     // From the smallest normal number to where it is no longer small.
     const int exponent = std::numeric_limits<F>::min_exponent + static_cast<int>(random.below(30));
-    const F y = std::ldexp(random.any_finite<F>(), exponent), x = F(random.magnitude(1, 1e30));
+    const F y = std::ldexp(random.any_finite<F>(), exponent), x = F(random.log_uniform(1, 1e30));
     if (is_small(atan2(y, x)) && y != 0) CHECK(error_of_atan2(y, x) <= 2);
   });
 }
@@ -51,7 +51,7 @@ TEST_CASE_TEMPLATE("atan2 of a direction has the same bits at every length", F, 
 TEST_CASE_TEMPLATE("atan2 keeps its error bound near the octants' borders", F, double, float) {
   check_error("atan2", atan2_error<F>, 20000, [](Random& random) {
     const double border = random.below(16) * std::numbers::pi / 8;
-    const double angle = border + random.sign() * random.magnitude(1e-17, 1e-2), r = random.magnitude(1e-3, 1e3);
+    const double angle = border + random.sign() * random.log_uniform(1e-17, 1e-2), r = random.log_uniform(1e-3, 1e3);
     return error_of_atan2(F(r * std::sin(angle)), F(r * std::cos(angle)));
   });
 }

@@ -33,10 +33,10 @@ Mpfr exact_cosine(const Vec3<F>& a, const Vec3<F>& b) {
 TEST_CASE_TEMPLATE("the power inside a highlight is off by a few roundings for each halving", F, double, float) {
   double worst = 0; // in units of the stated bound
   for_all(20000, [&](Random& random) {
-    const F t = F(random.below(2) ? random.uniform(-0.29, 0.41) : -random.magnitude(1e-30, 0.25));
+    const F t = F(random.below(2) ? random.uniform(-0.29, 0.41) : -random.log_uniform(1e-30, 0.25));
     const F k = F(t > 0 ? -1 - random.below(20) : -random.below(20));
     const Mpfr log2_base = exact_log2(1 + Mpfr(t)) + k;
-    const double bits = random.magnitude(1e-3, -lowest_power<F> - 1); // the result is about 2^-bits
+    const double bits = random.log_uniform(1e-3, -lowest_power<F> - 1); // the result is about 2^-bits
     const double s = bits / -log2_base.template convert_to<double>();
     if (s > 1e38) return;
     const Mpfr exact = exact_exp2(log2_base * s);
@@ -52,7 +52,7 @@ TEST_CASE_TEMPLATE("the highlight of an angle keeps its absolute error bound for
   constexpr double bound{cosine_power_max_error<F>};
   double worst = 0;
   for_all(20000, [&](Random& random) {
-    const double s = random.magnitude(1, 1e7);
+    const double s = random.log_uniform(1, 1e7);
     const Vec3<F> a = direction<F>(random);
     const double highlight_radius = std::sqrt(2 / s); // there cos^s is about 1/e
     const Vec3<F> b = beside(a, highlight_radius * random.uniform(0, 3), random);
@@ -74,7 +74,7 @@ TEST_CASE("the plain power of a float dot product would not keep that bound") {
   for_all(1000, [&](Random& random) {
     const Vec3<float> a = direction<float>(random), b = beside(a, 1e-3, random);
     const Mpfr exact = exact_exp2(exact_log2(exact_cosine(a, b)) * 1e6);
-    const double error = Mpfr(abs(Mpfr(power(dot(a, b), 1e6)) - exact)).convert_to<double>();
+    const double error = Mpfr(abs(Mpfr(pow(dot(a, b), 1e6)) - exact)).convert_to<double>();
     worst = std::max(worst, error);
   });
   CHECK(worst > 1000 * cosine_power_max_error<float>);
@@ -82,8 +82,8 @@ TEST_CASE("the plain power of a float dot product would not keep that bound") {
 
 TEST_CASE_TEMPLATE("a highlight is exactly 1 in its middle, and never brighter", F, double, float) {
   for_all(2000, [](Random& random) {
-    const Vec3<F> a = direction<F>(random), b = beside(a, random.magnitude(1e-9, 0.1), random);
-    const double s = random.magnitude(1e-3, 1e9);
+    const Vec3<F> a = direction<F>(random), b = beside(a, random.log_uniform(1e-9, 0.1), random);
+    const double s = random.log_uniform(1e-3, 1e9);
     CHECK(cosine_power(a, a, s) == 1);
     CHECK(cosine_power(a, b, s) <= 1);
     CHECK(cosine_power(a, b, 0) == 1);
@@ -103,7 +103,7 @@ TEST_CASE_TEMPLATE("a highlight stays finite for vectors that are no directions"
   for_all(5000, [](Random& random) {
     const Vec3<F> a(random.hard<F>(), random.hard<F>(), random.hard<F>());
     const Vec3<F> b(random.hard<F>(), random.hard<F>(), random.hard<F>());
-    const F value = cosine_power(a, b, random.magnitude(1e-3, 1e9));
+    const F value = cosine_power(a, b, random.log_uniform(1e-3, 1e9));
     CHECK(value >= 0);
     CHECK(value <= 1);
   });

@@ -16,9 +16,9 @@ double some_angle(Random& random) {
   case 0:
     return random.uniform(-360, 360);
   case 1:
-    return 15 * (random.below(49) - 24) + random.sign() * random.magnitude(1e-15, 1);
+    return 15 * (random.below(49) - 24) + random.sign() * random.log_uniform(1e-15, 1);
   default:
-    return random.sign() * random.magnitude(1e-10, 1e15);
+    return random.sign() * random.log_uniform(1e-10, 1e15);
   }
 }
 

@@ -13,7 +13,7 @@ TEST_CASE_TEMPLATE("log2 keeps its error bound at every magnitude", F, double, f
 
 TEST_CASE_TEMPLATE("log2 keeps its error bound near 1, where it is small", F, double, float) {
   check_error("log2", log2_error<F>, 20000, [](Random& random) {
-    const F x = F(1) + F(random.sign() * random.magnitude(epsilon_of<F>, 0.5));
+    const F x = F(1) + F(random.sign() * random.log_uniform(epsilon_of<F>, 0.5));
     return ulp_error(log2(x), exact_log2(Mpfr(x)));
   });
 }

@@ -1,7 +1,7 @@
 // What makes an image the same on every machine: a lane holds the same bits as the number alone.
 
 #include "math/elementary.h"
-#include "math/rungs.h"
+#include "math/precisions.h"
 #include "tests/support/for_all.h"
 
 #include <string_view>
@@ -77,7 +77,7 @@ TEST_CASE_TEMPLATE("each lane of an elementary function has the bits of the numb
     check_lanes(
         "exp2", [](const auto& a) { return exp2(a * decltype(a * a)(100)); }, x);
     check_lanes(
-        "power", [s](const auto& a) { return power(a, s); }, x);
+        "pow", [s](const auto& a) { return pow(a, s); }, x);
     check_lanes(
         "atan2", [](const auto& a, const auto& b) { return atan2(a, b); }, y, x);
   });
@@ -88,8 +88,8 @@ TEST_CASE_TEMPLATE("each lane of a highlight has the bits of the highlight alone
     const Vec3<T> a(some_lanes<T>(random), some_lanes<T>(random), some_lanes<T>(random));
     const Vec3<T> shift(some_lanes<T>(random), some_lanes<T>(random), some_lanes<T>(random));
     const Vec3<T> n = normalize(a);
-    const Vec3<T> h = normalize(n + shift * T(static_cast<Real<T>>(random.magnitude(1e-6, 1))));
-    const double s = random.magnitude(0.1, 1e6);
+    const Vec3<T> h = normalize(n + shift * T(static_cast<Real<T>>(random.log_uniform(1e-6, 1))));
+    const double s = random.log_uniform(0.1, 1e6);
     const T all = cosine_power(n, h, s);
     for (int lane = 0; lane < NumberTraits<T>::lanes; ++lane) {
       const Vec3<Real<T>> alone = normalize(lane_of(a, lane));
@@ -115,8 +115,8 @@ TEST_CASE_TEMPLATE("a direction with a subnormal component has the same bits alo
   });
 }
 
-TEST_CASE("in the quick arithmetic, too, no lane's length and direction depend on the lanes beside it") {
-  using T = FastRung::Number;
+TEST_CASE("in the fast arithmetic, too, no lane's length and direction depend on the lanes beside it") {
+  using T = FastPrecision::Number;
   for_all(2000, [](Random& random) {
     const auto ordinary = [&] {
       T x;
@@ -142,19 +142,19 @@ TEST_CASE_TEMPLATE("each lane of a basic operation has the bits of the number al
   for_all(2000, [](Random& random) {
     const T x = some_lanes<T>(random), y = some_lanes<T>(random);
     check_lanes(
-        "root", [](const auto& a) { return root(a); }, x);
+        "sqrt", [](const auto& a) { return sqrt(a); }, x);
     check_lanes(
         "square", [](const auto& a) { return square(a); }, x);
     check_lanes(
-        "magnitude", [](const auto& a) { return magnitude(a); }, x);
+        "abs", [](const auto& a) { return abs(a); }, x);
     check_lanes(
         "reciprocal_binade", [](const auto& a) { return reciprocal_binade(a); }, x);
     check_lanes(
         "fraction", [](const auto& a) { return floor_and_fraction(a).fraction; }, x);
     check_lanes(
-        "minimum", [](const auto& a, const auto& b) { return minimum(a, b); }, x, y);
+        "min", [](const auto& a, const auto& b) { return min(a, b); }, x, y);
     check_lanes(
-        "maximum", [](const auto& a, const auto& b) { return maximum(a, b); }, x, y);
+        "max", [](const auto& a, const auto& b) { return max(a, b); }, x, y);
     check_lanes(
         "quotient", [](const auto& a, const auto& b) { return a / b; }, x, y);
 

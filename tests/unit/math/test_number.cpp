@@ -1,6 +1,6 @@
 #include "math/elementary.h"
+#include "math/precisions.h"
 #include "math/read_grid.h"
-#include "math/rungs.h"
 #include "tests/support/for_all.h"
 
 namespace refraster {
@@ -13,7 +13,7 @@ static_assert(
 
 TEST_CASE_TEMPLATE("a cell is the integer below and the way from there", F, double, float) {
   for_all(5000, [](Random& random) {
-    const F x = F(random.sign() * random.magnitude(1e-3, 1e6));
+    const F x = F(random.sign() * random.log_uniform(1e-3, 1e6));
     const Cell<F> at = floor_and_fraction(x);
     CHECK(F(at.index) <= x);
     CHECK(at.fraction >= 0);

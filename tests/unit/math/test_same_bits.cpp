@@ -25,8 +25,8 @@ std::uint64_t hash_of_elementary_functions() {
     const double s = random.uniform(0, 200);
     const Vec3<F> a = normalize(Vec3<F>(u, v, w)), b = normalize(a + Vec3<F>(v, w, u) * F(0.1));
     for (const F result :
-         {log2(x), log2(F(1) + u), exp2(x), exp2(u * F(100)), power(x, s), power(u, s), atan2(y, x), atan2(v, u), a.x,
-          a.y, cosine_power(a, b, s), length(Vec3<F>(x, y, u)), floor_and_fraction(x).fraction})
+         {log2(x), log2(F(1) + u), exp2(x), exp2(u * F(100)), pow(x, s), pow(u, s), atan2(y, x), atan2(v, u), a.x, a.y,
+          cosine_power(a, b, s), length(Vec3<F>(x, y, u)), floor_and_fraction(x).fraction})
       hash.add(result);
   }
   return hash.value;

@@ -96,7 +96,7 @@ struct Plane {
   /// Whether the triangle is met, if that is so or not for all of these places; and how near and far.
   struct Meeting {
     bool sure = true, inside = false;
-    Rational w_least, w_most;
+    Rational w_min, w_max;
   };
   Meeting meeting(int x, int y) const {
     Meeting result;
@@ -106,8 +106,8 @@ struct Plane {
       inside += hit && hit->how == Meets::inside;
       if (!hit) continue;
       const Rational w = -hit->point[2];
-      result.w_least = result.w_least == 0 ? w : std::min(w, result.w_least);
-      result.w_most = std::max(w, result.w_most);
+      result.w_min = result.w_min == 0 ? w : std::min(w, result.w_min);
+      result.w_max = std::max(w, result.w_max);
       result.sure = result.sure && hit->how != Meets::border;
     }
     result.inside = inside == std::size(places);
@@ -144,8 +144,8 @@ TEST_CASE("a cut triangle covers the pixels whose rays meet it between the depth
     for (int y = 0; y < side; ++y)
       for (int x = 0; x < side; ++x) {
         const Plane::Meeting meeting = plane.meeting(x, y);
-        const bool kept = meeting.inside && meeting.w_least >= near_plane && meeting.w_most <= far_plane;
-        const bool cut = !meeting.inside || meeting.w_most < near_plane || meeting.w_least > far_plane;
+        const bool kept = meeting.inside && meeting.w_min >= near_plane && meeting.w_max <= far_plane;
+        const bool cut = !meeting.inside || meeting.w_max < near_plane || meeting.w_min > far_plane;
         if (!meeting.sure || kept == cut) continue;
         wrong += is_drawn(frame, x, y) != kept;
         if (!kept || !is_drawn(frame, x, y)) continue;
@@ -256,7 +256,7 @@ TEST_CASE("the depth planes cut where they stand, for triangles of any place") {
   // more. A change of z / w by e moves the cut by e w^2 (far - near) / (2 near far) < e w far.
   long tested = 0, near_cut = 0, far_cut = 0, too_close = 0, wrong = 0;
   for_all(20, [&](Random& random) {
-    const double near = random.magnitude(1e-3, 1), far = near * random.magnitude(2, 1e4);
+    const double near = random.log_uniform(1e-3, 1), far = near * random.log_uniform(2, 1e4);
     WindowScene window(side, near, far);
     std::array<Float3, 3> corners;
     for (Float3& p : corners)
@@ -270,15 +270,15 @@ TEST_CASE("the depth planes cut where they stand, for triangles of any place") {
       for (int x = 0; x < side; ++x) {
         const Plane::Meeting meeting = plane.meeting(x, y);
         if (!meeting.sure) continue;
-        const Rational slack = meeting.w_most * f / n * Rational(64 * 0x1p-53);
-        const bool surely_kept = meeting.inside && meeting.w_least - slack > n && meeting.w_most + slack < f;
-        const bool surely_cut = !meeting.inside || meeting.w_most + slack < n || meeting.w_least - slack > f;
+        const Rational slack = meeting.w_max * f / n * Rational(64 * 0x1p-53);
+        const bool surely_kept = meeting.inside && meeting.w_min - slack > n && meeting.w_max + slack < f;
+        const bool surely_cut = !meeting.inside || meeting.w_max + slack < n || meeting.w_min - slack > f;
         if (!surely_kept && !surely_cut) {
           ++too_close;
           continue;
         }
         ++tested;
-        near_cut += meeting.inside && meeting.w_most < n, far_cut += meeting.inside && meeting.w_least > f;
+        near_cut += meeting.inside && meeting.w_max < n, far_cut += meeting.inside && meeting.w_min > f;
         wrong += is_drawn(frame, x, y) != surely_kept;
       }
   });

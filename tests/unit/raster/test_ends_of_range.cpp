@@ -1,4 +1,4 @@
-// Frames of scenes whose numbers are near the ends of a rung's range.
+// Frames of scenes whose numbers are near the ends of a precision's range.
 
 #include "tests/support/raster/window_scene.h"
 
@@ -19,10 +19,10 @@ TEST_CASE("where a centre lies on the line at which a triangle's plane vanishes,
   for (const float uv : frame.aovs[1].values) CHECK(std::isfinite(uv));
 }
 
-TEST_CASE("on the edge opposite a corner next to the eye, what is seen is that edge, in every rung") {
+TEST_CASE("on the edge opposite a corner next to the eye, what is seen is that edge, in every precision") {
   // Of 1 / w the two that count have less than 2^-70 of the third's, which on their edge has no part.
-  for (const std::string_view rung : {"double", "float", "fast"}) {
-    CAPTURE(rung);
+  for (const std::string_view precision : {"double", "float", "fast"}) {
+    CAPTURE(precision);
     WindowScene window(32, 0x1p-110);
     Object& object = window.add({window.place(4, 8.5, 2), window.place(28, 8.5, 2), window.place(16, 30, 1e-22)},
                                 Double3(1), {{0.375f, 0.375f}, {0.375f, 0.375f}, {0.375f, 0.375f}});
@@ -31,7 +31,7 @@ TEST_CASE("on the edge opposite a corner next to the eye, what is seen is that e
     texture->levels.push_back({1, 1, {0.5f, 0.5f, 0.5f}});
     object.material.texture = texture;
     RenderOptions options = window.options({Aov::object});
-    options.rung = rung;
+    options.precision = precision;
     const Frame frame = render(window.scene, options);
     CHECK(frame.counts.undefined[Undefined::bad_uv] == 0);
     CHECK(frame.counts.undefined[Undefined::not_finite] == 0);
@@ -45,14 +45,14 @@ TEST_CASE("on the edge opposite a corner next to the eye, what is seen is that e
   }
 }
 
-TEST_CASE("a light too bright for a rung is as bright as that can be, and does no harm where it does not reach") {
-  for (const std::string_view rung : {"double", "float", "fast"}) {
-    CAPTURE(rung);
+TEST_CASE("a light too bright for a precision is as bright as that can be, and does no harm where it does not reach") {
+  for (const std::string_view precision : {"double", "float", "fast"}) {
+    CAPTURE(precision);
     WindowScene window(8);
     window.add({window.place(-8, -8, 1), window.place(24, -8, 1), window.place(-8, 24, 1)}, Double3(0.5));
     window.scene.direction_lights = {{{0, 0, 1}, Double3(1e39)}}; // from behind
     RenderOptions options = window.options();
-    options.rung = rung;
+    options.precision = precision;
     const Frame frame = render(window.scene, options);
     CHECK(frame.counts.undefined[Undefined::not_finite] == 0);
     for (const float value : frame.radiance.values) CHECK(value == 0.5f);

@@ -29,7 +29,7 @@ Scene scene_of(const std::vector<Double3>& places) {
     object.name = "ball " + std::to_string(scene.objects.size());
     object.mesh = sphere;
     object.position = place;
-    object.material.model = matt();
+    object.material.fragment_function = matt();
     scene.objects.push_back(object);
   }
   return scene;
@@ -44,14 +44,14 @@ RenderOptions small() {
 
 RenderOptions small_radiance() {
   RenderOptions options = small();
-  options.want_levels = false;
+  options.want_rgb8 = false;
   options.want_radiance = true;
   return options;
 }
 
 std::string explained(const Scene& scene, const RenderOptions& options = small()) {
   const Frame frame = render(scene, options);
-  return explain_dark_image(scene, options, {frame.levels, frame.radiance}, frame.counts.shaded);
+  return explain_dark_image(scene, options, {frame.rgb8, frame.radiance}, frame.counts.shaded);
 }
 
 const std::string background_only = "the image shows background only: ";
@@ -73,7 +73,7 @@ Object flat(const std::vector<Float3>& corners, const Float3& normal) {
   Object object;
   object.name = "flat";
   object.mesh = mesh;
-  object.material.model = matt();
+  object.material.fragment_function = matt();
   return object;
 }
 
@@ -81,7 +81,7 @@ Scene measured(std::shared_ptr<const MerlTable> table) {
   Scene scene = scene_of({{0, 0, -5}});
   Merl merl;
   merl.table = std::move(table);
-  scene.objects[0].material.model = merl;
+  scene.objects[0].material.fragment_function = merl;
   return scene;
 }
 
@@ -139,7 +139,7 @@ TEST_CASE("objects on one side of the view") {
   CHECK(explained(corner) == background_only + "the only object, \"flat\", lies outside the view");
 }
 
-TEST_CASE("objects of several fates are told group by group") {
+TEST_CASE("objects of several fates are reported group by group") {
   CHECK(explained(scene_of({{0, 0, 5}, {0, 0, -300}, {0, 0, 9}})) ==
         background_only +
             "2 objects lie behind the camera; the object \"ball 1\" lies beyond the far plane, 100; it is 299 away");
@@ -189,7 +189,7 @@ TEST_CASE("a scene without light, with and without ambient reflection") {
   scene.direction_lights.clear();
   CHECK(explained(scene) == "the image is nearly black, no value above 13 of 255: the scene has no light, only ambient "
                             "reflection (ka)"); // 0.05 * 255
-  std::get<Phong>(scene.objects[0].material.model).ka = Double3(0);
+  std::get<Phong>(scene.objects[0].material.fragment_function).ka = Double3(0);
   CHECK(explained(scene) ==
         "the image is nearly black, no value above 0 of 255: the scene has no light and ambient is 0");
   scene.point_lights = {{{0, 0, 0}, {0, 0, 0}}, {{0, 1, 0}, {0, 0, 0}}};
@@ -217,7 +217,7 @@ TEST_CASE("a bright background does not hide that all surfaces are black") {
     for (RenderOptions options : {small(), small_radiance()}) {
       options.samples = samples;
       options.transfer = Transfer::linear;
-      if (options.want_radiance) std::get<Phong>(scene.objects[0].material.model).ka = Double3(0.005);
+      if (options.want_radiance) std::get<Phong>(scene.objects[0].material.fragment_function).ka = Double3(0.005);
       CAPTURE(samples);
       CAPTURE(options.want_radiance);
       CHECK(explained(scene, options).substr(0, 41) == "all surfaces are nearly black, none above");
@@ -227,7 +227,7 @@ TEST_CASE("a bright background does not hide that all surfaces are black") {
 TEST_CASE("a light that is too weak, and what of the others is behind") {
   Scene scene = scene_of({{0, 0, -5}});
   scene.direction_lights[0].radiance = Double3(0.02);
-  std::get<Phong>(scene.objects[0].material.model).ka = Double3(0);
+  std::get<Phong>(scene.objects[0].material.fragment_function).ka = Double3(0);
   CHECK(reason(scene) == "little light reaches what is seen, 0.02 at most (radiance times attenuation times n.l)");
   scene.point_lights = {{{0, 0, -50}, {1, 1, 1}}};
   CHECK(reason(scene) ==
@@ -237,7 +237,7 @@ TEST_CASE("a light that is too weak, and what of the others is behind") {
 
 TEST_CASE("surfaces that reflect nothing or little") {
   Scene scene = scene_of({{0, 0, -5}});
-  Phong& phong = std::get<Phong>(scene.objects[0].material.model);
+  Phong& phong = std::get<Phong>(scene.objects[0].material.fragment_function);
   phong.ka = phong.kd = phong.ks = Double3(0);
   CHECK(reason(scene) == "what is seen reflects no light: kd and ks are 0");
   phong.kd = Double3(0.05);
@@ -277,7 +277,7 @@ TEST_CASE("nearly black is what is shown: up to 25 of 255, by whatever curve; in
   Scene scene = scene_of({{0, 0, -5}});
   scene.direction_lights.clear();
   const auto with_ambient = [&](double ka) -> const Scene& {
-    std::get<Phong>(scene.objects[0].material.model).ka = Double3(ka);
+    std::get<Phong>(scene.objects[0].material.fragment_function).ka = Double3(ka);
     return scene;
   };
   CHECK(explained(with_ambient(25.4 / 255)) != "");
@@ -297,10 +297,10 @@ TEST_CASE("a large image is explained in fewer pixels, and OpenGL's without coun
   options.width = 3000, options.height = 1500;
   CHECK(reason(scene, options) == "no light reaches what is seen: the only light is behind it");
   const Frame frame = render(scene, small());
-  CHECK(explain_dark_image(scene, small(), {frame.levels, frame.radiance}, std::nullopt) == explained(scene));
+  CHECK(explain_dark_image(scene, small(), {frame.rgb8, frame.radiance}, std::nullopt) == explained(scene));
   const Scene empty;
   const Frame of_nothing = render(empty, small());
-  CHECK(explain_dark_image(empty, small(), {of_nothing.levels, of_nothing.radiance}, std::nullopt) ==
+  CHECK(explain_dark_image(empty, small(), {of_nothing.rgb8, of_nothing.radiance}, std::nullopt) ==
         background_only + "the scene has no objects");
 }
 
@@ -310,5 +310,5 @@ TEST_CASE("where memory does not suffice for an explanation there is none") {
   RenderOptions options = small();
   const Frame frame = render(scene, options);
   options.memory = MemoryBudget(1, [] { return std::uint64_t{1}; });
-  CHECK(explain_dark_image(scene, options, {frame.levels, frame.radiance}, frame.counts.shaded) == "");
+  CHECK(explain_dark_image(scene, options, {frame.rgb8, frame.radiance}, frame.counts.shaded) == "");
 }

@@ -23,10 +23,10 @@ namespace {
 const std::vector<Aov> every_aov = {Aov::depth,  Aov::normal,   Aov::position, Aov::uv,
                                     Aov::albedo, Aov::triangle, Aov::object};
 
-RenderOptions everything(std::string_view rung, int samples) {
+RenderOptions everything(std::string_view precision, int samples) {
   RenderOptions options;
   options.width = hashed_width, options.height = hashed_height;
-  options.rung = rung, options.samples = samples;
+  options.precision = precision, options.samples = samples;
   options.threads = 1;
   options.want_radiance = true;
   options.want_radiance_double = true;
@@ -36,7 +36,7 @@ RenderOptions everything(std::string_view rung, int samples) {
 
 // Bytes, so that a NaN equals itself and -0 is not 0.
 template <class Value>
-bool same_rows(const Image<Value>& part, const Image<Value>& whole, const Crop& crop) {
+bool same_rows(const Image<Value>& part, const Image<Value>& whole, const PixelRect& crop) {
   if (part.width != crop.width || part.height != crop.height || part.channels != whole.channels) return false;
   const auto row_bytes = static_cast<std::size_t>(crop.width * whole.channels) * sizeof(Value);
   for (int y = 0; y < crop.height; ++y)
@@ -44,14 +44,14 @@ bool same_rows(const Image<Value>& part, const Image<Value>& whole, const Crop& 
   return true;
 }
 
-bool same_images(const Frame& part, const Frame& whole, const Crop& crop) {
-  bool same = same_rows(part.levels, whole.levels, crop) && same_rows(part.radiance, whole.radiance, crop) &&
+bool same_images(const Frame& part, const Frame& whole, const PixelRect& crop) {
+  bool same = same_rows(part.rgb8, whole.rgb8, crop) && same_rows(part.radiance, whole.radiance, crop) &&
               same_rows(part.radiance_double, whole.radiance_double, crop);
   for (std::size_t i = 0; i < whole.aovs.size(); ++i) same = same && same_rows(part.aovs[i], whole.aovs[i], crop);
   return same;
 }
 
-constexpr Crop whole_image{0, 0, hashed_width, hashed_height};
+constexpr PixelRect whole_image{0, 0, hashed_width, hashed_height};
 
 bool same_counts(const FrameCounts& a, const FrameCounts& b) {
   return a.triangles == b.triangles && a.not_finite == b.not_finite && a.outside == b.outside &&
@@ -60,21 +60,22 @@ bool same_counts(const FrameCounts& a, const FrameCounts& b) {
          a.fragments == b.fragments && a.undefined.counts == b.undefined.counts;
 }
 
-/// body(scene, options) for each of the hashed scenes, in the double rung with one sample and in the float rung with 4.
+/// body(scene, options) for each of the hashed scenes, in the double precision with one sample and in the float
+/// precision with 4.
 template <class Body>
 void for_each_rendering(Body&& body) {
   for (const HashedScene& hashed : hashed_scenes())
     for (const auto& way : {std::pair("double", 1), std::pair("float", 4)}) {
-      const char* const rung = way.first;
+      const char* const precision = way.first;
       const int samples = way.second;
-      INFO(hashed.name, " ", rung, ", samples: ", samples);
-      body(hashed.scene, everything(rung, samples));
+      INFO(hashed.name, " ", precision, ", samples: ", samples);
+      body(hashed.scene, everything(precision, samples));
     }
 }
 
 } // namespace
 
-TEST_CASE("the radiance in double, rounded once, is the radiance; in the float rung they are equal") {
+TEST_CASE("the radiance in double, rounded once, is the radiance; in the float precision they are equal") {
   for_each_rendering([](const Scene& scene, const RenderOptions& options) {
     const Frame frame = render(scene, options);
     std::size_t differ = 0, only_double = 0;
@@ -85,7 +86,7 @@ TEST_CASE("the radiance in double, rounded once, is the radiance; in the float r
       only_double += value != static_cast<double>(frame.radiance.values[i]);
     }
     CHECK(differ == 0);
-    CHECK((only_double > 0) == (options.rung == "double"));
+    CHECK((only_double > 0) == (options.precision == "double"));
   });
 }
 
@@ -103,7 +104,7 @@ TEST_CASE("threads, tile sizes and crops change no byte, threads and tile sizes 
       CHECK(same_counts(frame.counts, reference.counts));
     }
     options.threads = 2, options.tile_size = 64;
-    for (const Crop& crop : {Crop{hashed_width - 1, hashed_height - 1, 1, 1}, Crop{13, 7, 101, 53}}) {
+    for (const PixelRect& crop : {PixelRect{hashed_width - 1, hashed_height - 1, 1, 1}, PixelRect{13, 7, 101, 53}}) {
       CAPTURE(crop.x);
       options.crop = {crop};
       CHECK(same_images(render(scene, options), reference, crop));
@@ -257,7 +258,7 @@ TEST_CASE("how far the eye is changes no highlight") {
     WindowScene window(1);
     Object& wall =
         window.add({window.place(-9, -9, distance), window.place(-9, 19, distance), window.place(19, -9, distance)});
-    auto& phong = std::get<Phong>(wall.material.model);
+    auto& phong = std::get<Phong>(wall.material.fragment_function);
     phong.ka = Double3(0), phong.ks = Double3(1), phong.glossiness = 1;
     window.scene.direction_lights.push_back({.direction = {0, -3, -4}, .radiance = Double3(1)});
     // n = v = (0, 0, 1), l = (0, 3, 4) / 5: r = 2 (n.l) n - l = (0, -3, 4) / 5, and r.v = 0.8.
@@ -331,9 +332,9 @@ TEST_CASE("samples of equal colours resolve to that colour, bit for bit") {
     }
 }
 
-TEST_CASE("samples of the largest number and of 0 resolve to the share of it, neither less than 0 nor more") {
+TEST_CASE("samples of the largest number and of 0 resolve to the fraction of it, neither less than 0 nor more") {
   constexpr float largest = std::numeric_limits<float>::max();
-  // The second is beyond the float rung's numbers: there it is the largest of them.
+  // The second is beyond the float precision's numbers: there it is the largest of them.
   for (const double huge : {static_cast<double>(largest), 1e300})
     for (const bool is_bright : {false, true}) {
       WindowScene window(8);
@@ -342,17 +343,17 @@ TEST_CASE("samples of the largest number and of 0 resolve to the share of it, ne
       // All that is left of x = 4.5. Half of each pattern's samples are: the middle of an edge belongs to the right.
       window.add({at(-20, -20), at(-20, 40), at(4.5, 40), at(-20, -20), at(4.5, 40), at(4.5, -20)},
                  Double3(is_bright ? huge : 0));
-      for (const std::string_view rung : {"double", "float", "fast"})
+      for (const std::string_view precision : {"double", "float", "fast"})
         for (const int samples : {2, 4, 8, 16}) {
           RenderOptions options = window.options({}, samples);
-          options.rung = rung;
+          options.precision = precision;
           const Frame frame = render(window.scene, options);
-          CAPTURE(rung);
+          CAPTURE(precision);
           CAPTURE(samples);
           CHECK(frame.radiance.at(3, 3)[0] == (is_bright ? largest : 0));
           CHECK(frame.radiance.at(5, 3)[0] == (is_bright ? 0 : largest));
           // The mean of 1e300 and 0 is as large as ever in double.
-          CHECK(frame.radiance.at(4, 3)[0] == (huge > 1e100 && rung == "double" ? largest : largest / 2));
+          CHECK(frame.radiance.at(4, 3)[0] == (huge > 1e100 && precision == "double" ? largest : largest / 2));
         }
     }
 }
@@ -374,7 +375,7 @@ TEST_CASE("a renderer's frames do not depend on the frames before") {
     renderer.render(scene, options, frame);
     CHECK(frame.radiance.empty());
     REQUIRE(frame.aovs.size() == 1);
-    CHECK(same_rows(frame.levels, reference.levels, options.crop[0]));
+    CHECK(same_rows(frame.rgb8, reference.rgb8, options.crop[0]));
     CHECK(same_rows(frame.aovs[0], reference.aovs[0], options.crop[0]));
   });
 }

@@ -13,15 +13,15 @@ using namespace refraster;
 namespace {
 
 /// The levels of an image that shows nothing but its background.
-std::uint8_t level_of(double value, Transfer transfer, std::string_view rung) {
+std::uint8_t level_of(double value, Transfer transfer, std::string_view precision) {
   Scene scene;
   scene.background = Double3(value);
   RenderOptions options;
   options.width = options.height = 1;
   options.threads = 1;
   options.transfer = transfer;
-  options.rung = rung;
-  return *render(scene, options).levels.at(0, 0);
+  options.precision = precision;
+  return *render(scene, options).rgb8.at(0, 0);
 }
 
 /// IEC 61966-2-1.
@@ -32,22 +32,22 @@ long double srgb(long double x) {
 // In float the value is rounded, the curve good to an ulp or two, the product rounded: together under 4 · 2^-24 · 255.
 constexpr long double undecided = 0x1p-14L;
 
-/// For values whose scaled ones do not lie so close to a half that the rung's rounding decides.
+/// For values whose scaled ones do not lie so close to a half that the precision's rounding decides.
 template <class Curve>
 void check_levels(Transfer transfer, const Curve& curve) {
-  for (const std::string_view rung : {"double", "float"}) {
-    CAPTURE(rung);
-    CHECK(level_of(0, transfer, rung) == 0);
-    CHECK(level_of(1, transfer, rung) == 255);
-    CHECK(level_of(-0.5, transfer, rung) == 0);
-    CHECK(level_of(1e300, transfer, rung) == 255);
+  for (const std::string_view precision : {"double", "float"}) {
+    CAPTURE(precision);
+    CHECK(level_of(0, transfer, precision) == 0);
+    CHECK(level_of(1, transfer, precision) == 255);
+    CHECK(level_of(-0.5, transfer, precision) == 0);
+    CHECK(level_of(1e300, transfer, precision) == 255);
     for_all(2000, [&](Random& random) {
-      const double value = random.below(2) ? random.uniform(0, 1) : random.magnitude(1e-4, 1e-2);
+      const double value = random.below(2) ? random.uniform(0, 1) : random.log_uniform(1e-4, 1e-2);
       CAPTURE(value);
       const long double scaled = 255 * curve(static_cast<long double>(value));
       const long double from_half = std::abs(scaled - std::floor(scaled) - 0.5L);
       if (from_half < undecided) return;
-      REQUIRE(level_of(value, transfer, rung) == std::lround(scaled));
+      REQUIRE(level_of(value, transfer, precision) == std::lround(scaled));
     });
   }
 }

@@ -50,9 +50,9 @@ private:
 /// An image full of a measured surface, whose table in float is made while it is shaded.
 Scene measured_scene() {
   Scene scene = hashed_scenes().front().scene;
-  Merl model;
-  model.table = table_of([](int, int, int) { return Rgb<double>(0.25); });
-  for (Object& object : scene.objects) object.material.model = model;
+  Merl function;
+  function.table = table_of([](int, int, int) { return Rgb<double>(0.25); });
+  for (Object& object : scene.objects) object.material.fragment_function = function;
   return scene;
 }
 
@@ -62,7 +62,7 @@ TEST_CASE("a frame that memory does not suffice for throws, and the next one is 
           doctest::skip(built_with_sanitizer)) {
   RenderOptions options;
   options.width = hashed_width, options.height = hashed_height;
-  options.rung = "float";
+  options.precision = "float";
   options.threads = 1;
   const Scene scene = measured_scene();
   Renderer renderer;
@@ -72,7 +72,7 @@ TEST_CASE("a frame that memory does not suffice for throws, and the next one is 
     CHECK_THROWS_AS(renderer.render(scene, options, frame), std::bad_alloc);
   }
   renderer.render(scene, options, frame);
-  CHECK(frame.levels.values == render(scene, options).levels.values);
+  CHECK(frame.rgb8.values == render(scene, options).rgb8.values);
 }
 
 } // namespace refraster::test

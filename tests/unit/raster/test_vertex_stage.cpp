@@ -1,6 +1,6 @@
 // The vertex stage in lanes: what each lane holds is what the vertex alone would get.
 
-#include "math/rungs.h"
+#include "math/precisions.h"
 #include "raster/vertex/transform.h"
 #include "raster/vertex/vertex_stage.h"
 #include "tests/support/random.h"
@@ -157,7 +157,7 @@ TEST_CASE("every vertex of a frame is transformed, whatever the sizes of its mes
                                 matrices.world_from_normal * Double3(n.x, n.y, n.z)};
         for (int c = 0; c < 3; ++c) { // a NaN is a NaN
           const auto alike = [](double a, double b) { return same_bits(a, b) || (a != a && b != b); };
-          const double kept = minimum(maximum(world.position[c], -0x1p1022), 0x1p1022);
+          const double kept = min(max(world.position[c], -0x1p1022), 0x1p1022);
           wrong += !same_bits(geometry.world[i].position[c], kept);
           wrong += !alike(geometry.world[i].normal[c], world.normal[c]);
         }

@@ -40,9 +40,9 @@ Seen nearest_of(std::size_t triangles, std::int32_t x, std::int32_t y, const Cov
 
 /// How many samples of the region see something else than they should, for tiles of one size.
 template <class Expected>
-long wrong_samples(const Scene& scene, const Geometry& geometry, const Crop& region, int image_side, int tile_size,
+long wrong_samples(const Scene& scene, const Geometry& geometry, const PixelRect& region, int image_side, int tile_size,
                    int sample_count, int threads, const Expected& expected) {
-  const std::span<const SamplePlace> samples = sample_pattern(sample_count);
+  const std::span<const SamplePosition> samples = sample_pattern(sample_count);
   const TileGrid grid{region.x, region.y, region.width, region.height, tile_size};
   Bins bins;
   FrameCounts counts;
@@ -50,7 +50,7 @@ long wrong_samples(const Scene& scene, const Geometry& geometry, const Crop& reg
   TileVisibility visibility(tile_size);
   long wrong = 0;
   for (std::size_t i = 0; i < grid.tiles(); ++i) {
-    const Crop tile = grid.tile(i);
+    const PixelRect tile = grid.tile(i);
     visibility.decide(scene, geometry, bins, i, tile, samples);
     for (int s = 0; s < sample_count; ++s)
       for (int y = 0; y < tile.height; ++y)
@@ -109,7 +109,7 @@ void mixed_frame(std::uint64_t seed, int triangles) {
            y <= set_up[t]->y_max && oracle_covers<Int128, 25>(corners[t], {x, y});
   };
   const auto depth = [&](std::size_t t, std::int32_t x, std::int32_t y) { return set_up[t]->depth(x, y); };
-  const Crop region{random.below(20), random.below(20), 40 + random.below(60), 30 + random.below(40)};
+  const PixelRect region{random.below(20), random.below(20), 40 + random.below(60), 30 + random.below(40)};
   const int samples = 1 << random.below(5);
   // Each sample's answer once, for all tile sizes.
   const auto pattern = sample_pattern(samples);
@@ -117,12 +117,12 @@ void mixed_frame(std::uint64_t seed, int triangles) {
   const auto place = [&](std::int32_t x, std::int32_t y) { // samples of a pixel differ in place
     const int px = (x >> 8) - region.x, py = (y >> 8) - region.y;
     const auto s = std::find_if(pattern.begin(), pattern.end(),
-                                [&](const SamplePlace& p) { return p.x == (x & 255) && p.y == (y & 255); });
+                                [&](const SamplePosition& p) { return p.x == (x & 255) && p.y == (y & 255); });
     return static_cast<std::size_t>((py * region.width + px) * samples + static_cast<int>(s - pattern.begin()));
   };
   for (int y = 0; y < region.height; ++y)
     for (int x = 0; x < region.width; ++x)
-      for (const SamplePlace& s : pattern)
+      for (const SamplePosition& s : pattern)
         answers.push_back(nearest_of(vertices.size(), (region.x + x) * subpixels + s.x,
                                      (region.y + y) * subpixels + s.y, covers, depth));
   for (const int tile_size : all_tile_sizes) {
@@ -200,7 +200,7 @@ TEST_CASE("behind the eye, depths come from line values that are rounded once, h
   // One line as large as can be, with a value at one sample that lies next to the middle between two doubles; the
   // others make its value the depth.
   constexpr int side = 128;
-  const Crop tile{0, 0, side, side};
+  const PixelRect tile{0, 0, side, side};
   DepthTile depths(side);
   for_all(200, [&](Random& random) {
     const std::int32_t column = 64 + static_cast<std::int32_t>(random.below(64));
@@ -211,11 +211,11 @@ TEST_CASE("behind the eye, depths come from line values that are rounded once, h
     ProjectiveTriangle triangle;
     triangle.pieces = 1;
     ProjectivePiece& piece = triangle.piece[0];
-    ProjectiveLine& line = piece.line[0];
+    ProjectiveEdge& line = piece.edge[0];
     line.a = static_cast<std::int64_t>(random.uniform(-0x1p60, 0x1p60)) | 1;
     line.b = static_cast<std::int64_t>(random.uniform(-0x1p60, 0x1p60)) | 1;
     line.c = value - static_cast<Int128>(line.a) * x - static_cast<Int128>(line.b) * y;
-    piece.line[1].c = piece.line[2].c = 1;
+    piece.edge[1].c = piece.edge[2].c = 1;
     piece.weight = {0x1p-110, 1, 1}, piece.z = {1, 0, 0}, piece.w = {0, 1, 0};
 
     depths.clear(tile, 1);

@@ -18,7 +18,7 @@ struct SignedCoverage {
   std::vector<int> front, back;
   SignedCoverage() : front(width * height, 0), back(width * height, 0) {}
 
-  void add(const AnyTriangle& triangle, SamplePlace sample) {
+  void add(const AnyTriangle& triangle, SamplePosition sample) {
     triangle.for_each_part([&](const auto& lines, Facing facing) {
       auto& count = facing == Facing::front ? front : back;
       constexpr int tile = 12; // divides both sides
@@ -82,7 +82,7 @@ long check_closed(const View& view, int samples, int sum) {
   object.rotate_degrees = view.turn;
   const ObjectTransform matrices = object_transform(object, clip);
   long seen = 0, wrong = 0;
-  for (const SamplePlace& sample : sample_pattern(samples)) {
+  for (const SamplePosition& sample : sample_pattern(samples)) {
     SignedCoverage coverage;
     for (const auto& t : object.mesh->triangles) {
       std::array<Double4, 3> corners;

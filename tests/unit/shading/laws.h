@@ -1,9 +1,9 @@
 #pragma once
 // What holds for every fragment function and every number: the tests go through these closed lists.
 
-#include "math/rungs.h"
+#include "math/precisions.h"
 #include "scenes/synthesis/merl_synthesis.h"
-#include "shading/models.h"
+#include "shading/fragment_functions.h"
 #include "tests/support/shading/directions.h"
 
 #include <memory>
@@ -12,15 +12,15 @@
 
 namespace refraster {
 
-struct NamedModel {
+struct NamedFunction {
   std::string name;
-  Model model;
+  FragmentFunction function;
 };
 
 /// At least one of every fragment function, with each of its conventions.
-inline const std::vector<NamedModel>& all_models() {
-  static const std::vector<NamedModel> models = [] {
-    std::vector<NamedModel> list;
+inline const std::vector<NamedFunction>& all_fragment_functions() {
+  static const std::vector<NamedFunction> functions = [] {
+    std::vector<NamedFunction> list;
     for (const SpecularGate gate : {SpecularGate::open, SpecularGate::cut_below_horizon})
       for (const double glossiness : {0.0, 1.0, 8.0, 1e6}) {
         const std::string name = " gate " + std::string(name_of(gate)) + " glossiness " + std::to_string(glossiness);
@@ -36,7 +36,7 @@ inline const std::vector<NamedModel>& all_models() {
             {"merl " + std::string(lookup_name) + " " + std::string(angles_name), Merl{table, lookup, angles}});
     return list;
   }();
-  return models;
+  return functions;
 }
 
 /// What a fragment function is given, in double.

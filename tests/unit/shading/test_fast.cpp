@@ -1,4 +1,4 @@
-// What the rung fast gives up: as much as shading/precision_bounds.h says, and nothing of what must be finite.
+// What the precision fast gives up: as much as shading/precision_bounds.h says, and nothing of what must be finite.
 
 #include "shading/precision_bounds.h"
 #include "tests/support/shading/merl_tables.h"
@@ -14,13 +14,13 @@ using namespace refraster;
 
 namespace {
 
-using Fast = FastRung::Number;
+using Fast = FastPrecision::Number;
 constexpr int lanes = NumberTraits<Fast>::lanes;
 
 template <class T, class M>
-Rgb<T> shaded(const M& model, const Situation& s) {
+Rgb<T> shaded(const M& function, const Situation& s) {
   const auto at = s.fragment<T>();
-  return model.ambient(at) + model(at, s.incident<T>());
+  return function.ambient(at) + function(at, s.incident<T>());
 }
 
 /// Both see the same numbers: directions as a float holds them.
@@ -35,26 +35,27 @@ Situation ordinary(std::mt19937_64& random, int k) {
 }
 
 /// Differences from double, of the radiance where that is above 1, sorted.
-template <class MakeModel>
-std::vector<double> differences(const MakeModel& model_for, int trials) {
+template <class MakeFunction>
+std::vector<double> differences(const MakeFunction& function_for, int trials) {
   std::mt19937_64 random(11);
   std::vector<double> all;
   for (int k = 0; k < trials; ++k) {
-    const auto model = model_for(random);
+    const auto function = function_for(random);
     const Situation s = ordinary(random, k);
-    const double quick = static_cast<double>(shaded<Fast>(model, s).x[k % lanes]), exact = shaded<double>(model, s).x;
-    all.push_back(std::abs(quick - exact) / std::max(1.0, exact));
+    const double fast = static_cast<double>(shaded<Fast>(function, s).x[k % lanes]),
+                 exact = shaded<double>(function, s).x;
+    all.push_back(std::abs(fast - exact) / std::max(1.0, exact));
   }
   std::sort(all.begin(), all.end());
   return all;
 }
 
-template <class MakeModel>
-void check_bound(std::string_view name, const MakeModel& model_for, int trials = 40000) {
-  const auto bound =
-      std::find_if(std::begin(fast_bounds), std::end(fast_bounds), [&](const FastBound& b) { return b.model == name; });
+template <class MakeFunction>
+void check_bound(std::string_view name, const MakeFunction& function_for, int trials = 40000) {
+  const auto bound = std::find_if(std::begin(fast_bounds), std::end(fast_bounds),
+                                  [&](const FastBound& b) { return b.function == name; });
   REQUIRE(bound != std::end(fast_bounds));
-  const std::vector<double> all = differences(model_for, trials);
+  const std::vector<double> all = differences(function_for, trials);
   const double most = all.back(), p99 = all[all.size() / 100 * 99];
   if (std::getenv("REFRASTER_PRINT_BOUNDS")) MESSAGE(name, " ", most, " ", p99);
   CAPTURE(name);
@@ -79,12 +80,12 @@ TEST_CASE("fast is as near to double as promised") {
 }
 
 TEST_CASE("fast is finite and not negative, whatever the geometry") {
-  for (const NamedModel& tried : all_models()) {
+  for (const NamedFunction& tried : all_fragment_functions()) {
     CAPTURE(tried.name);
     std::mt19937_64 random(12);
     for (int k = 0; k < 200; ++k) {
       const Situation s = random_situation(random, k);
-      const Rgb<Fast> colour = std::visit([&](const auto& m) { return shaded<Fast>(m, s); }, tried.model);
+      const Rgb<Fast> colour = std::visit([&](const auto& m) { return shaded<Fast>(m, s); }, tried.function);
       for (int channel = 0; channel < 3; ++channel)
         REQUIRE((colour[channel][k % lanes] >= 0 && std::isfinite(colour[channel][k % lanes])));
     }
@@ -93,8 +94,8 @@ TEST_CASE("fast is finite and not negative, whatever the geometry") {
 
 TEST_CASE("fast keeps what is exact: zero, one, and what does not change") {
   const Fast one(1), zero(0);
-  CHECK(power(zero, 3)[0] == 0);
-  CHECK(power(one, 1000)[0] == 1);
+  CHECK(refraster::pow(zero, 3)[0] == 0);
+  CHECK(refraster::pow(one, 1000)[0] == 1);
   CHECK(atan2(zero, one)[0] == 0);
   CHECK(exp2(zero)[0] == 1);
   CHECK(log2(one)[0] == 0);

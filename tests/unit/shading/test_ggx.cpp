@@ -38,13 +38,13 @@ TEST_CASE("reflection worked out by hand") {
   CHECK(Lambert{Double3(0.5)}(n, slanted, n).x == doctest::Approx(0.5 / pi));
   // All along n: D = 1 / (pi alpha^2), G / (4 n.i n.o) = 1 / 4, F = f0.
   CHECK(GgxConductor{0.5, Double3(0.8)}(n, n, n).x == doctest::Approx(0.8 / (4 * pi * 0.25)));
-  // Mirror direction, n.i = n.o = i.h = 0.8: D = 1 / (pi a), a = 1/4; root(a + (1 - a) 0.64) = root(0.73);
-  // visibility 1 / (4 * 0.8 * root(0.73)); F = 0.8 + 0.2 * 0.2^5 = 0.800064.
+  // Mirror direction, n.i = n.o = i.h = 0.8: D = 1 / (pi a), a = 1/4; sqrt(a + (1 - a) 0.64) = sqrt(0.73);
+  // visibility 1 / (4 * 0.8 * sqrt(0.73)); F = 0.8 + 0.2 * 0.2^5 = 0.800064.
   CHECK(GgxConductor{0.5, Double3(0.8)}(n, slanted, mirror).x ==
         doctest::Approx(0.800064 * 4 / pi / (3.2 * std::sqrt(0.73))));
   // Half vector at tan(theta_h) = 1/3 (i = slanted, o = n): cos^2 = 0.9, sin^2 = 0.1, D = a / (pi (0.9 a + 0.1)^2) with
-  // a = 1/4 is 0.25 / (0.105625 pi); visibility 0.5 / (root(0.25 + 0.75 * 0.64) + 0.8) = 0.5 / (root(0.73) + 0.8);
-  // i.h = root(0.9); f0 = 1, so F = 1.
+  // a = 1/4 is 0.25 / (0.105625 pi); visibility 0.5 / (sqrt(0.25 + 0.75 * 0.64) + 0.8) = 0.5 / (sqrt(0.73) + 0.8);
+  // i.h = sqrt(0.9); f0 = 1, so F = 1.
   CHECK(GgxConductor{0.5, Double3(1)}(n, slanted, n).x ==
         doctest::Approx(0.25 / (0.105625 * pi) * 0.5 / (std::sqrt(0.73) + 0.8)));
   // Normal incidence on glass, ior 1.5: F = (0.5 / 2.5)^2 = 0.04. The ground: 0.96^2 albedo / pi.

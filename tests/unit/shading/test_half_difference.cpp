@@ -1,6 +1,6 @@
 // Half and difference angles: three methods against each other, and against 50 digits.
 
-#include "math/rungs.h"
+#include "math/precisions.h"
 #include "shading/half_difference.h"
 #include "tests/support/shading/directions.h"
 

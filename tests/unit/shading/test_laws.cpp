@@ -16,10 +16,10 @@ using Bounds = Interval<DoubleArithmetic>;
 constexpr int trials = 200;
 
 template <class T>
-Rgb<T> shaded(const Model& model, const Situation& situation) {
+Rgb<T> shaded(const FragmentFunction& function, const Situation& situation) {
   const auto at = situation.fragment<T>();
   const auto light = situation.incident<T>();
-  return std::visit([&](const auto& m) { return m.ambient(at) + m(at, light); }, model);
+  return std::visit([&](const auto& m) { return m.ambient(at) + m(at, light); }, function);
 }
 
 template <class F>
@@ -30,7 +30,7 @@ bool same_bits(F a, F b) {
 /// For one of `apart` situations: a box in which the azimuth is anything reads whole rows of a measured table.
 void check_boxes(int apart) {
   const double half_width = 1e-5;
-  for (const NamedModel& tried : all_models()) {
+  for (const NamedFunction& tried : all_fragment_functions()) {
     CAPTURE(tried.name);
     std::mt19937_64 random(4);
     for (int k = 0; k < trials; k += apart) {
@@ -41,14 +41,15 @@ void check_boxes(int apart) {
         at.normal[axis] = {situation.n[axis] - half_width, situation.n[axis] + half_width};
         at.to_eye[axis] = {situation.v[axis] - half_width, situation.v[axis] + half_width};
       }
-      const Rgb<Bounds> bounds = std::visit([&](const auto& m) { return m.ambient(at) + m(at, light); }, tried.model);
+      const Rgb<Bounds> bounds =
+          std::visit([&](const auto& m) { return m.ambient(at) + m(at, light); }, tried.function);
       for (int inside = 0; inside < 4; ++inside) {
         Situation moved = situation;
         for (int axis = 0; axis < 3; ++axis) {
           moved.n[axis] += uniform(random, -half_width, half_width);
           moved.v[axis] += uniform(random, -half_width, half_width);
         }
-        const Rgb<double> point = shaded<double>(tried.model, moved);
+        const Rgb<double> point = shaded<double>(tried.function, moved);
         REQUIRE(bounds.x.contains(point.x));
         REQUIRE(bounds.y.contains(point.y));
         REQUIRE(bounds.z.contains(point.z));
@@ -61,16 +62,16 @@ void check_boxes(int apart) {
 
 TEST_CASE("the laws are tried on every fragment function") {
   std::set<std::size_t> kinds;
-  for (const NamedModel& tried : all_models()) kinds.insert(tried.model.index());
-  CHECK(kinds.size() == std::variant_size_v<Model>);
+  for (const NamedFunction& tried : all_fragment_functions()) kinds.insert(tried.function.index());
+  CHECK(kinds.size() == std::variant_size_v<FragmentFunction>);
 }
 
 TEST_CASE_TEMPLATE("light toward the eye is finite and not negative, whatever the geometry", F, double, float) {
-  for (const NamedModel& tried : all_models()) {
+  for (const NamedFunction& tried : all_fragment_functions()) {
     CAPTURE(tried.name);
     std::mt19937_64 random(1);
     for (int k = 0; k < trials; ++k) {
-      const Rgb<F> colour = shaded<F>(tried.model, random_situation(random, k));
+      const Rgb<F> colour = shaded<F>(tried.function, random_situation(random, k));
       for (int channel = 0; channel < 3; ++channel) REQUIRE((colour[channel] >= 0 && std::isfinite(colour[channel])));
     }
   }
@@ -80,7 +81,7 @@ TEST_CASE_TEMPLATE("every lane shades as it would alone, to the last bit", T, Wi
                    Wide<double, 2>, Wide<double, 8>) {
   using F = RealOf<T>;
   constexpr int lanes = NumberTraits<T>::lanes;
-  for (const NamedModel& tried : all_models()) {
+  for (const NamedFunction& tried : all_fragment_functions()) {
     CAPTURE(tried.name);
     std::mt19937_64 random(2);
     for (int k = 0; k < trials; k += lanes) {
@@ -98,9 +99,9 @@ TEST_CASE_TEMPLATE("every lane shades as it would alone, to the last bit", T, Wi
         put(at.normal, s.n), put(at.to_eye, s.v), put(at.texture, s.texture);
         put(light.direction, s.l), put(light.radiance, s.radiance);
       }
-      const Rgb<T> together = std::visit([&](const auto& m) { return m.ambient(at) + m(at, light); }, tried.model);
+      const Rgb<T> together = std::visit([&](const auto& m) { return m.ambient(at) + m(at, light); }, tried.function);
       for (int lane = 0; lane < lanes; ++lane) {
-        const Rgb<F> alone = shaded<F>(tried.model, situations[static_cast<std::size_t>(lane)]);
+        const Rgb<F> alone = shaded<F>(tried.function, situations[static_cast<std::size_t>(lane)]);
         REQUIRE(same_bits(together.x[lane], alone.x));
         REQUIRE(same_bits(together.y[lane], alone.y));
         REQUIRE(same_bits(together.z[lane], alone.z));
@@ -110,13 +111,13 @@ TEST_CASE_TEMPLATE("every lane shades as it would alone, to the last bit", T, Wi
 }
 
 TEST_CASE("bounds on a point contain what double makes of it") {
-  for (const NamedModel& tried : all_models()) {
+  for (const NamedFunction& tried : all_fragment_functions()) {
     CAPTURE(tried.name);
     std::mt19937_64 random(3);
     for (int k = 0; k < trials; ++k) {
       const Situation situation = random_situation(random, k);
-      const Rgb<double> point = shaded<double>(tried.model, situation);
-      const Rgb<Bounds> bounds = shaded<Bounds>(tried.model, situation);
+      const Rgb<double> point = shaded<double>(tried.function, situation);
+      const Rgb<Bounds> bounds = shaded<Bounds>(tried.function, situation);
       REQUIRE(bounds.x.contains(point.x));
       REQUIRE(bounds.y.contains(point.y));
       REQUIRE(bounds.z.contains(point.z));
@@ -135,23 +136,23 @@ TEST_SUITE("slow") {
 }
 
 TEST_CASE("a dark light adds nothing") {
-  for (const NamedModel& tried : all_models()) {
+  for (const NamedFunction& tried : all_fragment_functions()) {
     CAPTURE(tried.name);
     std::mt19937_64 random(5);
     for (int k = 0; k < trials; ++k) {
       Situation situation = random_situation(random, k);
       situation.radiance = Double3(0);
       const auto at = situation.fragment<double>();
-      const Rgb<double> ambient = std::visit([&](const auto& m) { return m.ambient(at); }, tried.model);
-      REQUIRE(shaded<double>(tried.model, situation) == ambient);
+      const Rgb<double> ambient = std::visit([&](const auto& m) { return m.ambient(at); }, tried.function);
+      REQUIRE(shaded<double>(tried.function, situation) == ambient);
     }
   }
 }
 
 TEST_CASE("no diffuse or measured light comes from below the horizon") {
-  for (const NamedModel& tried : all_models()) {
-    const auto* const phong = std::get_if<Phong>(&tried.model);
-    const auto* const blinn = std::get_if<BlinnPhong>(&tried.model);
+  for (const NamedFunction& tried : all_fragment_functions()) {
+    const auto* const phong = std::get_if<Phong>(&tried.function);
+    const auto* const blinn = std::get_if<BlinnPhong>(&tried.function);
     const bool highlight = (phong && phong->specular_gate == SpecularGate::open && phong->ks.x > 0) ||
                            (blinn && blinn->specular_gate == SpecularGate::open);
     if (highlight) continue; // the textbook's highlight goes round the horizon
@@ -162,7 +163,7 @@ TEST_CASE("no diffuse or measured light comes from below the horizon") {
       if (dot(situation.n, situation.l) > 0) situation.l = -situation.l;
       const auto at = situation.fragment<double>();
       const auto light = situation.incident<double>();
-      REQUIRE(std::visit([&](const auto& m) { return m(at, light); }, tried.model) == Rgb<double>(0));
+      REQUIRE(std::visit([&](const auto& m) { return m(at, light); }, tried.function) == Rgb<double>(0));
     }
   }
 }

@@ -1,6 +1,6 @@
 // Measured reflection: reading the table.
 
-#include "math/rungs.h"
+#include "math/precisions.h"
 #include "scenes/synthesis/merl_synthesis.h"
 #include "shading/merl.h"
 #include "tests/support/shading/directions.h"
@@ -266,7 +266,7 @@ TEST_CASE_TEMPLATE("a measured BRDF is reciprocal to the last bit", F, double, f
   }
 }
 
-TEST_CASE_TEMPLATE("a rung makes only the copies of the table that it reads", F, double, float) {
+TEST_CASE_TEMPLATE("a precision makes only the copies of the table that it reads", F, double, float) {
   const auto table = table_of([](int h, int, int) { return Rgb<double>(h == 3 ? -0.5 : 1e300); });
   const F* const values = table->template values<F>();
   CHECK(values == table->template values<F>());

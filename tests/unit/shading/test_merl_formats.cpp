@@ -1,6 +1,6 @@
 // A table in its formats: double, float, half.
 
-#include "math/rungs.h"
+#include "math/precisions.h"
 #include "scenes/synthesis/merl_synthesis.h"
 #include "shading/merl_lookup.h"
 #include "tests/support/shading/merl_tables.h"
@@ -115,7 +115,7 @@ TEST_CASE("a lookup in halves is as far from one in floats as halves are from fl
   }
 }
 
-// What a rung's number says, or leaves out.
+// What a precision's number says, or leaves out.
 struct NumberOfHalves {};
 template <>
 struct refraster::NumberTraits<NumberOfHalves> {
@@ -123,7 +123,7 @@ struct refraster::NumberTraits<NumberOfHalves> {
   using TableReal = Half;
 };
 
-TEST_CASE("the rung chooses the format of tables") {
+TEST_CASE("the precision chooses the format of tables") {
   CHECK(std::is_same_v<TableRealOf<double>, double>);
   CHECK(std::is_same_v<TableRealOf<Native<float>>, float>);
   CHECK(std::is_same_v<TableRealOf<NumberOfHalves>, Half>);

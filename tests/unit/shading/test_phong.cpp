@@ -1,8 +1,8 @@
 // Phong, Blinn-Phong and lights: numbers worked out by hand.
 
-#include "math/rungs.h"
+#include "math/precisions.h"
+#include "shading/fragment_functions.h"
 #include "shading/light.h"
-#include "shading/models.h"
 
 #include <doctest/doctest.h>
 
@@ -23,12 +23,12 @@ struct Lit {
   UndefinedCounts counts;
 };
 
-template <class Model>
-Lit lit(const Model& model, const Double3& n, const Double3& l, const Double3& v) {
+template <class SomeFunction>
+Lit lit(const SomeFunction& function, const Double3& n, const Double3& l, const Double3& v) {
   Lit result;
   const UndefinedTally<double> tally(result.counts, true);
   const Fragment<double> at{Double3(0), n, v, texture, &tally};
-  result.colour = model(at, Incident<double>{l, light_colour});
+  result.colour = function(at, Incident<double>{l, light_colour});
   return result;
 }
 
@@ -56,7 +56,7 @@ TEST_CASE("Phong worked out by hand") {
 }
 
 TEST_CASE("Blinn-Phong worked out by hand") {
-  // n.l = 0.8; l + v = (0.6, 0, 1.8), h = (1, 0, 3) / root(10), n.h = 3 / root(10), squared 0.9.
+  // n.l = 0.8; l + v = (0.6, 0, 1.8), h = (1, 0, 3) / sqrt(10), n.h = 3 / sqrt(10), squared 0.9.
   // Red: (0.4 + 0.9) * 1. Green: (0.1 + 1.8) * 2. Blue: (0.025 + 3.6) * 3.
   check_close(lit(BlinnPhong{parameters}, up, slanted, up).colour, {1.3, 3.8, 10.875});
   // Mirror direction: h = n.
@@ -155,7 +155,7 @@ TEST_CASE_TEMPLATE("a light very near or very far stays finite", F, double, floa
     const Incident<F> incident = arriving(light, at);
     CHECK((std::isfinite(incident.radiance.x) && incident.radiance.x >= 0));
     CHECK(incident.radiance.y == 0);
-    // normalize multiplies by 1 / root(x^2): three roundings.
+    // normalize multiplies by 1 / sqrt(x^2): three roundings.
     constexpr F three_roundings = F(1.5) * std::numeric_limits<F>::epsilon();
     CHECK((at.position.z == 0 || std::abs(incident.direction.z + 1) <= three_roundings));
   }

@@ -1,7 +1,7 @@
 // Textures: colours worked out by hand. Levels hold whole numbers, so that products with simple weights are exact.
 
 #include "math/bounds/interval_functions.h"
-#include "math/rungs.h"
+#include "math/precisions.h"
 #include "shading/texture.h"
 
 #include <doctest/doctest.h>

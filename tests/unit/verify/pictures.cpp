@@ -78,7 +78,7 @@ std::vector<NamedPicture> gallery_pictures() {
     options.width = 160, options.height = 90;
     const Frame frame = render(read_scene(path), options);
     Picture picture(frame.levels.width, frame.levels.height, frame.levels.channels);
-    std::copy(frame.levels.values.begin(), frame.levels.values.end(), picture.values.begin());
+    std::copy(frame.rgb8.values.begin(), frame.rgb8.values.end(), picture.values.begin());
     pictures.push_back({name, std::move(picture)});
   }
   return pictures;

@@ -207,7 +207,7 @@ TEST_CASE("8 bits beside 16 bits count exactly, beside floats to the nearest flo
   CHECK(pair.precision_b.step == 255.0 / 65535);
 }
 
-TEST_CASE("images of half and double size are told by the line that refuses them") {
+TEST_CASE("images of half and double size are reported by the line that refuses them") {
   const Folder folder;
   Image<std::uint8_t> large(8, 4, 3), small(4, 2, 3);
   for (int y = 0; y < 4; ++y)

@@ -44,7 +44,7 @@ TEST_CASE("limits of a file are in levels or in the unit that it names, and give
   CHECK(read(values, CompareUnit::levels).max_count == 4);
 }
 
-TEST_CASE("every wrong limit of a file is told by its place") {
+TEST_CASE("every wrong limit of a file is reported by its place") {
   try {
     limits_in("{\n\"max_abs\": -1,\n\"max_rms\": \"1\",\n\"max_count\": 1.5,\n\"max\": 3}");
     FAIL("read");

@@ -9,8 +9,8 @@ int main() {
   scene.direction_lights.push_back({.direction = {-1, -1, -1}});
   Object ball;
   ball.mesh = std::make_shared<Mesh>(sphere_mesh(32, 16));
-  ball.material.model = BlinnPhong{};
+  ball.material.fragment_function = BlinnPhong{};
   scene.objects.push_back(ball);
   const Frame frame = render(scene, {.width = 64, .height = 64});
-  return frame.levels.at(32, 32)[0] > 0 && frame.levels.at(0, 0)[0] == 0 ? 0 : 1;
+  return frame.rgb8.at(32, 32)[0] > 0 && frame.rgb8.at(0, 0)[0] == 0 ? 0 : 1;
 }

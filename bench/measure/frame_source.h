@@ -5,7 +5,7 @@
 
 namespace refraster::bench {
 
-class FrameMaker {
+class FrameSource {
 public:
   /// Valid until the next call.
   const Frame& draw(const Scene& scene, const RenderOptions& options) {

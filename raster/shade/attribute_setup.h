@@ -1,9 +1,9 @@
 #pragma once
 // From a visible triangle to what is interpolated over it: perspective-correct attributes at pixel centres, in the
-// number of a rung. Here the rung begins.
+// number of a precision. Here the precision begins.
 
-#include "math/rungs.h"
-#include "raster/shade/projective_lines.h"
+#include "math/precisions.h"
+#include "raster/shade/projective_edges.h"
 #include "raster/visibility/bin.h"
 
 #include <array>
@@ -13,56 +13,56 @@
 
 namespace refraster {
 
-/// The attributes of a SurfaceTriangle: each component has a row, and these are the first ones.
+/// The attributes of an AttributeSetup: each component has a row, and these are the first ones.
 enum class Attribute : std::uint8_t { position = 0, normal = 3, uv = 6 };
 
 /// a, b, c of a line modulo 2^32.
-struct alignas(16) WrappedLine {
+struct alignas(16) WrappedEdge {
   std::int32_t a = 0, b = 0, c = 0, unused = 0;
 };
 
 /// Lines of a triangle too large for that: exact as well.
-struct LargeLines {
-  std::array<SnappedLine, 3> line;
+struct LargeEdges {
+  std::array<SnappedEdge, 3> edge;
 };
 
 /// The lines of those of a tile's triangles that need more room. They stay where they are.
-struct UncommonLines {
-  std::deque<LargeLines> large;
-  std::deque<ProjectiveLines> projective;
+struct UncommonEdges {
+  std::deque<LargeEdges> large;
+  std::deque<ProjectiveEdges> projective;
 };
 
 /// How a triangle's line values are computed. Packets of only the first kind are the quick ones.
-enum class LineKind : std::uint8_t {
+enum class EdgeKind : std::uint8_t {
   wrapped,   // in 32-bit integers: nearly all
   large,     // in double, where they are exact as well
   projective // from the lines of a ProjectiveTriangle, and rounded
 };
 
-/// What shading needs of one visible triangle, attributes in the rung's precision. Rows of four numbers, so that lanes
+/// What shading needs of one visible triangle, attributes in this precision. Rows of four numbers, so that lanes
 /// that see different triangles can read them a row at a time (math/lanes/rows.h).
 ///
 /// An attribute is kept as its value at one corner and the differences to the other two: f = f0 + b1 (f1 - f0) +
 /// b2 (f2 - f0). So a value that is the same at all three corners comes out unchanged, bit for bit, and nothing is
 /// anchored at the framebuffer's origin, where a small far triangle would lose its digits.
 template <class Real>
-struct SurfaceTriangle {
+struct AttributeSetup {
   /// Only of the kind wrapped. Sums and products of 32-bit integers are right modulo 2^32, so that a value of less than
   /// 2^31 comes out exact, however large the terms.
-  std::array<WrappedLine, 3> line;
+  std::array<WrappedEdge, 3> edge;
   /// Row r: the component at the anchor, its differences to the other two corners; and one number more: in rows 0 to 2
   /// the weights of perspective, see SnappedTriangle (1 if projective); in rows 6 and 7 the least, in rows 4 and 5 the
   /// greatest u and v of the three corners. Without texture coordinates the anchor's is NaN, so that every one that is
   /// interpolated is, and the least is 1 and the greatest 0, so that it is known for what it is.
   std::array<std::array<Real, 4>, 8> row;
-  const LargeLines* large = nullptr;
-  const ProjectiveLines* projective = nullptr;
+  const LargeEdges* large = nullptr;
+  const ProjectiveEdges* projective = nullptr;
   std::uint32_t object = 0;
   std::uint32_t number = 0; // in the frame
 
-  LineKind kind() const { return projective ? LineKind::projective : large ? LineKind::large : LineKind::wrapped; }
+  EdgeKind kind() const { return projective ? EdgeKind::projective : large ? EdgeKind::large : EdgeKind::wrapped; }
 };
-inline constexpr int least_uv_row = 6, most_uv_row = 4; // of u; of v it is the next
+inline constexpr int min_uv_row = 6, max_uv_row = 4; // of u; of v it is the next
 
 /// A triangle that is seen, by its number in the frame and what that stands for.
 struct VisibleTriangle {
@@ -70,16 +70,16 @@ struct VisibleTriangle {
   std::uint32_t number = 0;
 };
 
-/// Sets up surfaces[i] for triangles[i]. What their lines need of `uncommon` is appended there.
+/// Sets up setups[i] for triangles[i]. What their lines need of `uncommon` is appended there.
 template <class Real>
-void set_up_surfaces(const Scene& scene, const Geometry& geometry, const Bins& bins,
-                     std::span<const VisibleTriangle> triangles, std::span<SurfaceTriangle<Real>> surfaces,
-                     UncommonLines& uncommon);
+void set_up_attributes(const Scene& scene, const Geometry& geometry, const Bins& bins,
+                       std::span<const VisibleTriangle> triangles, std::span<AttributeSetup<Real>> setups,
+                       UncommonEdges& uncommon);
 
-extern template void set_up_surfaces(const Scene&, const Geometry&, const Bins&, std::span<const VisibleTriangle>,
-                                     std::span<SurfaceTriangle<double>>, UncommonLines&);
-extern template void set_up_surfaces(const Scene&, const Geometry&, const Bins&, std::span<const VisibleTriangle>,
-                                     std::span<SurfaceTriangle<float>>, UncommonLines&);
+extern template void set_up_attributes(const Scene&, const Geometry&, const Bins&, std::span<const VisibleTriangle>,
+                                       std::span<AttributeSetup<double>>, UncommonEdges&);
+extern template void set_up_attributes(const Scene&, const Geometry&, const Bins&, std::span<const VisibleTriangle>,
+                                       std::span<AttributeSetup<float>>, UncommonEdges&);
 
 /// Whole repeats that are taken off a triangle's texture coordinates before they are interpolated, so that their
 /// fractions keep their digits. 0 for a triangle without texture coordinates.

@@ -10,6 +10,6 @@
 namespace refraster {
 
 /// Every fragment function. The order is that of `refraster list fragment-functions`; nothing else depends on it.
-using Model = std::variant<Phong, BlinnPhong, Merl>;
+using FragmentFunction = std::variant<Phong, BlinnPhong, Merl>;
 
 } // namespace refraster

@@ -1,7 +1,7 @@
-#include "bench/measure/rung_errors.h"
+#include "bench/measure/precision_errors.h"
 
 #include "bench/measure/image_error.h"
-#include "math/rungs.h"
+#include "math/precisions.h"
 #include "raster/render_in.h"
 
 #include <algorithm>
@@ -11,13 +11,13 @@
 namespace refraster::bench {
 namespace {
 
-Frame image(const SceneTask& task, std::string_view rung, int threads) {
+Frame image(const SceneTask& task, std::string_view precision, int threads) {
   RenderOptions options;
   options.width = task.width, options.height = task.height;
-  options.rung = rung;
+  options.precision = precision;
   options.threads = threads;
   options.want_radiance_double = true;
-  if (rung == DoubleRung::name) options.aovs = {Aov::object};
+  if (precision == DoublePrecision::name) options.aovs = {Aov::object};
   return render(task.scene, options);
 }
 
@@ -71,8 +71,8 @@ public:
       Exact off(0), size(0);
       for (int c = 0; c < 3; ++c) {
         const Exact& exact = colours_[i][c];
-        off = maximum(off, magnitude(Exact(found[c]) - exact));
-        size = maximum(size, magnitude(exact));
+        off = max(off, abs(Exact(found[c]) - exact));
+        size = max(size, abs(exact));
         const double level = std::clamp(static_cast<double>(exact), 0.0, 1.0);
         error.max_levels = std::max(error.max_levels, 255 * std::abs(std::clamp(found[c], 0.0, 1.0) - level));
       }
@@ -91,20 +91,20 @@ private:
 
 } // namespace
 
-std::vector<RungError> rung_errors(const SceneTask& task, int threads) {
-  std::vector<RungError> errors;
-  if (static_cast<std::uint64_t>(task.width) * static_cast<std::uint64_t>(task.height) > most_compared_pixels)
+std::vector<PrecisionError> precision_errors(const SceneTask& task, int threads) {
+  std::vector<PrecisionError> errors;
+  if (static_cast<std::uint64_t>(task.width) * static_cast<std::uint64_t>(task.height) > max_compared_pixels)
     return errors;
-  const Frame reference = image(task, DoubleRung::name, threads);
+  const Frame reference = image(task, DoublePrecision::name, threads);
   const Answers answers(task, reference, threads);
-  for (const std::string& rung : task.rungs) {
-    RungError& error = errors.emplace_back();
-    error.rung = rung;
-    if (rung == DoubleRung::name) {
+  for (const std::string& precision : task.precisions) {
+    PrecisionError& error = errors.emplace_back();
+    error.precision = precision;
+    if (precision == DoublePrecision::name) {
       error.against_exact = answers.error_of(reference);
       continue;
     }
-    const Frame frame = image(task, rung, threads);
+    const Frame frame = image(task, precision, threads);
     error.against_double = image_error(frame, reference);
     error.against_exact = answers.error_of(frame);
   }

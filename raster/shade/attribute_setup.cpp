@@ -1,9 +1,9 @@
-#include "raster/shade/surface.h"
+#include "raster/shade/attribute_setup.h"
 
-#include "math/elementary/twofold.h"
+#include "math/elementary/double_double.h"
 #include "math/lanes/rows.h"
+#include "raster/shade/attribute_setup_lanes.h"
 #include "raster/shade/corner_values.h"
-#include "raster/shade/surface_lanes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,7 @@ namespace {
 // counts as this far: where the nearest one has a part, it is none to speak of; and on the edge opposite the nearest
 // one, where that has none, something must be left.
 template <class Real>
-constexpr double least_weight = sizeof(Real) == 4 ? 0x1p-70 : 0x1p-900;
+constexpr double min_weight = sizeof(Real) == 4 ? 0x1p-70 : 0x1p-900;
 
 // Position and normal, six numbers one after the other, as four and two lanes.
 static_assert(sizeof(WorldVertex) == 6 * sizeof(double) && offsetof(WorldVertex, normal) == 3 * sizeof(double));
@@ -45,7 +45,7 @@ Wide<Real, N> narrowed(const Wide<double, N>& x) {
 // Rows 0 to 5: the corners' positions and normals, differences taken in double before they are rounded.
 template <class Real>
 [[gnu::always_inline]] inline void set_rows(const std::array<const WorldVertex*, 3>& world,
-                                            const std::array<double, 3>& weight, SurfaceTriangle<Real>& t) {
+                                            const std::array<double, 3>& weight, AttributeSetup<Real>& t) {
   Corner c0(*world[0]), c1(*world[1]), c2(*world[2]);
   const double scale = normal_scale(*world[0], *world[1], *world[2]);
   if (scale != 1) [[unlikely]] {
@@ -68,7 +68,7 @@ template <class Real>
 template <class Real>
 [[gnu::always_inline]] inline void set_attributes(const Scene& scene, const Geometry& geometry, const TriangleRef& ref,
                                                   const std::array<std::uint8_t, 3>& corner,
-                                                  const std::array<double, 3>& weight, SurfaceTriangle<Real>& t) {
+                                                  const std::array<double, 3>& weight, AttributeSetup<Real>& t) {
   const auto world = [&](std::size_t k) { return &geometry.world[ref.vertex[corner[k]]]; };
   set_rows<Real>({world(0), world(1), world(2)}, weight, t);
 
@@ -79,28 +79,28 @@ template <class Real>
     std::array<Real, 4>& row = t.row[static_cast<std::size_t>(Attribute::uv) + static_cast<std::size_t>(c)];
     if (!textured) {
       row = {std::numeric_limits<Real>::quiet_NaN(), Real(0), Real(0), Real(1)};
-      t.row[static_cast<std::size_t>(most_uv_row + c)][3] = Real(0);
+      t.row[static_cast<std::size_t>(max_uv_row + c)][3] = Real(0);
       continue;
     }
     const auto uv = uv_component(mesh, {indices[corner[0]], indices[corner[1]], indices[corner[2]]}, c).value;
     row = {static_cast<Real>(uv[0]), static_cast<Real>(uv[1] - uv[0]), static_cast<Real>(uv[2] - uv[0]),
            static_cast<Real>(std::min({uv[0], uv[1], uv[2]}))};
-    t.row[static_cast<std::size_t>(most_uv_row + c)][3] = static_cast<Real>(std::max({uv[0], uv[1], uv[2]}));
+    t.row[static_cast<std::size_t>(max_uv_row + c)][3] = static_cast<Real>(std::max({uv[0], uv[1], uv[2]}));
   }
 }
 
-LargeLines large_lines(const Geometry& geometry, const TriangleRef& ref, const std::array<std::uint8_t, 3>& corner) {
+LargeEdges large_edges(const Geometry& geometry, const TriangleRef& ref, const std::array<std::uint8_t, 3>& corner) {
   std::array<WindowVertex, 3> v;
   for (std::size_t k = 0; k < 3; ++k) v[k] = geometry.window[ref.vertex[corner[k]]];
-  return {set_up_snapped(v).value().line}; // in order already: corners keep their places
+  return {set_up_snapped(v).value().edge}; // in order already: corners keep their places
 }
 
 } // namespace
 
 template <class Real>
-void set_up_surfaces(const Scene& scene, const Geometry& geometry, const Bins& bins,
-                     std::span<const VisibleTriangle> triangles, std::span<SurfaceTriangle<Real>> surfaces,
-                     UncommonLines& uncommon) {
+void set_up_attributes(const Scene& scene, const Geometry& geometry, const Bins& bins,
+                       std::span<const VisibleTriangle> triangles, std::span<AttributeSetup<Real>> setups,
+                       UncommonEdges& uncommon) {
   using Row = Native<double>;
   constexpr int lanes = NumberTraits<Row>::lanes;
   constexpr std::size_t ahead = 32; // vertices come from far: asked for long before they are needed
@@ -126,18 +126,18 @@ void set_up_surfaces(const Scene& scene, const Geometry& geometry, const Bins& b
         of[static_cast<std::size_t>(lane)] = geometry.window.inverse_w[vertex(lane, k)];
       inverse_w[k] = load_lanes<Row>(of.data());
     }
-    const SurfaceLanes<lanes> set_up = surface_lanes<lanes>(placed, inverse_w);
+    const AttributeSetupLanes<lanes> set_up = attribute_setup_lanes<lanes>(placed, inverse_w);
     std::array<std::array<double, lanes>, 3> weights;
     for (std::size_t k = 0; k < 3; ++k) {
-      const Row least(least_weight<Real>);
-      weights[k] = listed(maximum(set_up.corner[k].weight, least));
+      const Row least(min_weight<Real>);
+      weights[k] = listed(max(set_up.corner[k].weight, least));
     }
 
     for (std::size_t i = 0; i < here; ++i) {
       const auto lane = static_cast<int>(i);
       const TriangleRef& ref = triangles[begin + i].ref;
       const std::uint32_t number = triangles[begin + i].number;
-      SurfaceTriangle<Real>& t = surfaces[begin + i];
+      AttributeSetup<Real>& t = setups[begin + i];
       t.object = ref.object;
       t.number = number;
       t.large = nullptr, t.projective = nullptr;
@@ -151,19 +151,19 @@ void set_up_surfaces(const Scene& scene, const Geometry& geometry, const Bins& b
       const auto corner_at = [&](std::size_t k) { return static_cast<std::uint8_t>(set_up.corner[k].submitted[lane]); };
       const std::array<std::uint8_t, 3> corner{corner_at(0), corner_at(1), corner_at(2)};
       for (std::size_t k = 0; k < 3; ++k) {
-        const auto& line = set_up.corner[k];
-        t.line[k] = {line.a[lane], line.b[lane], line.c[lane]};
+        const auto& edge = set_up.corner[k];
+        t.edge[k] = {edge.a[lane], edge.b[lane], edge.c[lane]};
       }
-      if (!set_up.wraps[lane]) t.large = &uncommon.large.emplace_back(large_lines(geometry, ref, corner));
+      if (!set_up.wraps[lane]) t.large = &uncommon.large.emplace_back(large_edges(geometry, ref, corner));
       set_attributes<Real>(scene, geometry, ref, corner, {weights[0][i], weights[1][i], weights[2][i]}, t);
     }
   }
 }
 
-template void set_up_surfaces(const Scene&, const Geometry&, const Bins&, std::span<const VisibleTriangle>,
-                              std::span<SurfaceTriangle<double>>, UncommonLines&);
-template void set_up_surfaces(const Scene&, const Geometry&, const Bins&, std::span<const VisibleTriangle>,
-                              std::span<SurfaceTriangle<float>>, UncommonLines&);
+template void set_up_attributes(const Scene&, const Geometry&, const Bins&, std::span<const VisibleTriangle>,
+                                std::span<AttributeSetup<double>>, UncommonEdges&);
+template void set_up_attributes(const Scene&, const Geometry&, const Bins&, std::span<const VisibleTriangle>,
+                                std::span<AttributeSetup<float>>, UncommonEdges&);
 
 std::array<double, 2> whole_repeats(const Scene& scene, const Geometry& geometry, std::uint32_t number) {
   const TriangleRef ref = triangle_ref(scene, geometry, number);
@@ -182,13 +182,13 @@ Double3 face_normal(const Scene& scene, const Geometry& geometry, std::uint32_t 
   const Double3 p0 = corner(0), p1 = corner(1), p2 = corner(2);
   const double scale1 = reciprocal_binade(p1 - p0), scale2 = reciprocal_binade(p2 - p0);
   const auto edge = [&](const Double3& p, int c, double scale) {
-    const Twofold<double> difference = exact_sum(p[c], -p0[c]);
-    return Twofold<double>{difference.hi * scale, difference.lo * scale};
+    const DoubleDouble<double> difference = two_sum(p[c], -p0[c]);
+    return DoubleDouble<double>{difference.hi * scale, difference.lo * scale};
   };
   const auto minor = [&](int i, int j) {
-    const Twofold<double> a = wide_product(edge(p1, i, scale1), edge(p2, j, scale2));
-    const Twofold<double> b = wide_product(edge(p1, j, scale1), edge(p2, i, scale2));
-    const Twofold<double> difference = exact_sum(a.hi, -b.hi);
+    const DoubleDouble<double> a = two_product(edge(p1, i, scale1), edge(p2, j, scale2));
+    const DoubleDouble<double> b = two_product(edge(p1, j, scale1), edge(p2, i, scale2));
+    const DoubleDouble<double> difference = two_sum(a.hi, -b.hi);
     return difference.hi + (difference.lo + (a.lo - b.lo));
   };
   return geometry.transforms[ref.object].world_from_normal * Double3(minor(1, 2), minor(2, 0), minor(0, 1));

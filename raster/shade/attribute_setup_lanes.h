@@ -10,7 +10,7 @@
 namespace refraster {
 
 template <int N>
-struct SurfaceLanes {
+struct AttributeSetupLanes {
   using T = Wide<double, N>;
   using Ints = VectorOf<std::int32_t, N>;
   struct Corner {
@@ -19,12 +19,13 @@ struct SurfaceLanes {
     T weight;       // of perspective
   };
   std::array<Corner, 3> corner; // in the order of x and then y
-  Ints wraps; // not 0 where the lines' values at pixel centres are less than 2^31: see SurfaceTriangle::line
+  Ints wraps; // not 0 where the lines' values at pixel centres are less than 2^31: see AttributeSetup::edge
 };
 
 /// The corners as submitted, and their 1 / w. Lanes without area, or with corners off the lattice, mean nothing.
 template <int N>
-SurfaceLanes<N> surface_lanes(const std::array<CornerLanes<N>, 3>& v, const std::array<Wide<double, N>, 3>& inverse_w) {
+AttributeSetupLanes<N> attribute_setup_lanes(const std::array<CornerLanes<N>, 3>& v,
+                                             const std::array<Wide<double, N>, 3>& inverse_w) {
   using T = Wide<double, N>;
   using Words = VectorOf<std::uint32_t, N>;
   constexpr std::size_t inverse_of_w = 0, number = 1;
@@ -38,12 +39,12 @@ SurfaceLanes<N> surface_lanes(const std::array<CornerLanes<N>, 3>& v, const std:
   const T sign = select(area > T(0.0), T(1.0), T(-1.0));
   // At a pixel's centre a line is at most the area, plus what it changes by from a covered sample to the centre, half a
   // pixel away.
-  auto wraps = magnitude(area) <= T(0x1p30);
-  SurfaceLanes<N> lanes;
+  auto wraps = abs(area) <= T(0x1p30);
+  AttributeSetupLanes<N> lanes;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto &from = p[(k + 1) % 3], &to = p[(k + 2) % 3];
     const T a = sign * (from.y - to.y), b = sign * (to.x - from.x);
-    wraps = wraps & (magnitude(a) <= T(0x1p21)) & (magnitude(b) <= T(0x1p21));
+    wraps = wraps & (abs(a) <= T(0x1p21)) & (abs(b) <= T(0x1p21));
     const auto word = [](const T& x) { return reinterpret_cast<Words>(integers<N>(x)); };
     const Words c = -(word(a) * word(from.x) + word(b) * word(from.y));
     lanes.corner[k] = {integers<N>(p[k].with[number]), integers<N>(a), integers<N>(b),
@@ -52,7 +53,7 @@ SurfaceLanes<N> surface_lanes(const std::array<CornerLanes<N>, 3>& v, const std:
   lanes.wraps = integers<N>(select(wraps, T(1.0), T(0.0)));
   // perspective_weights
   const auto inverse = [&](std::size_t k) { return p[k].with[inverse_of_w]; };
-  const T nearest = maximum(inverse(0), maximum(inverse(1), inverse(2)));
+  const T nearest = max(inverse(0), max(inverse(1), inverse(2)));
   for (std::size_t k = 0; k < 3; ++k) lanes.corner[k].weight = inverse(k) / nearest;
   return lanes;
 }

@@ -1,4 +1,4 @@
-#include "raster/shade/projective_lines.h"
+#include "raster/shade/projective_edges.h"
 
 namespace refraster {
 
@@ -13,26 +13,26 @@ double part(Int128 x, int p) {
   return static_cast<double>(static_cast<std::int64_t>(p < 2 ? shifted & piece_mask : shifted));
 }
 
-SplitLine::Piece pieces(const ProjectiveLine& line, int p) {
-  return {part(line.a, p), part(line.b, p), part(line.c, p)};
+SplitEdge::Piece pieces(const ProjectiveEdge& edge, int p) {
+  return {part(edge.a, p), part(edge.b, p), part(edge.c, p)};
 }
 
 } // namespace
 
-SplitLine::SplitLine(const ProjectiveLine& line)
-    : low(pieces(line, 0)), middle(pieces(line, 1)), high(pieces(line, 2)) {}
+SplitEdge::SplitEdge(const ProjectiveEdge& edge)
+    : low(pieces(edge, 0)), middle(pieces(edge, 1)), high(pieces(edge, 2)) {}
 
-ProjectiveLines::ProjectiveLines(const ProjectiveTriangle& triangle)
-    : pieces(triangle.pieces), owns_ties(triangle.piece[0].line[1].owns_ties()) {
+ProjectiveEdges::ProjectiveEdges(const ProjectiveTriangle& triangle)
+    : pieces(triangle.pieces), owns_ties(triangle.piece[0].edge[1].owns_ties()) {
   for (std::size_t p = 0; p < static_cast<std::size_t>(pieces); ++p) {
     const ProjectivePiece& from = triangle.piece[p];
     Piece& to = piece[p];
     for (std::size_t v = 0; v < 3; ++v) {
-      to.line[v] = SplitLine(from.line[v]);
+      to.edge[v] = SplitEdge(from.edge[v]);
       for (std::size_t k = 0; k < 3; ++k) {
-        const double factor = to.factor[v][k] = from.weight[v] * from.share[v][k];
-        to.slope_x[k] += static_cast<double>(from.line[v].a) * factor;
-        to.slope_y[k] += static_cast<double>(from.line[v].b) * factor;
+        const double factor = to.factor[v][k] = from.weight[v] * from.fraction[v][k];
+        to.slope_x[k] += static_cast<double>(from.edge[v].a) * factor;
+        to.slope_y[k] += static_cast<double>(from.edge[v].b) * factor;
       }
     }
   }

@@ -18,19 +18,20 @@ struct FrameTimes {
 };
 
 /// Draws one frame.
-using Contender = std::function<FrameTimes()>;
+using Candidate = std::function<FrameTimes()>;
 
-struct Rounds {
+struct Repetitions {
   int warm_up = 1;    // not counted: first touches of memory, drivers that compile on the first draw
-  int least = 9;      // rounds, however long they take
+  int least = 9;      // repetitions, however long they take
   double seconds = 3; // and as many more as end within this time
   const std::atomic<bool>* stop = nullptr;   // when it becomes true, no further frame is begun
-  std::function<void(double)> progress = {}; // called with the share done, in [0, 1]
+  std::function<void(double)> progress = {}; // called with the fraction done, in [0, 1]
 };
 
-/// In each round every contender draws one frame, so that whatever slows the machine down for a while slows all of them
-/// down alike; in an order that differs from round to round, so that nobody always follows the same neighbour. Returns
-/// for each contender its frames, by round. With `stop`, the rounds that all have finished.
-std::vector<std::vector<FrameTimes>> interleaved(std::span<const Contender> contenders, const Rounds& rounds);
+/// In each repetition every candidate draws one frame, so that whatever slows the machine down for a while slows all of
+/// them down alike; in an order that differs from repetition to repetition, so that nobody always follows the same
+/// neighbour. Returns for each candidate its frames, by repetition. With `stop`, the repetitions that all have
+/// finished.
+std::vector<std::vector<FrameTimes>> interleaved(std::span<const Candidate> candidates, const Repetitions& repetitions);
 
 } // namespace refraster::bench

@@ -1,5 +1,5 @@
 #pragma once
-// The list of precision rungs. A rung is a number type for attribute interpolation and shading; which triangle a
+// The list of precisions. A precision is a number type for attribute interpolation and shading; which triangle a
 // sample sees is decided before, once, for all of them.
 
 #include "math/lanes/wide.h"
@@ -13,31 +13,31 @@ namespace refraster {
 template <class F>
 using Native = Wide<F, native_vector_bytes / static_cast<int>(sizeof(F))>;
 
-struct DoubleRung {
+struct DoublePrecision {
   static constexpr std::string_view name = "double";
   static constexpr std::string_view purpose = "reference, default";
   using Number = Native<double>;
   static constexpr int lanes = NumberTraits<Number>::lanes; // fragments at once
 };
 
-struct FloatRung {
+struct FloatPrecision {
   static constexpr std::string_view name = "float";
   static constexpr std::string_view purpose = "speed, with GPU-like arithmetic";
   using Number = Native<float>;
   static constexpr int lanes = NumberTraits<Number>::lanes;
 };
 
-struct FastRung {
+struct FastPrecision {
   static constexpr std::string_view name = "fast";
   static constexpr std::string_view purpose = "more speed, last bits of float given up";
-  using Number = Wide<float, native_vector_bytes / 4, Arithmetic::quick>;
+  using Number = Wide<float, native_vector_bytes / 4, Arithmetic::fast>;
   static constexpr int lanes = NumberTraits<Number>::lanes;
 };
 
 class Exact; // math/exact.h
 
 /// Samples one by one in 60 digits: slow. What the others are judged by. It starts from what the vertex stage stores.
-struct ExactRung {
+struct ExactPrecision {
   static constexpr std::string_view name = "exact";
   static constexpr std::string_view purpose = "truth: the same formulas in 60 digits; slow";
   using Number = Exact;
@@ -45,9 +45,10 @@ struct ExactRung {
 };
 
 /// Those that shade a register of fragments at a time: what is measured for its speed.
-using LaneRungs = std::tuple<DoubleRung, FloatRung, FastRung>;
+using LanePrecisions = std::tuple<DoublePrecision, FloatPrecision, FastPrecision>;
 
-/// Every rung a frame can be rendered in. The order is that of `refraster list rungs`; nothing else depends on it.
-using Rungs = decltype(std::tuple_cat(LaneRungs{}, std::tuple<ExactRung>{}));
+/// Every precision a frame can be rendered in. The order is that of `refraster list precisions`; nothing else depends
+/// on it.
+using Precisions = decltype(std::tuple_cat(LanePrecisions{}, std::tuple<ExactPrecision>{}));
 
 } // namespace refraster
