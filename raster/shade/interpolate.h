@@ -135,7 +135,7 @@ struct EdgeValues {
 };
 
 template <Derivatives derivatives, class T, Triangles triangles>
-EdgeValues<T> edge_values(const PacketData<T, triangles>& data) {
+EdgeValues<T> wrapped_edge_values(const PacketData<T, triangles>& data) {
   using Ints = typename Packet<T>::Ints;
   using Unsigned = VectorOf<std::uint32_t, NumberTraits<T>::lanes>; // which may overflow
   const auto rounded = [](const Unsigned& bits) {
@@ -217,7 +217,7 @@ struct PacketBarycentrics {
 template <Derivatives derivatives, class T, Triangles triangles>
 EdgeValues<T> edge_values(const PacketData<T, triangles>& data) {
   if (data.packet().edges == EdgeKind::wrapped) [[likely]]
-    return edge_values<derivatives>(data);
+    return wrapped_edge_values<derivatives>(data);
   if (triangles == Triangles::one) return uncommon_edge_values<derivatives>(data.packet());
   return mixed_edge_values(data.packet());
 }

@@ -132,7 +132,7 @@ private:
     const ImageShape shape{context.options.width, context.options.height, context.scene.camera.near};
     for (std::size_t i = group.begin_run; i < group.end_run; ++i) {
       const FragmentRun& run = setups_.sorted()[i];
-      SampleData<T> data({context.scene, context.geometry, context.bins, shape, setups_.setups()[run.place].number});
+      SampleData<T> data({context.scene, context.geometry, context.bins, shape, setups_.setups()[run.slot].number});
       for (int k = 0; k < run.length; ++k) {
         if (context.options.cancel && context.options.cancel->load(std::memory_order_relaxed)) return;
         data.move_to((tile.x + run.x + k) * subpixels + subpixels / 2, (tile.y + run.y) * subpixels + subpixels / 2,
@@ -149,7 +149,7 @@ private:
     for (const FragmentRun& run : runs_)
       for (int k = 0; k < run.length; ++k)
         if (request_.wanted(tile.x + run.x + k, tile.y + run.y))
-          kept.push_back({run.place, 0, static_cast<std::uint8_t>(run.x + k), run.y, 1, run.samples});
+          kept.push_back({run.slot, 0, static_cast<std::uint8_t>(run.x + k), run.y, 1, run.samples});
     runs_ = std::move(kept);
   }
 

@@ -33,10 +33,10 @@ inline Binary binary(double x) {
 
 /// 2^n x without libm, for |n| <= 2000: exact unless the result is subnormal.
 inline double times_power_of_two(double x, int n) {
-  const auto power = [](int e) { return std::bit_cast<double>(static_cast<std::uint64_t>(e + 1023) << 52); };
-  for (; n < -1000; n += 1000) x *= pow(-1000);
-  for (; n > 1000; n -= 1000) x *= pow(1000);
-  return x * pow(n);
+  const auto power_of_two = [](int e) { return std::bit_cast<double>(static_cast<std::uint64_t>(e + 1023) << 52); };
+  for (; n < -1000; n += 1000) x *= power_of_two(-1000);
+  for (; n > 1000; n -= 1000) x *= power_of_two(1000);
+  return x * power_of_two(n);
 }
 
 inline int bit_length(const Integer& x) {
