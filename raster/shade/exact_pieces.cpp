@@ -36,7 +36,7 @@ std::vector<ExactPiece> exact_pieces(const std::array<WindowVertex, 3>& v, const
       // As in piece_of: the clip point of a sample is the sum of nu_k clip_k with nu_k = lambda_k times this.
       const Exact weight = times_power_of_two(Exact(point[k]->factor), -point[k]->exponent);
       for (std::size_t c = 0; c < 3; ++c)
-        piece.factor[k][c] = weight * times_power_of_two(exact(point[k]->fraction[c]), -point[k]->share_bits);
+        piece.factor[k][c] = weight * times_power_of_two(exact(point[k]->fraction[c]), -point[k]->fraction_shift);
     }
   }
   return pieces;

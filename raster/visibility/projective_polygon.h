@@ -83,8 +83,8 @@ struct Vertex {
   const WindowVertex* lattice = nullptr; // null if not on the lattice
   double factor = 1;                     // from the point, without its exponent, to clip coordinates
   double z_clip = 0, w_clip = 0;
-  std::array<Integer, 3> fraction{}; // of the corners: the true ones times 2^share_bits
-  int share_bits = 0;
+  std::array<Integer, 3> fraction{}; // of the corners: the true ones times 2^fraction_shift
+  int fraction_shift = 0;
 };
 
 inline Vertex window_point(const ExactClip& clip, int width, int height) {
@@ -151,7 +151,7 @@ private:
     Vertex result = window_point(point, shape_.width, shape_.height);
     result.z_clip = to_double(point.z, point.exponent), result.w_clip = to_double(point.w, point.exponent);
     result.fraction[front] = a_part, result.fraction[back] = b_part;
-    result.share_bits = bits;
+    result.fraction_shift = bits;
     return result;
   }
 

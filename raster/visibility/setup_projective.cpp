@@ -43,7 +43,8 @@ std::optional<ProjectivePiece> piece_of(const std::array<const Vertex*, 3>& poin
     exponent[k] = cut.shift - point[k]->exponent;
     piece.z[k] = point[k]->z_clip;
     piece.w[k] = point[k]->w_clip;
-    for (std::size_t c = 0; c < 3; ++c) piece.fraction[k][c] = to_double(point[k]->fraction[c], -point[k]->share_bits);
+    for (std::size_t c = 0; c < 3; ++c)
+      piece.fraction[k][c] = to_double(point[k]->fraction[c], -point[k]->fraction_shift);
   }
   // p = sum of lambda_k point_k, and point_k = (1 / w_k or 2^-exponent_k) times the clip point. So the clip point of
   // p is the sum of nu_k clip_k with nu_k = lambda_k times that factor, up to one factor common to all three.
