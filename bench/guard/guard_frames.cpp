@@ -1,4 +1,4 @@
-// guard_frames SCENES_FOLDER: small frames of the workloads of bench/scenes, each on every precision, one after the
+// guard_frames SCENES_FOLDER: small frames of the workloads of bench/scenes, each in every precision, one after the
 // other in one thread. bench/guard/run counts their instructions. Prints "scene precision" for each, in order.
 
 #include "io/scene/scene_file.h"

@@ -160,7 +160,7 @@ private:
     const PathText& path = measured ? text.texture_file : text.brdf_file;
     if (path.given.empty()) return;
     const std::string key = measured ? "texture_file_path" : "brdf_file_path";
-    const std::string name(std::visit([](const auto& function) { return function.name; }, function));
+    const std::string name(std::visit([](const auto& one) { return one.name; }, function));
     options_.notes->add(
         {document_.file(), document_.fault_at(path.offset, "", "", "").line, key + ' ' + in_quotes(path.given),
          "not read: the fragment function " + name + (measured ? " shows no texture" : " uses no measured table")});

@@ -9,7 +9,7 @@
 //   keys.shape("mesh", shape, "meaning")                             one of the shapes below
 //   keys.normals("normals", normals, "meaning")                      a word, or an object with an angle
 //   keys.check(value)                                                what a single key cannot show
-//   keys.parameters(function, use)                                      what a fragment function declares (fields.h)
+//   keys.parameters(function, use)                                   what a fragment function declares (fields.h)
 // A value that may be left out keeps what the member is initialised with.
 
 #include "io/file/limits.h"

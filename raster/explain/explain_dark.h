@@ -12,13 +12,13 @@ namespace refraster {
 /// A value of an 8-bit image counts as nearly black up to here, and radiance in a float image, which viewers show by
 /// the sRGB curve, up to nearly_black_radiance: a hundredth of white, which the curve takes to 25.5 of 255. In the
 /// viewing conditions that IEC 61966-2-1 defines sRGB for, a display's surface reflects as much of the room's light:
-/// "viewing flare 1.0 %". What is darker than that is not reported from black.
+/// "viewing flare 1.0 %". What is darker than that is not told from black.
 inline constexpr std::uint8_t nearly_black_level = 25;
 inline constexpr double nearly_black_radiance = 0.01;
 
 /// The images of a frame; an empty one is not looked at. At least one is there.
 struct ShownImages {
-  const Image<std::uint8_t>& levels;
+  const Image<std::uint8_t>& rgb8;
   const Image<float>& radiance;
 };
 

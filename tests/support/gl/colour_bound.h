@@ -34,8 +34,7 @@ inline constexpr double logarithm_error = 0.0861; // log2(m) - (m - 1) at most, 
 inline constexpr double mip_rounding = 0.5 / 255; // of the levels of a mip chain, stored in 8 bits
 inline constexpr DriverProfile driver_profiles[] = {
     // As it is shipped: texels are filtered in fixed point, the footprint's longer side is the larger component, and
-    // mip
-    // levels are only mixed halfway between them.
+    // mip levels are only mixed halfway between them.
     {"llvmpipe",
      GlRenderer::llvmpipe,
      "",

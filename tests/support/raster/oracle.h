@@ -13,7 +13,7 @@ struct LatticePoint {
   std::int64_t x, y;
 };
 
-/// Mpfr for coordinates under 2^bits, 4 * bits + 8 <= width of Wide's integers. Wide: a signed integer type.
+/// Exact for coordinates under 2^bits, 4 * bits + 8 <= width of Wide's integers. Wide: a signed integer type.
 template <class Wide, int bits>
 bool oracle_covers(const std::array<LatticePoint, 3>& corners, LatticePoint sample) {
   // One lattice step is 2^(2 (bits + 2)) fine steps; e is 2^(bits + 2) of them, e^2 is one. An edge's direction has

@@ -23,7 +23,7 @@ struct WindowScene {
     scene.camera.near = near, scene.camera.far = far;
   }
 
-  /// The point seen at window (x, y), in pixels, at distance w in front of the eye plane. Mpfr for powers of two, and
+  /// The point seen at window (x, y), in pixels, at distance w in front of the eye plane. Exact for powers of two, and
   /// for x and y in few bits; the window place of any other point is that of the rounded one.
   Float3 place(double x, double y, double w) const {
     const double half = side / 2.0;

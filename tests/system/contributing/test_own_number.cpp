@@ -1,6 +1,7 @@
 // The worked example of docs/number.md does what that page says.
 
 #include "counted.h"
+#include "raster/render.h"
 #include "scene/shapes.h"
 
 #include <doctest/doctest.h>

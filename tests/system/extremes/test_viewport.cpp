@@ -20,7 +20,7 @@ using namespace refraster::test;
 
 namespace {
 
-// A window point as clip coordinates in an image of `side` pixels, with w = 1. Mpfr.
+// A window point as clip coordinates in an image of `side` pixels, with w = 1. Exact.
 Double4 clip_at(std::int64_t x_subpixel, std::int64_t y_subpixel, int side) {
   const double half = 128.0 * side;
   return {static_cast<double>(x_subpixel) / half - 1, 1 - static_cast<double>(y_subpixel) / half, 0, 1};

@@ -60,8 +60,8 @@ bool same_counts(const FrameCounts& a, const FrameCounts& b) {
          a.fragments == b.fragments && a.undefined.counts == b.undefined.counts;
 }
 
-/// body(scene, options) for each of the hashed scenes, in the double precision with one sample and in the float
-/// precision with 4.
+/// body(scene, options) for each of the hashed scenes, in the precision double with one sample and in float with
+/// 4.
 template <class Body>
 void for_each_rendering(Body&& body) {
   for (const HashedScene& hashed : hashed_scenes())

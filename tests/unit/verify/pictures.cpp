@@ -77,7 +77,7 @@ std::vector<NamedPicture> gallery_pictures() {
     RenderOptions options;
     options.width = 160, options.height = 90;
     const Frame frame = render(read_scene(path), options);
-    Picture picture(frame.levels.width, frame.levels.height, frame.levels.channels);
+    Picture picture(frame.rgb8.width, frame.rgb8.height, frame.rgb8.channels);
     std::copy(frame.rgb8.values.begin(), frame.rgb8.values.end(), picture.values.begin());
     pictures.push_back({name, std::move(picture)});
   }
