@@ -79,6 +79,13 @@ T largest_number() {
   return T(static_cast<RealOf<T>>(NumberTraits<T>::largest));
 }
 
+/// The smallest normal number of T, below which divisors do not go.
+template <class T>
+T smallest_normal() {
+  if constexpr (requires { NumberTraits<T>::smallest_normal(); }) return NumberTraits<T>::smallest_normal();
+  else return T(std::numeric_limits<RealOf<T>>::min());
+}
+
 template <std::floating_point F>
 constexpr F select(bool m, F x, F y) {
   return m ? x : y;

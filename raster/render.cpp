@@ -47,8 +47,8 @@ struct TileWorker {
   FrameCounts counts;
   TileSeconds seconds;
 
-  TileWorker(int tile_size, std::unique_ptr<TileShading> its_shader)
-      : visibility(tile_size), shading(std::move(its_shader)) {}
+  TileWorker(int tile_size, std::unique_ptr<TileShading> its_shading)
+      : visibility(tile_size), shading(std::move(its_shading)) {}
 };
 
 // The last stage: visibility, then shading, tile by tile. Tiles write disjoint pixels, and counts are sums of integers,
@@ -178,7 +178,7 @@ std::unique_ptr<TileShading> make_tile_shading(std::string_view precision) {
   if (precision == DoublePrecision::name) return make_double_shading();
   if (precision == FloatPrecision::name) return make_float_shading();
   if (precision == FastPrecision::name) return make_fast_shading();
-  if (precision == ExactPrecision::name) return make_exact_shader();
+  if (precision == ExactPrecision::name) return make_exact_shading();
   return nullptr;
 }
 
@@ -220,12 +220,12 @@ void Renderer::render(const Scene& scene, const RenderOptions& options, Frame& f
       [&](int threads) { return memory_->workers_for(options, threads); }, frame);
 }
 
-void render_with(const Scene& scene, const RenderOptions& options, const MakeShader& make_shader, Frame& frame) {
+void render_with(const Scene& scene, const RenderOptions& options, const MakeShading& make_shading, Frame& frame) {
   Geometry geometry;
   Bins bins;
   std::vector<TileWorker> workers;
   const auto workers_for = [&](int threads) {
-    for (int i = 0; i < threads; ++i) workers.emplace_back(options.tile_size, make_shader());
+    for (int i = 0; i < threads; ++i) workers.emplace_back(options.tile_size, make_shading());
     return std::span(workers);
   };
   render_frame(scene, options, geometry, bins, workers_for, frame);

@@ -60,7 +60,7 @@ Incident<T> arriving(const PointLight& light, const Fragment<T>& at) {
     // By Horner's rule: where d d overflows, a coefficient of 0 must not meet infinity. Nor where d overflows.
     const T largest = largest_number<T>(), far = min(d, largest);
     const T divisor = as<T>(light.constant) + far * (as<T>(light.linear) + far * as<T>(light.quadratic));
-    radiance *= T(1) / max(divisor, T(std::numeric_limits<RealOf<T>>::min()));
+    radiance *= T(1) / max(divisor, smallest_normal<T>());
     radiance = {min(radiance.x, largest), min(radiance.y, largest), min(radiance.z, largest)};
   }
   return {normalize(way), select<T>(d > T(0), radiance, Rgb<T>(T(0)))};

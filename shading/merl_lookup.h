@@ -211,11 +211,19 @@ struct MerlReader {
     const Rgb<T> smooth(sum.x, sum.y, sum.z);
     const MaskOf<T> incomplete = measured < T(1);
     if (!any(incomplete)) return {smooth, incomplete};
-    const MerlValue<T> plain = trilinear(at, 0.5);
+    const auto plain_value = [&] {
+      if constexpr (NumberTraits<T>::decides) return trilinear(at, 0.5);
+      else
+        return trilinear(Cells{second_of(cell[0]), second_of(cell[1]), second_of(cell[2])}); // in this cell, not in all
+    };
+    const MerlValue<T> plain = plain_value();
     return {select<T>(incomplete, plain.f, smooth), static_cast<MaskOf<T>>(incomplete & plain.unmeasured)};
   }
 
 private:
+  /// Of four samples the middle two.
+  static Cell<T> second_of(const Cell<T>& first) { return {next_index(first.index), first.fraction}; }
+
   /// The eight samples around a point.
   struct Cube {
     Taps<T, 2> h, d, p;

@@ -66,6 +66,7 @@ public:
     ExactError error;
     error.pixels = pixels_.size();
     double sum = 0;
+    std::size_t lit = 0;
     for (std::size_t i = 0; i < pixels_.size(); ++i) {
       const double* const found = &frame.radiance_double.values[3 * pixels_[i]];
       Exact off(0), size(0);
@@ -76,11 +77,12 @@ public:
         const double level = std::clamp(static_cast<double>(exact), 0.0, 1.0);
         error.max_levels = std::max(error.max_levels, 255 * std::abs(std::clamp(found[c], 0.0, 1.0) - level));
       }
-      const double relative = off == Exact(0) ? 0 : static_cast<double>(off / size);
+      if (!(size > Exact(0))) continue; // black: nothing to be relative to, as in image_error
+      const auto relative = static_cast<double>(off / size);
       error.max_relative = std::max(error.max_relative, relative);
-      sum += relative;
+      sum += relative, ++lit;
     }
-    if (error.pixels > 0) error.mean_relative = sum / static_cast<double>(error.pixels);
+    if (lit > 0) error.mean_relative = sum / static_cast<double>(lit);
     return error;
   }
 

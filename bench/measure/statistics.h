@@ -28,9 +28,9 @@ inline double quartile_distance(const Spread& spread) {
 }
 
 /// Whether a difference of two measurements, taken repetition by repetition, is larger than its spread: its median
-/// farther from 0 than its quartiles are from each other. The median of nine repetitions has a standard error of 0.31 of
-/// that distance (median_error), so that what is farther from 0 is three standard errors from it. Of a single repetition
-/// no spread is known: never. Nor of values that are no numbers.
+/// farther from 0 than its quartiles are from each other. The median of nine repetitions has a standard error of 0.31
+/// of that distance (median_error), so that what is farther from 0 is three standard errors from it. Of a single
+/// repetition no spread is known: never. Nor of values that are no numbers.
 bool is_resolved(const Spread& difference);
 
 /// What a cost whose difference is not resolved is below: the greater of its upper quartile and the distance of the

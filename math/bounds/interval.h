@@ -1,6 +1,6 @@
 #pragma once
-// The least bounds number: a range that holds whatever a formula may give, exactly or in the arithmetic of a rounding
-// budget, for any points of its operands. Moore, "Interval Analysis", 1966.
+// The simplest bounds number: a range that holds whatever a formula may give, exactly or in the arithmetic of a
+// rounding budget, for any points of its operands. Moore, "Interval Analysis", 1966.
 
 #include "math/bounds/rounding_budget.h"
 #include "math/constants.h"
@@ -50,7 +50,7 @@ inline double step_up(double x) {
 
 /// [lo, hi], ends included; infinite ends mean that nothing is known on that side. Its own arithmetic rounds outward,
 /// and then the budget of the operation is added: so the result holds the exact one and the computed one. A result that
-/// is exact in every format (a sum with 0, a product with 0 or a power of two, a zero) gets no budget.
+/// is exact in every format (a sum with 0, a product with 0 or a power of two, a zero) gets no relative budget.
 template <class Budget>
 class Interval {
 public:
@@ -184,9 +184,12 @@ struct NumberTraits<Interval<Budget>> {
 
   /// A parameter as it is, and as the device may have rounded it. A number of single precision every device has.
   static Interval<Budget> parameter(double x) {
+    if (std::isnan(x)) return Interval<Budget>::anything();
     const bool is_single = static_cast<double>(static_cast<float>(x)) == x;
     return is_single ? Interval<Budget>(x) : Interval<Budget>::computed(Interval<Budget>(x));
   }
+  /// From that of double to that of the arithmetic.
+  static Interval<Budget> smallest_normal() { return {DoubleArithmetic::smallest_normal, Budget::smallest_normal}; }
   static Interval<Budget> constant(const RealConstant& c) {
     using namespace interval_detail;
     return Interval<Budget>::computed({step_down(c.nearest), step_up(c.nearest)});

@@ -37,8 +37,8 @@ Interval<B> abs(Interval<B> x) {
 }
 template <class B>
 Interval<B> square(Interval<B> x) {
-  const Interval<B> size = abs(x);
-  return size * size;
+  const Interval<B> size = abs(x), squared = size * size;
+  return {std::max(squared.lo, 0.0), squared.hi};
 }
 /// The square root of what is not negative in x; 0 where nothing is.
 template <class B>
@@ -53,12 +53,14 @@ Interval<B> sqrt(Interval<B> x) {
   return Interval<B>::computed({ends(std::max(x.lo, 0.0)).lo, ends(std::max(x.hi, 0.0)).hi});
 }
 
-/// Exact within a cell: both ends less the same integer.
+/// Within a cell: both ends less the same integer, which rounds just below 0.
 template <class B>
 Interval<B> fraction(Interval<B> x) {
+  x = {std::clamp(x.lo, -cell_limit, cell_limit), std::clamp(x.hi, -cell_limit, cell_limit)};
   const Cell<double> low = floor_and_fraction(x.lo), high = floor_and_fraction(x.hi);
   if (low.index != high.index) return {0, 1};
-  return {low.fraction, high.fraction};
+  const Interval<B> rest = x - Interval<B>(low.index);
+  return {std::clamp(rest.lo, 0.0, 1.0), std::clamp(rest.hi, 0.0, 1.0)};
 }
 
 namespace interval_detail {
@@ -91,6 +93,7 @@ template <class B>
 Interval<B> log2(Interval<B> x) {
   const auto f = [](double y) { return log2(y); };
   Interval<B> result = interval_detail::of_rising(f, x, DoubleArithmetic::log2_units, B::log2_units);
+  if (std::isinf(x.hi)) result.hi = x.hi; // where our own saturate
   // What is not positive counts as the smallest positive number, of any format from float on.
   constexpr double smallest_float = std::numeric_limits<float>::denorm_min();
   if (x.lo < smallest_float) result.hi = std::max(result.hi, log2(smallest_float));
@@ -109,7 +112,8 @@ Interval<B> pow(Interval<B> x, double s) {
   if (s == 0) return {1.0};
   if (x.hi <= 0) return {0.0};
   const auto f = [s](double y) { return pow(y, s); };
-  Interval<B> result = with_cut_off(of_rising(f, x, DoubleArithmetic::power_units, B::power_units));
+  Interval<B> result = with_cut_off(of_rising(f, x, DoubleArithmetic::pow_units, B::pow_units));
+  if (std::isinf(x.hi)) result.hi = x.hi;
   if (x.lo >= 1) result.lo = std::max(result.lo, 1.0);
   if (x.hi <= 1) result.hi = std::min(result.hi, 1.0);
   return result;
@@ -135,11 +139,13 @@ Interval<B> cosine_power(const Vec3<Interval<B>>& a, const Vec3<Interval<B>>& b,
   };
   const T near = with_cut_off<B>(ordered<B>(plain({-q.hi, 0}).lo, plain({-q.lo, 0}).hi));
   const auto of_cosine = [&](double c) { return c > 0 ? plain(one_plus(std::min(c, 0.75))) : T(0.0); };
-  const T far = with_cut_off<B>(ordered<B>(of_cosine(cosine.lo).lo, of_cosine(cosine.hi).hi));
+  const double low = cosine.lo < B::smallest_normal ? 0 : cosine.lo; // counts as 0, or may
+  const T far = with_cut_off<B>(ordered<B>(of_cosine(low).lo, of_cosine(cosine.hi).hi));
   return select(cosine > T(0.75), near, far);
 }
 
-/// Extreme at corners of the box, if the angle does not jump in it.
+/// Extreme at corners of the box, if the angle does not jump in it. Bounds know the sign of a zero only where it was
+/// given: y as it comes from sqrt or abs, which have none below.
 template <class B>
 Interval<B> atan2(Interval<B> y, Interval<B> x) {
   const bool may_be_below = std::signbit(y.lo), may_be_above = !std::signbit(y.hi) || y.hi == 0;
@@ -149,7 +155,9 @@ Interval<B> atan2(Interval<B> y, Interval<B> x) {
   }
   const auto corner = [](double at_y, double at_x) {
     const auto f = [at_x](double v) { return atan2(v, at_x); };
-    return interval_detail::of_rising(f, Interval<B>(at_y), DoubleArithmetic::atan2_units, B::atan2_units);
+    using namespace interval_detail;
+    const Interval<B> angle = of_rising(f, Interval<B>(at_y), DoubleArithmetic::atan2_units, B::atan2_units);
+    return at_y != 0 && f(at_y) == 0 ? Interval<B>(step_down(0), step_up(0)) : angle; // it underflowed
   };
   return Interval<B>::hull({corner(y.lo, x.lo), corner(y.lo, x.hi), corner(y.hi, x.lo), corner(y.hi, x.hi)});
 }
@@ -161,8 +169,13 @@ Interval<B> line_angle(const Vec2<Interval<B>>& point) {
   const auto [x, y] = std::pair(point.x, point.y);
   if (y.lo > 0) return atan2(y, x);
   if (y.hi < 0) return atan2(-y, -x);
-  if (x.lo > 0) return atan2(y, x);
-  if (x.hi < 0) return atan2(-y, -x);
+  // Other numbers may have it just below pi, and round it, and what they make of it, as much as pi: ten roundings.
+  const auto around_seam = [](Interval<B> angle) -> Interval<B> {
+    constexpr double rounding = 32 * (DoubleArithmetic::relative + B::relative);
+    return {angle.lo - rounding, angle.hi + rounding};
+  };
+  if (x.lo > 0) return around_seam(atan2(y, x));
+  if (x.hi < 0) return around_seam(atan2(-y, -x));
   return {0, NumberTraits<Interval<B>>::constant(constants::pi).hi};
 }
 
@@ -185,10 +198,13 @@ Vec3<Interval<B>> normalize(const Vec3<Interval<B>>& a) {
       const Double3 across = at < 0 ? Double3(0, y.lo, z.lo) : Double3(0, y.hi, z.hi);
       if (at == 0) return 0.0;
       if (std::isinf(at)) return at < 0 ? -1.0 : 0.0;
-      return normalize(Double3(at, min(across.y, 0x1p1023), min(across.z, 0x1p1023))).x;
+      if (std::isinf(across.y) || std::isinf(across.z)) return 0.0;
+      const double x_of_unit = normalize(Double3(at, across.y, across.z)).x;
+      return x_of_unit == 0 ? interval_detail::step_down(0.0) : x_of_unit;
     };
     const Interval<B> ends = interval_detail::ordered<B>(least(x.lo), -least(-x.hi));
-    const Interval<B> rounded = ends.widened(6 * (DoubleArithmetic::relative + B::relative) * (1 + 0x1p-20));
+    const Interval<B> rounded =
+        ends.widened(6 * (DoubleArithmetic::relative + B::relative) * (1 + 0x1p-20), 2 * B::absolute);
     return {std::max(rounded.lo, -1 - 8 * B::relative), std::min(rounded.hi, 1 + 8 * B::relative)};
   };
   return {component(a.x, a.y, a.z), component(a.y, a.z, a.x), component(a.z, a.x, a.y)};
@@ -205,6 +221,7 @@ template <class B>
 CellRange cells_of(Interval<B>& place, const GridAxis& axis) {
   if (axis.beyond == GridAxis::Beyond::repeated) {
     if (!(place.hi - place.lo < axis.count)) place = {0, static_cast<double>(axis.count)};
+    else place = {std::clamp(place.lo, -cell_limit, cell_limit), std::clamp(place.hi, -cell_limit, cell_limit)};
   } else {
     // All interpolation is between at most four samples: farther out than that nothing changes any more.
     constexpr double margin = 4;
@@ -223,8 +240,8 @@ auto read_every_cell(std::array<Interval<B>, dimensions> place, const std::array
   std::array<CellRange, dimensions> range;
   std::array<Cell<Interval<B>>, dimensions> cells;
   const auto enter = [&](std::size_t d, std::int32_t index) {
-    const double low = std::max(place[d].lo - index, 0.0), high = std::min(place[d].hi - index, 1.0);
-    cells[d] = {index, {std::min(low, high), high}};
+    const Interval<B> rest = place[d] - Interval<B>(index);
+    cells[d] = {index, {std::clamp(rest.lo, 0.0, 1.0), std::clamp(rest.hi, 0.0, 1.0)}};
   };
   for (std::size_t d = 0; d < dimensions; ++d) {
     range[d] = cells_of(place[d], axes[d]);

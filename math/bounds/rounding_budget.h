@@ -15,24 +15,27 @@ namespace refraster {
 ///   relative, absolute   + - * /, the square root, and the conversion of a parameter: |error| <= relative |exact| +
 ///                        absolute
 ///   largest              magnitudes above it may come out as infinity
-///   cut_off              exp2, power and cosine_power may be 0 where the exact result is below 2^cut_off
-///   log2_units, exp2_units, power_units, atan2_units   errors of these, in units of 2 relative |result|: at least as
-///                        large as as many units in the last place
+///   smallest_normal      what is positive and below it may count as 0, or as it
+///   cut_off              exp2, pow and cosine_power may be 0 where the exact result is below 2^cut_off
+///   log2_units, exp2_units, pow_units, atan2_units   errors of these, in units of 2 relative |result|: at least as
+///                        large as that many units in the last place
 
 /// Strict arithmetic of the precision `double`.
 struct DoubleArithmetic {
   static constexpr double relative = 0x1p-53, absolute = 0x1p-1074;
+  static constexpr double smallest_normal = std::numeric_limits<double>::min();
   static constexpr double largest = std::numeric_limits<double>::max(), cut_off = lowest_power<double>;
   static constexpr double log2_units = log2_error<double>.max, exp2_units = exp2_error<double>.max,
-                          power_units = pow_error<double>.max, atan2_units = 2; // of tiny results; else atan2_error
+                          pow_units = pow_error<double>.max, atan2_units = 2; // of tiny results; else atan2_error
 };
 
 /// Strict arithmetic of the precision `float`.
 struct FloatArithmetic {
   static constexpr double relative = 0x1p-24, absolute = 0x1p-150;
+  static constexpr double smallest_normal = std::numeric_limits<float>::min();
   static constexpr double largest = std::numeric_limits<float>::max(), cut_off = lowest_power<float>;
   static constexpr double log2_units = log2_error<float>.max, exp2_units = exp2_error<float>.max,
-                          power_units = pow_error<float>.max, atan2_units = 2; // likewise
+                          pow_units = pow_error<float>.max, atan2_units = 2; // likewise
 };
 
 } // namespace refraster

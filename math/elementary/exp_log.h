@@ -15,7 +15,7 @@ inline constexpr UlpBound log2_error = sizeof(F) == 4 ? UlpBound{0.502, 0.5} : U
 template <class F>
 inline constexpr UlpBound exp2_error = sizeof(F) == 4 ? UlpBound{0.6, 0.52} : UlpBound{0.66, 0.55};
 
-/// Results of exp2 and power below 2^lowest_power are cut to 0, far above the subnormal numbers: one subnormal in a
+/// Results of exp2 and pow below 2^lowest_power are cut to 0, far above the subnormal numbers: one subnormal in a
 /// register costs every lane an excursion into microcode, and no image shows the difference.
 template <class F>
 inline constexpr double lowest_power = sizeof(F) == 4 ? -120 : -1000;

@@ -10,6 +10,13 @@
 
 namespace refraster {
 
+/// Line values are 0 or lie between 1 and 2^52: from this weight on no product of the two is subnormal, so that scaling
+/// by a power of two, as in a packet that holds a projective triangle, changes no digit. A corner that is farther yet
+/// counts as this far: where the nearest one has a part, it is none to speak of; and on the edge opposite the nearest
+/// one, where that has none, something must be left.
+template <class Real>
+inline constexpr double min_weight = sizeof(Real) == 4 ? 0x1p-70 : 0x1p-900;
+
 /// Normals count by their direction only. A power of two, common to the corners, keeps differences of huge ones in the
 /// range of a float precision, and tiny ones above its end; normals of ordinary size stay as they are.
 [[gnu::always_inline]] inline double normal_scale(const WorldVertex& v0, const WorldVertex& v1, const WorldVertex& v2) {

@@ -173,7 +173,14 @@ private:
     }
     // perspective_weights; of projective triangles, edges() bring their weights.
     const T nearest = max(corner.inverse_w[0], max(corner.inverse_w[1], corner.inverse_w[2]));
-    for (std::size_t k = 0; k < 3; ++k) row_[k][3] = snapped_ ? corner.inverse_w[k] / nearest : T(1);
+    for (std::size_t k = 0; k < 3; ++k) {
+      row_[k][3] = snapped_ ? corner.inverse_w[k] / nearest : T(1);
+      // Lanes take no weight below this (attribute_setup.cpp): bounds hold it either way.
+      if constexpr (!NumberTraits<T>::decides) {
+        constexpr bool is_single = NumberTraits<T>::largest < std::numeric_limits<double>::max();
+        row_[k][3] = join(row_[k][3], max(row_[k][3], T(min_weight<std::conditional_t<is_single, float, double>>)));
+      }
+    }
   }
 
   void set_up_pieces(const std::array<WindowVertex, 3>& window) {

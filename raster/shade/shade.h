@@ -53,12 +53,12 @@ std::unique_ptr<TileShading> make_tile_shading(std::string_view precision);
 std::unique_ptr<TileShading> make_double_shading();
 std::unique_ptr<TileShading> make_float_shading();
 std::unique_ptr<TileShading> make_fast_shading();
-std::unique_ptr<TileShading> make_exact_shader();
+std::unique_ptr<TileShading> make_exact_shading();
 
-/// A single frame by a shader of one's own, of which `make_shader` makes one for each thread; options.precision is not
-/// read.
-using MakeShader = std::function<std::unique_ptr<TileShading>()>;
-void render_with(const Scene& scene, const RenderOptions& options, const MakeShader& make_shader, Frame& frame);
+/// A single frame by tile shading of one's own, of which `make_shading` makes one for each thread; options.precision is
+/// not read.
+using MakeShading = std::function<std::unique_ptr<TileShading>()>;
+void render_with(const Scene& scene, const RenderOptions& options, const MakeShading& make_shading, Frame& frame);
 
 /// The pixels that a frame's images hold: those of the crop, or all.
 PixelRect rendered_region(const RenderOptions& options);

@@ -24,7 +24,8 @@ template <class T>
 struct SampleRequest {
   // Called for each pixel of the full image that shows a surface, with its colour as it is in T: from several threads.
   std::function<void(int x, int y, const Rgb<T>& radiance)> take = {};
-  std::function<bool(int x, int y)> wanted = {}; // which pixels are shaded: others show the background; all if empty
+  std::function<bool(int x, int y)> wanted =
+      {}; // which pixels are shaded, the others show the background; all if empty. From several threads too
   // Where the sample is, counted from the pixel's centre in subpixels: a range, if T has ranges.
   typename EdgeArithmetic<T>::Value dx{0}, dy{0};
 };
@@ -75,7 +76,7 @@ public:
     lap(measures.seconds.shading);
     resolver_.resolve(context, visible.tile, runs_, colours_, frame, counts);
     if constexpr (!has_lanes)
-      if (request_.take) resolver_.for_each_pixel(visible.tile, request_.take);
+      if (request_.take && !cancelled(context)) resolver_.for_each_pixel(visible.tile, request_.take);
     for (std::size_t i = 0; i < context.options.aovs.size(); ++i)
       write_aov(context, visible, runs_, context.options.aovs[i], frame.aovs[i]);
     lap(measures.seconds.resolve);
@@ -134,12 +135,16 @@ private:
       const FragmentRun& run = setups_.sorted()[i];
       SampleData<T> data({context.scene, context.geometry, context.bins, shape, setups_.setups()[run.slot].number});
       for (int k = 0; k < run.length; ++k) {
-        if (context.options.cancel && context.options.cancel->load(std::memory_order_relaxed)) return;
+        if (cancelled(context)) return;
         data.move_to((tile.x + run.x + k) * subpixels + subpixels / 2, (tile.y + run.y) * subpixels + subpixels / 2,
                      request_.dx, request_.dy);
         body(data, run.first_fragment + static_cast<std::uint32_t>(k));
       }
     }
+  }
+
+  static bool cancelled(const FrameContext& context) {
+    return context.options.cancel && context.options.cancel->load(std::memory_order_relaxed);
   }
 
   /// Cuts runs down to the pixels that are wanted.

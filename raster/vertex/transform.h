@@ -103,8 +103,8 @@ struct Geometry {
   std::uint32_t triangles() const { return first_triangle.back(); }
 };
 
-/// Transforms each unique vertex once. The scene may have up to 2^31 - 1 vertices and as many triangles in all (assert).
-/// `geometry` may be that of another frame: its memory is used again.
+/// Transforms each unique vertex once. The scene may have up to 2^31 - 1 vertices and as many triangles in all
+/// (assert). `geometry` may be that of another frame: its memory is used again.
 void transform(const Scene& scene, int width, int height, int threads, Geometry& geometry);
 
 /// A triangle by its number in the frame: object, corner indices into Geometry's arrays and into the mesh.

@@ -111,7 +111,8 @@ double undoing_tolerance(const KnownTransformation& which, const StoredPrecision
 /// - of the pixels that are beyond this as the images are, it makes at least nine in ten equal;
 /// - it is not because the image to meet has one colour only: ten times as many pixels as remain unequal differ from
 ///   its most common values by more;
-/// - at least half of what it explains is explained by values, and not by their being cut off at 0 or at the full scale.
+/// - of the values that it explains, no more than ten in eleven are explained by their being cut off at 0 or at full
+///   scale.
 /// Of several the one is given that leaves the fewest pixels unequal, then the smallest differences.
 std::optional<FoundTransformation> find_transformation(const StoredImage& a, const StoredImage& b,
                                                        const Image<float>& alpha, double limit);

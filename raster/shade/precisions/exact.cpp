@@ -5,7 +5,7 @@ namespace refraster {
 
 template class TileShadingOf<Exact>;
 
-std::unique_ptr<TileShading> make_exact_shader() {
+std::unique_ptr<TileShading> make_exact_shading() {
   return std::make_unique<TileShadingOf<ExactPrecision::Number>>();
 }
 

@@ -151,7 +151,7 @@ TEST_CASE("without --json a table is written; the page needs nothing from elsewh
   const Finished run = folder.bench({"ball.json", "--scaling", "lights:4", "--html", "page.html"});
   REQUIRE_MESSAGE(run.exit_code == 0, run.err);
   for (const char* const words :
-       {"ball.json: 80 x 45", "frame ms", "cycles/px", "interpolate", "one more light", "against 60 digits"})
+       {"ball.json: 80 x 45", "frame ms", "cycles/px", "interpolate", "one more light", "against exact"})
     CHECK_MESSAGE(holds(run.out, words), words << "\n" << run.out);
   std::string page = text_of(folder / "page.html");
   const std::string name_space = "xmlns=\"http://www.w3.org/2000/svg\""; // a name, from where nothing is fetched

@@ -5,7 +5,7 @@
 #include "tests/support/gl/side_by_side.h"
 #include "tests/support/scenes/listed_scenes.h"
 #include "tests/system/gl/small_scenes.h"
-#include "tests/system/scenes/half_textured.h"
+#include "tests/support/scenes/half_textured.h"
 
 #include <doctest/doctest.h>
 

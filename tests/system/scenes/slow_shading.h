@@ -1,6 +1,6 @@
 #pragma once
-// The colour of a surface, from the formulas of docs/conventions.md as a textbook has them: long double, the C library's
-// pow and acos, one light after the other.
+// The colour of a surface, from the formulas of docs/conventions.md as a textbook has them: long double, the C
+// library's pow and acos, one light after the other.
 
 #include "tests/system/scenes/slow_visibility.h"
 

@@ -2,7 +2,7 @@
 // and slow_shading.h.
 
 #include "tests/support/scenes/listed_scenes.h"
-#include "tests/system/scenes/half_textured.h"
+#include "tests/support/scenes/half_textured.h"
 #include "tests/system/scenes/slow_shading.h"
 
 #include <doctest/doctest.h>

@@ -5,7 +5,7 @@
 #include "raster/render_in.h"
 #include "shading/precision_bounds.h"
 #include "tests/support/scenes/listed_scenes.h"
-#include "tests/system/scenes/half_textured.h"
+#include "tests/support/scenes/half_textured.h"
 #include "tests/system/scenes/slow_shading.h"
 
 #include <doctest/doctest.h>

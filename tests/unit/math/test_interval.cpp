@@ -3,6 +3,7 @@
 #include "math/bounds/interval_functions.h"
 #include "math/exact.h"
 #include <functional>
+#include <numbers>
 
 namespace refraster {
 namespace {
@@ -219,6 +220,24 @@ TEST_CASE("the budget of float holds float arithmetic and what is exact") {
     const Single entered = as<Single>(parameter);
     CHECK(holds(entered, static_cast<float>(parameter), Exact(parameter)));
   });
+}
+
+TEST_CASE("bounds hold what rounds just below a cell, what is far outside, and what counts as zero") {
+  // -2^-54 + 1 rounds to 1, of which the fraction is the largest number below it.
+  CHECK(fraction(Bounds(-0x1p-54)).contains(fraction(-0x1p-54)));
+  const GridAxis repeated{GridAxis::Beyond::repeated, 10};
+  for (const double x : {1e12, -1e12, 1e300, -1e300})
+    CHECK(squares_at(Bounds(x), repeated).contains(squares_at(x, repeated)));
+  const auto point = [](const Double3& a) { return Vec3<Bounds>(Bounds(a.x), Bounds(a.y), Bounds(a.z)); };
+  const Double3 a(1, 0, 0), nearly_across(1e-310, 1, 0), long_one(1, 1.7e308, 0);
+  CHECK(cosine_power(point(a), point(nearly_across), 0.01).contains(cosine_power(a, nearly_across, 0.01)));
+  CHECK(normalize(point(long_one)).x.contains(normalize(long_one).x));
+  CHECK(as<Interval<FloatArithmetic>>(std::numeric_limits<double>::quiet_NaN()).contains(1e300));
+  // Just below pi other numbers hold the angle with the rounding of pi.
+  const Vec2<Bounds> seam(Bounds(1.0), Bounds(-3.5e-16, 0));
+  const double below_pi = atan2(3.5e-16, -1.0) - std::numbers::pi;
+  CHECK(line_angle(seam).contains(below_pi));
+  CHECK(line_angle(seam).width() <= 0x1p-46);
 }
 
 } // namespace
