@@ -154,8 +154,7 @@ struct MerlReader {
   MerlValue<T> nearest(const MerlPoint<T>& at) const {
     return read_grid(std::array{at.u, at.v, at.w}, merl_axes, [&](const Cells& cell) {
       return sample(clamp_index(cell[0].index, 0, MerlTable::theta_h_bins - 1),
-                    clamp_index(cell[1].index, 0, MerlTable::theta_d_bins - 1),
-                    wrap_index(cell[2].index, MerlTable::phi_d_bins));
+                    clamp_index(cell[1].index, 0, MerlTable::theta_d_bins - 1), last_or_first(cell[2].index));
     });
   }
 
@@ -221,6 +220,12 @@ struct MerlReader {
   }
 
 private:
+  /// phi_d is in [0, pi) and may round to the end of its last bin; bounds have it in one piece around the seam.
+  static Index last_or_first(const Index& bin) {
+    if constexpr (NumberTraits<T>::decides) return clamp_index(bin, 0, MerlTable::phi_d_bins - 1);
+    else return wrap_index(bin, MerlTable::phi_d_bins);
+  }
+
   /// Of four samples the middle two.
   static Cell<T> second_of(const Cell<T>& first) { return {next_index(first.index), first.fraction}; }
 

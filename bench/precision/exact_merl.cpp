@@ -40,15 +40,19 @@ Exactly exact_merl(const MerlPlace& place, const MerlTable& table, MerlLookup lo
   const Exact sizes = magnitude_of_dot(n, l) * radiance;
   if (!(n_l > Exact(0)) || !(dot(n, place.lit.at.to_eye) > Exact(0))) return {Exact(0), sizes};
   const ExactPoint &at = place.at, &moved = place.moved;
-  const auto f_at = [&](const Exact& u, const Exact& v, const Exact& w) {
-    return merl_value(table, lookup, ExactPoint{u, v, w}).f[channel];
-  };
-  const Exact f = f_at(at.u, at.v, at.w);
+  const Exact f = merl_value(table, lookup, at).f[channel];
   if (lookup == MerlLookup::nearest) return {f * n_l * radiance, f * sizes};
-  const auto slope = [&](const Exact& there) { return abs(there - f) / step(); };
-  Exact terms = f + slope(f_at(at.u + step(), at.v, at.w)) * (at.u + moved.u) +
-                slope(f_at(at.u, at.v + step(), at.w)) * (at.v + moved.v) +
-                slope(f_at(at.u, at.v, at.w + step())) * (at.w + moved.w);
+  // Of the slopes a few digits are enough: they only say how large a rounding is.
+  const auto f_at = [&](double du, double dv, double dw) {
+    const MerlPoint<double> moved_by = {static_cast<double>(at.u) + du, static_cast<double>(at.v) + dv,
+                                        static_cast<double>(at.w) + dw};
+    return merl_value(table, lookup, moved_by).f[channel];
+  };
+  constexpr double bins = 0x1p-20;
+  const double here = f_at(0, 0, 0);
+  const auto slope = [&](double there) { return Exact(abs(there - here) / bins); };
+  Exact terms = f + slope(f_at(bins, 0, 0)) * (at.u + moved.u) + slope(f_at(0, bins, 0)) * (at.v + moved.v) +
+                slope(f_at(0, 0, bins)) * (at.w + moved.w);
   if (lookup == MerlLookup::trilinear_log || lookup == MerlLookup::tricubic_log) {
     const Exact epsilon(MerlTable::log_epsilon), ln_of_two(Exact::Value(log(Exact::Value(2))));
     terms += (f + epsilon) * ln_of_two * log2(Exact(1) + f / epsilon);
