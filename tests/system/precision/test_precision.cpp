@@ -146,7 +146,7 @@ TEST_SUITE("slow") {
     check_functions(20000, Judge::both);
   }
   TEST_CASE("no fragment function exceeds its bounds, 99 of 100 results keep to the tighter ones") {
-    check_shading(500, Judge::both);
+    check_shading(5000, Judge::both);
   }
   TEST_CASE("no coordinate of the MERL table exceeds its bounds, 99 of 100 keep to the tighter ones") {
     check_coordinates(20000, Judge::both);

@@ -4,13 +4,14 @@
 #include "math/bounds/interval_functions.h"
 #include "raster/render_in.h"
 #include "shading/precision_bounds.h"
-#include "tests/support/scenes/listed_scenes.h"
 #include "tests/support/scenes/half_textured.h"
+#include "tests/support/scenes/listed_scenes.h"
 #include "tests/system/scenes/slow_shading.h"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <utility>
 
 namespace refraster {
 namespace {
@@ -108,6 +109,31 @@ void check_frame(const Scene& scene, int samples) {
   CHECK(loose <= exact.values.size() / 100);
 }
 
+/// The sample of each pixel anywhere in a box around its centre, as a device may place it: bounds over the box hold
+/// what exact arithmetic makes of its corners and its centre.
+void check_samples_in_a_box(const Scene& scene) {
+  constexpr double reach = 0.6; // subpixels: half of one, by snapping, and a little
+  RenderOptions options;
+  options.width = 64, options.height = 36;
+  SampleRequest<InDouble> anywhere;
+  anywhere.dx = anywhere.dy = {-reach, reach};
+  const Image<InDouble> bounds = render_in<InDouble>(scene, options, anywhere);
+  std::size_t outside = 0, moved = 0;
+  const Image<Exact> centre = render_in<Exact>(scene, options);
+  for (const auto& [dx, dy] :
+       {std::pair(0.0, 0.0), {-reach, -reach}, {reach, -reach}, {-reach, reach}, {reach, reach}}) {
+    SampleRequest<Exact> there;
+    there.dx = Exact(dx), there.dy = Exact(dy);
+    const Image<Exact> exact = render_in<Exact>(scene, options, there);
+    for (std::size_t i = 0; i < exact.values.size(); ++i) {
+      outside += !contains(bounds.values[i], exact.values[i]);
+      moved += !(exact.values[i] == centre.values[i]);
+    }
+  }
+  CHECK(outside == 0);
+  CHECK(moved >= 1000);
+}
+
 } // namespace
 
 TEST_CASE("exact says what the slow path in long double says") {
@@ -129,7 +155,18 @@ TEST_CASE("double and float lie within their bounds, and double near exact, in e
   }
 }
 
+TEST_CASE("bounds over a box of sample positions hold what exact makes of its corners") {
+  check_samples_in_a_box(listed_scene(quick_scenes().front()));
+}
+
 TEST_SUITE("slow") {
+  TEST_CASE("so they do in other scenes") {
+    for (const std::string& path : quick_scenes()) {
+      CAPTURE(path);
+      check_samples_in_a_box(listed_scene(path));
+    }
+  }
+
   TEST_CASE("exact says so in every scene of the gallery") {
     check_against_slow_path(listed_scenes(), 17);
   }
