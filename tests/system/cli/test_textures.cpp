@@ -46,6 +46,16 @@ TEST_CASE("a texture with an EXIF orientation is drawn as stored, and a note say
   CHECK(strict.err.find("refraster: " + found + ", expected a file without notes (--strict)\n") != std::string::npos);
 }
 
+TEST_CASE("compare says so too, once a file") {
+  const TexturedScene folder("t.jpg", sideways_jpeg());
+  test::write_files(folder.path, {{"u.jpg", sideways_jpeg()}});
+  const Finished run = run_program(folder.path, {"compare", "t.jpg", "u.jpg"});
+  CHECK(run.exit_code == 0);
+  for (const std::string file : {"t.jpg", "u.jpg"})
+    CHECK(run.err.find("note: " + file + ": found EXIF orientation 6") != std::string::npos);
+  CHECK(run_program(folder.path, {"compare", "t.jpg", "u.jpg", "-q"}).err.empty());
+}
+
 TEST_CASE("a PNG of which a byte has changed is no texture: exit code 3, and the line names the chunk") {
   std::string png = test::png_bytes(4, 4, 3, 8, std::vector<std::uint16_t>(48, 100));
   png[60] ^= 1; // a sample
