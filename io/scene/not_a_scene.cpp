@@ -2,6 +2,7 @@
 
 #include "io/file/input_file.h"
 #include "io/file/text.h"
+#include "io/file/text_kind.h"
 #include "io/scene/example_scene.h"
 
 #include <algorithm>
@@ -32,7 +33,7 @@ constexpr Kind obj{"an OBJ file", Use::obj}, stl{"an STL file", Use::other_mesh}
     collada{"a COLLADA file", Use::other_mesh}, studio{"a 3DS file", Use::other_mesh},
     blender{"a Blender file", Use::other_mesh}, usd{"a USD file", Use::other_mesh},
     mtl{"the materials of an OBJ file", Use::none}, image{"an image", Use::texture}, table{"a MERL table", Use::table},
-    glsl{"GLSL", Use::shader}, utf16{"UTF-16 text", Use::none}, binary{"a binary file", Use::none};
+    glsl{"GLSL", Use::shader}, binary{"a binary file", Use::none};
 
 /// Bytes that files of a kind begin with.
 constexpr std::pair<std::string_view, Kind> beginnings[] = {
@@ -53,8 +54,6 @@ constexpr std::pair<std::string_view, Kind> beginnings[] = {
     {"#usda"sv, usd},
     {"#version"sv, glsl},
     {"\x5a\0\0\0\x5a\0\0\0\xb4\0\0\0"sv, table}, // 90, 90, 180
-    {"\xff\xfe"sv, utf16},
-    {"\xfe\xff"sv, utf16},
 };
 
 constexpr std::pair<std::string_view, Kind> extensions[] = {
@@ -105,6 +104,8 @@ bool may_be_json(std::string_view text) {
 std::optional<Kind> kind_of(const std::string& path, std::string_view prefix, std::uint64_t size_bytes) {
   for (const auto& [beginning, kind] : beginnings)
     if (prefix.starts_with(beginning)) return kind;
+  if (const TextKind text = text_kind(prefix); text == TextKind::utf_16 || text == TextKind::utf_32)
+    return Kind{name_of(text), Use::none};
   if (is_binary_stl(prefix, size_bytes)) return stl;
   const bool is_binary = prefix.find('\0') != std::string_view::npos;
   if (!is_binary) {

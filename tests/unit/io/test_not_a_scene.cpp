@@ -103,6 +103,7 @@ TEST_CASE("what else is given for a scene") {
       {bytes_of(90) + bytes_of(90) + bytes_of(180), "a MERL table"},
       {"#version 330 core\nvoid main() {}\n", "GLSL"},
       {"\xff\xfe{\0"s, "UTF-16 text"},
+      {"\xff\xfe\0\0{\0\0\0"s, "UTF-32 text"},
       {"\3\0\5"s, "a binary file"},
       {"", "an empty file"}};
   for (const auto& one : contents) {
