@@ -1,6 +1,7 @@
 #include "verify/compare/flip.h"
 
 #include "math/vec.h"
+#include "verify/images/srgb.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,10 +14,6 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 // Colour spaces.
-
-double linear_from_srgb(double s) {
-  return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
-}
 
 /// Of sRGB's primaries and white, D65; white has Y = 1.
 const Double3x3 xyz_from_rgb =

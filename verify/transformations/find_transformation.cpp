@@ -1,17 +1,16 @@
+#include "verify/images/srgb.h"
 #include "verify/transformations/scale_factor.h"
 #include "verify/transformations/undoing.h"
 #include "verify/transformations/whole_pixel_shift.h"
 
 #include <cassert>
-#include <cmath>
 
 namespace refraster {
 namespace {
 
-/// IEC 61966-2-1: linear from the curve's values, in levels. Below 0 and above 1 the curve goes on.
+/// Linear from the curve's values, both in levels.
 double without_srgb_curve(double levels) {
-  const double s = levels / 255;
-  return 255 * (s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4));
+  return 255 * linear_from_srgb(levels / 255);
 }
 
 /// ITU-R BT.709: black at 16, white at 235.
