@@ -1,10 +1,11 @@
 #pragma once
 // Words of the command line that are more than a number or a name.
 
+#include <refraster/fields.h>
+#include <refraster/render.h>
+
 #include "io/file/limits.h"
 #include "io/scene/scene_file.h"
-#include "raster/render.h"
-#include "shading/fields.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,7 +1,7 @@
 #pragma once
 // --max-memory.
 
-#include "scene/memory_budget.h"
+#include <refraster/memory.h>
 
 #include <CLI/CLI.hpp>
 

@@ -1,7 +1,7 @@
 #pragma once
 // Where results go.
 
-#include "scene/image.h"
+#include <refraster/image.h>
 
 #include <optional>
 #include <string>

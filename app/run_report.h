@@ -1,7 +1,7 @@
 #pragma once
 // The run report: what made an image, how long it took, what it met.
 
-#include "raster/frame.h"
+#include <refraster/render.h>
 
 #include <string>
 #include <vector>

@@ -1,6 +1,7 @@
-# Two sets of flags, each an interface target; never in CMAKE_CXX_FLAGS.
+# Sets of flags, each an interface target; never in CMAKE_CXX_FLAGS.
 
-# Strict floating point: the same source gives the same bits in every lane count, optimisation level and compiler.
+# Strict floating point: the same source gives the same bits in every lane count, optimisation level and compiler. All
+# that compiles formulas needs it, also outside this build: the fragment kit exports it.
 #   -ffp-contract=off         a*b+c is two roundings everywhere, not one where the machine has FMA
 #   -fno-tree-slp-vectorize   GCC 12 drops double > float > double roundings in that pass (tests/unit/math: "narrowing is kept")
 #   -fno-math-errno, -fno-trapping-math   change no value; sqrt becomes one instruction, selects become blends
@@ -11,15 +12,15 @@ set_target_properties(refraster_strict_fp PROPERTIES EXPORT_NAME strict_fp)
 target_compile_options(refraster_strict_fp INTERFACE
   -ffp-contract=off -fno-fast-math -fno-math-errno -fno-trapping-math -Wno-psabi
   $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>)
-if(REFRASTER_ISA)
-  target_compile_options(refraster_strict_fp INTERFACE -march=${REFRASTER_ISA})
-endif()
 
-add_library(refraster_warnings INTERFACE)
-target_compile_options(refraster_warnings INTERFACE
+# How this code base itself is compiled. Nothing of it reaches who uses the libraries: their layouts do not depend on it.
+add_library(refraster_build_flags INTERFACE)
+target_link_libraries(refraster_build_flags INTERFACE refraster_strict_fp)
+target_compile_options(refraster_build_flags INTERFACE
+  $<$<BOOL:${REFRASTER_ISA}>:-march=${REFRASTER_ISA}>
   -Wall -Wextra -Wshadow -Wconversion -Wdouble-promotion -Wno-psabi
   # GCC 12 sees an overlap in "literal" + std::string at -O3 that is not there (GCC bug 105651).
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>)
 if(REFRASTER_WERROR)
-  target_compile_options(refraster_warnings INTERFACE -Werror)
+  target_compile_options(refraster_build_flags INTERFACE -Werror)
 endif()

@@ -1,21 +1,37 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-get_property(layers GLOBAL PROPERTY REFRASTER_LAYERS)
-install(TARGETS ${layers} refraster_strict_fp EXPORT refrasterTargets
-  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
-  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT libraries NAMELINK_COMPONENT development
-  FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/refraster)
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/refraster)
+
+# refraster_component(NAME TARGETS ...): what find_package(refraster COMPONENTS NAME) finds. A component
+# asks for what it needs itself, so that who renders only needs no image library.
+function(refraster_component name)
+  install(TARGETS ${ARGN} EXPORT refraster_${name}
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT libraries NAMELINK_COMPONENT development
+    FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  install(EXPORT refraster_${name} NAMESPACE refraster:: FILE refraster_${name}.cmake DESTINATION ${package_dir})
+endfunction()
+
+refraster_component(raster refraster_headers refraster_math refraster_shading refraster_scene refraster_raster)
+refraster_component(io refraster_io)
+refraster_component(gl refraster_gl)
+refraster_component(verify refraster_verify)
+refraster_component(fragment_kit refraster_fragment_kit refraster_strict_fp)
+install(DIRECTORY math shading DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/refraster-kit
+  FILES_MATCHING PATTERN "*.h" PATTERN precision_bounds.h EXCLUDE PATTERN kit EXCLUDE)
+install(FILES shading/kit/refraster/fragment_kit.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/refraster-kit/refraster)
+
 # Everything that the component `libraries` installs: scripts/package_levels.
+get_property(layers GLOBAL PROPERTY REFRASTER_LAYERS)
 add_custom_target(libraries)
 add_dependencies(libraries ${layers})
 if(BUILD_SHARED_LIBS)
   set_target_properties(refraster PROPERTIES INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
 endif()
 install(TARGETS refraster RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(EXPORT refrasterTargets NAMESPACE refraster:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/refraster)
 configure_package_config_file(cmake/refrasterConfig.cmake.in ${PROJECT_BINARY_DIR}/refrasterConfig.cmake
-  INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/refraster)
+  INSTALL_DESTINATION ${package_dir})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/refrasterConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/refrasterConfig.cmake ${PROJECT_BINARY_DIR}/refrasterConfigVersion.cmake
-  DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/refraster)
+  DESTINATION ${package_dir})

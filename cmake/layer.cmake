@@ -1,28 +1,20 @@
-# refraster_layer(NAME [HEADERS ...] [SOURCES ...] [PUBLIC ...] [PRIVATE ...])
-# One library for one layer of the code base, with alias refraster::NAME. Without sources it is header-only. Static, or
-# shared with BUILD_SHARED_LIBS: scripts/package_levels.
+# refraster_layer(NAME SOURCES ... [PUBLIC ...] [PRIVATE ...])
+# One library for one layer of the code base, with alias refraster::NAME. Static, or shared with BUILD_SHARED_LIBS:
+# scripts/package_levels. Its headers are found within this build only: who uses the library sees include/refraster.
 function(refraster_layer name)
-  cmake_parse_arguments(layer "" "" "HEADERS;SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(layer "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   set(target refraster_${name})
-  if(layer_SOURCES)
-    add_library(${target} ${layer_SOURCES})
-    set(scope PUBLIC)
-    set_target_properties(${target} PROPERTIES
-      VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} INSTALL_RPATH "$ORIGIN")
-    if(BUILD_SHARED_LIBS)
-      # A library calls its own functions, also where a program built for another instruction set has them too.
-      target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)
-      target_link_options(${target} PRIVATE LINKER:-Bsymbolic-functions)
-    endif()
-    target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:refraster_warnings> ${layer_PRIVATE})
-  else()
-    add_library(${target} INTERFACE)
-    set(scope INTERFACE)
-  endif()
+  add_library(${target} ${layer_SOURCES})
   add_library(refraster::${name} ALIAS ${target})
-  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
-  target_sources(${target} ${scope} FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${layer_HEADERS})
-  target_compile_features(${target} ${scope} cxx_std_20)
-  target_link_libraries(${target} ${scope} refraster_strict_fp ${layer_PUBLIC})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name}
+    VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} INSTALL_RPATH "$ORIGIN")
+  if(BUILD_SHARED_LIBS)
+    # A library calls its own functions, also where a program built for another instruction set has them too.
+    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)
+    target_link_options(${target} PRIVATE LINKER:-Bsymbolic-functions)
+  endif()
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
+  target_link_libraries(${target} PUBLIC ${layer_PUBLIC} PRIVATE $<BUILD_INTERFACE:refraster_build_flags> ${layer_PRIVATE})
   set_property(GLOBAL APPEND PROPERTY REFRASTER_LAYERS ${target})
 endfunction()

@@ -1,7 +1,7 @@
 #pragma once
 // What there is to choose from when a scene goes through OpenGL.
 
-#include "shading/fields.h"
+#include <refraster/fields.h>
 
 #include <string_view>
 #include <utility>

@@ -1,9 +1,10 @@
 #pragma once
 // The same scene through OpenGL 3.3 or later, without a window.
 
+#include <refraster/image.h>
+#include <refraster/scene.h>
+
 #include "gl/gl_names.h"
-#include "scene/image.h"
-#include "scene/scene.h"
 
 #include <cstdint>
 #include <stdexcept>

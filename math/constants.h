@@ -6,7 +6,7 @@
 
 #include <numbers>
 
-namespace refraster {
+namespace refraster::inline REFRASTER_KIT {
 
 /// A real number. `nearest` is the double nearest to it; `digits` are decimal digits enough for every number type.
 struct RealConstant {
@@ -32,4 +32,4 @@ T constant(const RealConstant& c) {
   else return as<T>(c.nearest);
 }
 
-} // namespace refraster
+} // namespace refraster::inline REFRASTER_KIT

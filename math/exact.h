@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-namespace refraster {
+namespace refraster::inline REFRASTER_KIT {
 
 /// 60 decimal digits, four times those of double, so that what cancels leaves enough; exponents beyond any that a
 /// formula meets. Nothing is cut off or saturated as the formats of IEEE 754 have it. Boost's cpp_bin_float, in a type
@@ -117,4 +117,4 @@ inline Exact cosine_power(const Vec3<Exact>& a, const Vec3<Exact>& b, double s) 
   return lengths > Exact(0) ? pow(dot(a, b) / sqrt(lengths), s) : Exact(0);
 }
 
-} // namespace refraster
+} // namespace refraster::inline REFRASTER_KIT

@@ -3,7 +3,7 @@
 
 #include "math/lanes/rows.h"
 
-namespace refraster {
+namespace refraster { // not the kit's: tables of it are the library's
 
 /// 1 sign, 5 exponent and 10 fraction bits. Finite.
 struct Half {
@@ -33,6 +33,10 @@ struct Half {
     return bits & 0x8000 ? -size : size;
   }
 };
+
+} // namespace refraster
+
+namespace refraster::inline REFRASTER_KIT {
 
 template <int N>
 using HalfLanes = VectorOf<std::uint16_t, N>;
@@ -86,4 +90,4 @@ std::array<Wide<float, N>, 4> gather_rows(const Place& at) {
   return transposed<float, N>({group(0), group(1), group(2), group(3)});
 }
 
-} // namespace refraster
+} // namespace refraster::inline REFRASTER_KIT

@@ -14,7 +14,7 @@
 #include <concepts>
 #include <limits>
 
-namespace refraster {
+namespace refraster::inline REFRASTER_KIT {
 
 /// Beside these, every Number has (each total, and of lanes branch-free and the same bits in a lane as alone):
 ///   exp2(x), log2(x), pow(x, s), atan2(y, x)       math/elementary.h; required by ElementaryNumber
@@ -89,4 +89,4 @@ constexpr T max0(const T& x) {
   return max(x, T(0));
 }
 
-} // namespace refraster
+} // namespace refraster::inline REFRASTER_KIT

@@ -7,7 +7,7 @@
 #include <array>
 #include <cstddef>
 
-namespace refraster {
+namespace refraster::inline REFRASTER_KIT {
 
 /// Colours in memory, channels interleaved: red of (i, j, k) is values[i i_stride + j j_stride + k k_stride]. All
 /// offsets fit 31 bits. Lanes load four values at a time: `values` are those of a PaddedVector.
@@ -75,4 +75,4 @@ auto read_grid(const std::array<T, dimensions>& place, const std::array<GridAxis
   }
 }
 
-} // namespace refraster
+} // namespace refraster::inline REFRASTER_KIT

@@ -1,6 +1,8 @@
 #pragma once
 // The Number operations for float and double, and the meaning that every other number type must agree with.
 
+#include "math/kit_namespace.h"
+
 #include <bit>
 #include <cmath>
 #include <concepts>
@@ -8,7 +10,7 @@
 #include <limits>
 #include <type_traits>
 
-namespace refraster {
+namespace refraster::inline REFRASTER_KIT {
 
 /// What a number type has to say about itself. Specialised beside each number type; docs/number.md has an example.
 ///   Real       the floating-point type in which parameters and tables enter a formula; of lanes, that of one lane
@@ -189,4 +191,4 @@ constexpr bool any(bool m) {
   return m;
 }
 
-} // namespace refraster
+} // namespace refraster::inline REFRASTER_KIT

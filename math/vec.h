@@ -1,37 +1,14 @@
 #pragma once
-// Vectors and colours of any Number: GLM's types, with our own geometric functions. GLM 0.9.9 refuses its own `dot`,
+// Vectors and colours of any Number: our own geometric functions for GLM's types. GLM 0.9.9 refuses its own `dot`,
 // `length` and `normalize` on numbers it does not know; these are more specialised, so they are chosen for every T.
+
+#include <refraster/vector.h>
 
 #include "math/number.h"
 
-#define GLM_FORCE_XYZW_ONLY // plain members: no swizzle unions for numbers GLM does not know
-#include <glm/mat3x3.hpp>
-#include <glm/mat4x4.hpp>
-#include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
-#include <glm/vec4.hpp>
-
 #include <type_traits>
 
-namespace refraster {
-
-template <class T>
-using Vec2 = glm::vec<2, T, glm::defaultp>;
-template <class T>
-using Vec3 = glm::vec<3, T, glm::defaultp>;
-template <class T>
-using Vec4 = glm::vec<4, T, glm::defaultp>;
-/// Linear red, green, blue. The same type as Vec3: products are per channel.
-template <class T>
-using Rgb = Vec3<T>;
-
-using Double2 = Vec2<double>;
-using Double3 = Vec3<double>;
-using Double4 = Vec4<double>;
-using Float2 = Vec2<float>;
-using Float3 = Vec3<float>;
-using Double3x3 = glm::dmat3; // column-major, as in GLM and GLSL: m[column][row]
-using Double4x4 = glm::dmat4;
+namespace refraster::inline REFRASTER_KIT {
 
 /// Parameters enter a formula channel by channel, each rounded once.
 template <class T>
@@ -148,4 +125,4 @@ Vec3<T> select(const MaskOf<T>& m, const Vec3<T>& a, const Vec3<T>& b) {
   return {select(m, a.x, b.x), select(m, a.y, b.y), select(m, a.z, b.z)};
 }
 
-} // namespace refraster
+} // namespace refraster::inline REFRASTER_KIT

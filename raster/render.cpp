@@ -1,13 +1,15 @@
-#include "raster/render.h"
+#include <refraster/render.h>
 
 #include "math/precisions.h"
 #include "raster/parallel.h"
 #include "raster/shade/shade.h"
+#include "scene/scene_checks.h"
 
 #include <algorithm>
 #include <atomic>
-#include <cassert>
+#include <bit>
 #include <chrono>
+#include <stdexcept>
 #include <string>
 
 #include <omp.h>
@@ -132,17 +134,38 @@ void reshape_images(const RenderOptions& options, const PixelRect& region, Frame
   }
 }
 
+std::string size_text(int width, int height) {
+  return std::to_string(width) + " x " + std::to_string(height) + " pixels";
+}
+
+void check(const RenderOptions& options) {
+  const auto need = [](bool holds, const char* name, const std::string& found, const std::string& expected) {
+    if (!holds)
+      throw std::invalid_argument("options/" + std::string(name) + ": found " + found + ", expected " + expected);
+  };
+  const auto is_side = [](int pixels) { return pixels >= 1 && pixels <= max_image_side; };
+  need(is_side(options.width) && is_side(options.height), "width and height", size_text(options.width, options.height),
+       "1 to " + std::to_string(max_image_side) + " pixels a side");
+  const int tile = options.tile_size;
+  need(tile >= 8 && tile <= 128 && std::has_single_bit(static_cast<unsigned>(tile)), "tile_size", std::to_string(tile),
+       "8, 16, 32, 64 or 128");
+  need(is_sample_count(options.samples), "samples", std::to_string(options.samples), "1, 2, 4, 8 or 16");
+  need(options.threads >= 0, "threads", std::to_string(options.threads), "0 or more");
+  if (!options.crop) return;
+  const PixelRect& crop = *options.crop;
+  const auto within = [](int first, int count, int all) { return first >= 0 && count >= 1 && count <= all - first; };
+  need(within(crop.x, crop.width, options.width) && within(crop.y, crop.height, options.height), "crop",
+       size_text(crop.width, crop.height) + " at (" + std::to_string(crop.x) + ", " + std::to_string(crop.y) + ")",
+       "a part of the image of " + size_text(options.width, options.height));
+}
+
 // All stages, in memory that may be that of another frame.
 void render_frame(const Scene& scene, const RenderOptions& options, Geometry& geometry, Bins& bins,
                   const std::function<std::span<TileWorker>(int threads)>& workers_for, Frame& frame) {
-  assert(options.width >= 1 && options.width <= max_image_side && options.height >= 1 &&
-         options.height <= max_image_side);
-  assert(options.tile_size >= 8 && options.tile_size <= 128);
-  assert(is_sample_count(options.samples) && options.crop.size() <= 1);
+  check(options);
+  if (const std::optional<SceneFault> fault = first_refused_fault(scene)) refuse(*fault);
   const auto start = Clock::now();
   const PixelRect region = rendered_region(options);
-  assert(region.x >= 0 && region.y >= 0 && region.width >= 1 && region.height >= 1 &&
-         region.x + region.width <= options.width && region.y + region.height <= options.height);
   need_more(options.memory, image_bytes(options, region), bytes_of(frame), "the image");
   reshape_images(options, region, frame);
   frame.threads = options.threads > 0 ? options.threads : omp_get_num_procs();
@@ -171,21 +194,28 @@ void render_frame(const Scene& scene, const RenderOptions& options, Geometry& ge
 } // namespace
 
 PixelRect rendered_region(const RenderOptions& options) {
-  return options.crop.empty() ? PixelRect{0, 0, options.width, options.height} : options.crop.front();
+  return options.crop.value_or(PixelRect{0, 0, options.width, options.height});
 }
 
-std::unique_ptr<TileShading> make_tile_shading(std::string_view precision) {
-  if (precision == DoublePrecision::name) return make_double_shading();
-  if (precision == FloatPrecision::name) return make_float_shading();
-  if (precision == FastPrecision::name) return make_fast_shading();
-  if (precision == ExactPrecision::name) return make_exact_shading();
-  return nullptr;
+std::unique_ptr<TileShading> make_tile_shading(Precision precision) {
+  switch (precision) {
+  case Precision::double_:
+    return make_double_shading();
+  case Precision::float_:
+    return make_float_shading();
+  case Precision::fast:
+    return make_fast_shading();
+  case Precision::exact:
+    return make_exact_shading();
+  }
+  throw std::invalid_argument("options/precision: found " + std::to_string(static_cast<int>(precision)) +
+                              ", expected one of the enum");
 }
 
-int precision_lanes(std::string_view precision) {
+int precision_lanes(Precision precision) {
   int lanes = 0;
   const auto look_at = [&]<class R>(R) {
-    if (R::name == precision) lanes = R::lanes;
+    if (R::id == precision) lanes = R::lanes;
   };
   std::apply([&](auto... each) { (look_at(each), ...); }, Precisions{});
   return lanes;
@@ -197,7 +227,7 @@ struct Renderer::Memory {
   // One for each thread; made for this tile size and precision.
   std::vector<TileWorker> workers;
   int tile_size = 0;
-  std::string precision;
+  Precision precision = Precision::double_;
 
   std::span<TileWorker> workers_for(const RenderOptions& options, int threads) {
     if (tile_size != options.tile_size || precision != options.precision) workers.clear();

@@ -1,10 +1,14 @@
-#include "scene/shapes.h"
+#include <refraster/mesh.h>
 
-#include <cassert>
 #include <numbers>
+#include <stdexcept>
 
 namespace refraster {
 namespace {
+
+void require(bool holds, const char* fault) {
+  if (!holds) throw std::invalid_argument(fault);
+}
 
 struct CirclePoint {
   double cosine, sine;
@@ -88,7 +92,7 @@ double fraction(int part, int whole) {
 } // namespace
 
 Mesh sphere_mesh(int segments, int rings) {
-  assert(segments >= 3 && rings >= 2);
+  require(segments >= 3 && rings >= 2, "sphere_mesh: expected segments >= 3, rings >= 2");
   Mesh mesh;
   const auto point = [&](double longitude_part, CirclePoint longitude, int ring) {
     const CirclePoint latitude = turn(ring, 2 * rings); // half a turn from pole to pole
@@ -130,7 +134,7 @@ Mesh cube_mesh() {
 }
 
 Mesh plane_mesh(int segments) {
-  assert(segments >= 1);
+  require(segments >= 1, "plane_mesh: expected segments >= 1");
   Mesh mesh;
   add_grid(mesh, segments, segments, [&](int column, int row) {
     const double u = fraction(column, segments), v = fraction(row, segments);
@@ -140,7 +144,8 @@ Mesh plane_mesh(int segments) {
 }
 
 Mesh torus_mesh(int segments, int rings, double tube_radius) {
-  assert(segments >= 3 && rings >= 3 && tube_radius > 0);
+  require(segments >= 3 && rings >= 3 && tube_radius > 0,
+          "torus_mesh: expected segments >= 3, rings >= 3, tube_radius > 0");
   Mesh mesh;
   add_grid(mesh, segments, rings, [&](int segment, int ring) {
     const Double3 out = outward(turn(segment, segments));
@@ -152,7 +157,8 @@ Mesh torus_mesh(int segments, int rings, double tube_radius) {
 }
 
 Mesh knot_mesh(int segments, int rings, double tube_radius) {
-  assert(segments >= 3 && rings >= 3 && tube_radius > 0);
+  require(segments >= 3 && rings >= 3 && tube_radius > 0,
+          "knot_mesh: expected segments >= 3, rings >= 3, tube_radius > 0");
   constexpr double strand = 0.4; // from the unit circle to the knot
   const Double3 axis(0, 1, 0);
   Mesh mesh;

@@ -4,7 +4,7 @@
 #include "math/vec.h"
 #include "shading/undefined.h"
 
-namespace refraster {
+namespace refraster::inline REFRASTER_KIT {
 
 /// One visible sample of a surface (or one a lane). All in world space; unit vectors point away from the surface.
 template <class T>
@@ -28,4 +28,4 @@ struct Incident {
   Rgb<T> radiance;   // C: radiance times attenuation
 };
 
-} // namespace refraster
+} // namespace refraster::inline REFRASTER_KIT

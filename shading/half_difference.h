@@ -1,26 +1,15 @@
 #pragma once
 // From two directions to the half and difference angles of a measured BRDF.
 
+#include <refraster/material.h>
+
 #include "math/constants.h"
 #include "math/elementary.h"
-#include "shading/fields.h"
 
 #include <string_view>
 #include <utility>
 
-namespace refraster {
-
-/// How the azimuth of the difference vector is computed. All agree in exact arithmetic.
-enum class MerlAngles { closed, rotation, frame };
-
-template <>
-struct EnumNames<MerlAngles> {
-  static constexpr std::pair<MerlAngles, std::string_view> names[] = {
-      {MerlAngles::closed, "closed"},
-      {MerlAngles::rotation, "rotation"},
-      {MerlAngles::frame, "frame"},
-  };
-};
+namespace refraster::inline REFRASTER_KIT {
 
 /// Rusinkiewicz's coordinates of an isotropic BRDF, in radians. With h = (i + o) / |i + o|:
 ///   theta_h in [0, pi/2]  from the normal n to h
@@ -128,4 +117,4 @@ HalfDifference<T> half_difference(MerlAngles method, const Vec3<T>& n, const Vec
           select(defined > T(0), line_angle(azimuth), constant<T>(constants::half_pi))};
 }
 
-} // namespace refraster
+} // namespace refraster::inline REFRASTER_KIT

@@ -9,7 +9,7 @@
 #include "math/elementary/cosine_power.h"
 #include "math/elementary/double_double.h"
 
-namespace refraster {
+namespace refraster::inline REFRASTER_KIT {
 
 /// The numbers that promise so much. Float is content with the error of its inputs, bounds have their own.
 template <class T>
@@ -80,4 +80,4 @@ struct HalfGap {
   }
 };
 
-} // namespace refraster
+} // namespace refraster::inline REFRASTER_KIT

@@ -1,26 +1,13 @@
 #pragma once
 // Light sources, and what arrives of them at a fragment.
 
+#include <refraster/scene.h>
+
 #include "shading/fragment.h"
 
 #include <limits>
 
-namespace refraster {
-
-/// A light that shines from one point in all directions.
-struct PointLight {
-  Double3 position{0}; // world space
-  Double3 radiance{1};
-  double constant = 1; // Kc, Kl, Kq >= 0: attenuation 1 / (Kc + Kl d + Kq d^2), d in world units.
-  double linear = 0;   // All three 0 means no attenuation.
-  double quadratic = 0;
-};
-
-/// A light infinitely far away. Not attenuated.
-struct DirectionLight {
-  Double3 direction{0, 0, -1}; // world space: where the light travels to; any length but 0
-  Double3 radiance{1};
-};
+namespace refraster::inline REFRASTER_KIT {
 
 /// A DirectionLight, with the unit vector toward it.
 struct DirectionToLight {
@@ -76,4 +63,4 @@ Incident<T> arriving(const DirectionLight& light, const Fragment<T>& at) {
   return arriving(prepared_light(light), at);
 }
 
-} // namespace refraster
+} // namespace refraster::inline REFRASTER_KIT

@@ -1,35 +1,16 @@
 #pragma once
 // Reading a MERL table between its samples.
 
+#include <refraster/material.h>
+
 #include "math/elementary.h"
+#include "math/half.h"
 #include "math/read_grid.h"
 #include "shading/half_difference.h"
-#include "shading/merl_table.h"
 
 #include <array>
 
-namespace refraster {
-
-/// How a MERL table is read between its samples. docs/merl.md shows what each is for.
-///   nearest         the sample of the bin that holds the point
-///   trilinear       linear in u, v and w, samples at the centres of their bins: the default
-///   trilinear_edge  the same with samples at the starts of their bins, as several published readers have it
-///   trilinear_log   the same as trilinear on g = log2(1 + f / epsilon)
-///   tricubic_log    Catmull-Rom splines in u, v and w on g
-/// phi_d wraps from 179 to 0, since it is periodic in pi; theta_h and theta_d are clamped. Samples that were never
-/// measured are left out and the weights of the others scaled up to a sum of 1.
-enum class MerlLookup { nearest, trilinear, trilinear_edge, trilinear_log, tricubic_log };
-
-template <>
-struct EnumNames<MerlLookup> {
-  static constexpr std::pair<MerlLookup, std::string_view> names[] = {
-      {MerlLookup::nearest, "nearest"},
-      {MerlLookup::trilinear, "trilinear"},
-      {MerlLookup::trilinear_edge, "trilinear-edge"},
-      {MerlLookup::trilinear_log, "trilinear-log"},
-      {MerlLookup::tricubic_log, "tricubic-log"},
-  };
-};
+namespace refraster::inline REFRASTER_KIT {
 
 /// A point in the table, in bins: bin k covers [k, k + 1). The table has its finest bins where theta_h is small.
 template <class T>
@@ -289,4 +270,4 @@ MerlValue<T> merl_value(const MerlTable& table, MerlLookup lookup, const MerlPoi
   return {Rgb<T>(T(0)), T(0) <= T(0)};
 }
 
-} // namespace refraster
+} // namespace refraster::inline REFRASTER_KIT

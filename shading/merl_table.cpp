@@ -1,9 +1,11 @@
-#include "shading/merl_table.h"
+#include <refraster/material.h>
 
 #include "math/elementary.h"
+#include "math/half.h"
 
-#include <cassert>
 #include <limits>
+#include <mutex>
+#include <stdexcept>
 #include <utility>
 
 namespace refraster {
@@ -50,9 +52,25 @@ double unit_of(const PaddedVector<double>& rgb) {
 
 } // namespace
 
-MerlTable::MerlTable(PaddedVector<double> rgb) : doubles_(std::move(rgb)) {
-  assert(doubles_.size() == 3 * samples);
+struct MerlTable::Copies {
+  template <class Stored>
+  struct Copy {
+    std::once_flag made;
+    PaddedVector<Stored> values;
+    double unit = 1;
+  };
+  Copy<float> floats, log_floats;
+  Copy<double> log_doubles;
+  Copy<Half> halves;
+};
+
+MerlTable::MerlTable(PaddedVector<double> rgb) : doubles_(std::move(rgb)), copies_(std::make_unique<Copies>()) {
+  if (doubles_.size() != 3 * samples)
+    throw std::invalid_argument("MerlTable: found " + std::to_string(doubles_.size()) + " values, expected " +
+                                std::to_string(3 * samples));
 }
+
+MerlTable::~MerlTable() = default;
 
 template <>
 const double* MerlTable::values<double>() const {
@@ -60,17 +78,17 @@ const double* MerlTable::values<double>() const {
 }
 template <>
 const float* MerlTable::values<float>() const {
-  std::call_once(floats_.made, [this] { encode_all(doubles_, unchanged, floats_.values); });
-  return floats_.values.data();
+  std::call_once(copies_->floats.made, [this] { encode_all(doubles_, unchanged, copies_->floats.values); });
+  return copies_->floats.values.data();
 }
 template <>
 const Half* MerlTable::values<Half>() const {
-  std::call_once(halves_.made, [this] {
-    const double unit = halves_.unit = unit_of(doubles_);
+  std::call_once(copies_->halves.made, [this] {
+    const double unit = copies_->halves.unit = unit_of(doubles_);
     encode_all(
-        doubles_, [unit](double f) { return f / unit; }, halves_.values);
+        doubles_, [unit](double f) { return f / unit; }, copies_->halves.values);
   });
-  return halves_.values.data();
+  return copies_->halves.values.data();
 }
 
 template <>
@@ -84,18 +102,18 @@ double MerlTable::unit<float>() const {
 template <>
 double MerlTable::unit<Half>() const {
   values<Half>();
-  return halves_.unit;
+  return copies_->halves.unit;
 }
 
 template <>
 const double* MerlTable::log_values<double>() const {
-  std::call_once(log_doubles_.made, [this] { encode_all(doubles_, logarithm, log_doubles_.values); });
-  return log_doubles_.values.data();
+  std::call_once(copies_->log_doubles.made, [this] { encode_all(doubles_, logarithm, copies_->log_doubles.values); });
+  return copies_->log_doubles.values.data();
 }
 template <>
 const float* MerlTable::log_values<float>() const {
-  std::call_once(log_floats_.made, [this] { encode_all(doubles_, logarithm, log_floats_.values); });
-  return log_floats_.values.data();
+  std::call_once(copies_->log_floats.made, [this] { encode_all(doubles_, logarithm, copies_->log_floats.values); });
+  return copies_->log_floats.values.data();
 }
 
 } // namespace refraster

@@ -1,6 +1,7 @@
 #include "shading/texture.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace refraster {
 
@@ -27,7 +28,7 @@ Cover cover(int length, int cells, int k) {
 
 TextureLevel halved(const TextureLevel& below) {
   TextureLevel level{std::max(1, below.width / 2), std::max(1, below.height / 2), {}};
-  const auto texels = below.texels<double>();
+  const auto texels = texels_of<double>(below);
   level.rgb.reserve(3 * static_cast<std::size_t>(level.width) * static_cast<std::size_t>(level.height));
   for (int y = 0; y < level.height; ++y) {
     const Cover rows = cover(below.height, level.height, y);
@@ -43,10 +44,16 @@ TextureLevel halved(const TextureLevel& below) {
   return level;
 }
 
+bool is_whole(const TextureLevel& level) {
+  return level.width >= 1 && level.height >= 1 &&
+         level.rgb.size() == 3 * static_cast<std::size_t>(level.width) * static_cast<std::size_t>(level.height);
+}
+
 } // namespace
 
 void build_mip_levels(Texture& texture) {
-  assert(texture.levels.size() == 1);
+  if (texture.levels.size() != 1 || !is_whole(texture.levels[0]))
+    throw std::invalid_argument("build_mip_levels: expected a texture of one level, with all its texels");
   while (texture.levels.back().width > 1 || texture.levels.back().height > 1)
     texture.levels.push_back(halved(texture.levels.back()));
 }

@@ -1,56 +1,25 @@
 #pragma once
-// Texture images and how they are sampled.
+// How textures are sampled.
+
+#include <refraster/texture.h>
 
 #include "math/elementary.h"
-#include "math/padded_vector.h"
 #include "math/read_grid.h"
-#include "shading/fields.h"
 
-#include <cassert>
-#include <string_view>
-#include <utility>
-#include <vector>
+#include <array>
+#include <cstddef>
 
-namespace refraster {
+namespace refraster::inline REFRASTER_KIT {
 
-/// nearest: the texel that holds the point. bilinear: between four texels of the image, at every size on screen.
-/// trilinear: between the two mip levels whose texels are nearest to the size of a pixel.
-enum class TextureFilter { nearest, bilinear, trilinear };
-
-template <>
-struct EnumNames<TextureFilter> {
-  static constexpr std::pair<TextureFilter, std::string_view> names[] = {{TextureFilter::nearest, "nearest"},
-                                                                         {TextureFilter::bilinear, "bilinear"},
-                                                                         {TextureFilter::trilinear, "trilinear"}};
-};
-
-/// One image of a mip chain. Row 0 is at v = 0: the bottom row of the image file. At most 65536 texels a side
-/// and 2^28 in all.
-struct TextureLevel {
-  int width = 1, height = 1;
-  PaddedVector<float> rgb; // 3 width height values, interleaved, in [0, full_scale]
-
-  /// To be read at (x, y, 0).
-  template <class F>
-  RgbGrid<F, float> texels() const {
-    return {rgb.data(), 3, 3 * width, 0};
-  }
-  /// It repeats along both axes.
-  std::array<GridAxis, 2> axes() const {
-    return {GridAxis{GridAxis::Beyond::repeated, width}, GridAxis{GridAxis::Beyond::repeated, height}};
-  }
-};
-
-/// Values as stored in the file: no sRGB decoding. Immutable after loading.
-struct Texture {
-  double full_scale = 255;          // the stored value that means 1: 255 or 65535, exact in float
-  std::vector<TextureLevel> levels; // level 0 is the image; more only where trilinear filtering asked for them
-};
-
-/// Appends all smaller levels to a texture that has level 0 only: each side is half of that below, rounded down, at
-/// least 1, down to 1 x 1. A texel is the mean of the area that it covers in the level below (a box filter): of 2 x 2
-/// texels, and for odd sides of up to 3 x 3 with the outer ones cut. Means are rounded to float once a level.
-void build_mip_levels(Texture& texture);
+/// To be read at (x, y, 0).
+template <class F>
+RgbGrid<F, float> texels_of(const TextureLevel& level) {
+  return {level.rgb.data(), 3, 3 * level.width, 0};
+}
+/// It repeats along both axes.
+inline std::array<GridAxis, 2> axes_of(const TextureLevel& level) {
+  return {GridAxis{GridAxis::Beyond::repeated, level.width}, GridAxis{GridAxis::Beyond::repeated, level.height}};
+}
 
 /// u without those whole turns that only cost precision, exactly. Table indices hold 2^30 cells, and a level has up to
 /// 2^16 a turn: so that u may have 2^14 turns. For |u| >= 2^44 the result is 0.
@@ -63,9 +32,9 @@ T fewer_turns(const T& u) {
 /// The texel that holds the point, as stored.
 template <Number T>
 Rgb<T> sample_nearest(const TextureLevel& level, const Vec2<T>& uv) {
-  const auto texels = level.texels<RealOf<T>>();
+  const auto texels = texels_of<RealOf<T>>(level);
   const std::array<T, 2> place = {uv.x * as<T>(level.width), uv.y * as<T>(level.height)};
-  return read_grid(place, level.axes(), [&](const std::array<Cell<T>, 2>& cell) {
+  return read_grid(place, axes_of(level), [&](const std::array<Cell<T>, 2>& cell) {
     return stored_value<T>(texels, wrap_index(cell[0].index, level.width), wrap_index(cell[1].index, level.height),
                            IndexOf<T>{});
   });
@@ -74,9 +43,9 @@ Rgb<T> sample_nearest(const TextureLevel& level, const Vec2<T>& uv) {
 /// Between the four texels around the point, as stored: texel k has its centre at (k + 0.5) / n.
 template <Number T>
 Rgb<T> sample_bilinear(const TextureLevel& level, const Vec2<T>& uv) {
-  const auto texels = level.texels<RealOf<T>>();
+  const auto texels = texels_of<RealOf<T>>(level);
   const std::array<T, 2> place = {uv.x * as<T>(level.width) - as<T>(0.5), uv.y * as<T>(level.height) - as<T>(0.5)};
-  return read_grid(place, level.axes(), [&](const std::array<Cell<T>, 2>& cell) {
+  return read_grid(place, axes_of(level), [&](const std::array<Cell<T>, 2>& cell) {
     const auto& [x, y] = cell;
     // Wrapping follows the floor, in integers: a point just left of u = 0 lies between the last texel and the first.
     const IndexOf<T> left = wrap_index(x.index, level.width), right = wrap_index(next_index(x.index), level.width);
@@ -119,7 +88,6 @@ Rgb<T> sample_trilinear(const Texture& texture, const Vec2<T>& uv, const Vec2<T>
 template <Number T>
 Rgb<T> sample(const Texture& texture, TextureFilter filter, const Vec2<T>& uv, const Vec2<T>& uv_dx,
               const Vec2<T>& uv_dy) {
-  assert(!texture.levels.empty());
   const Vec2<T> near(fewer_turns(uv.x), fewer_turns(uv.y));
   const auto stored = [&] {
     switch (filter) {
@@ -135,4 +103,4 @@ Rgb<T> sample(const Texture& texture, TextureFilter filter, const Vec2<T>& uv, c
   return stored() / as<T>(texture.full_scale);
 }
 
-} // namespace refraster
+} // namespace refraster::inline REFRASTER_KIT

@@ -1,7 +1,7 @@
 #pragma once
 // What can be said of a measured BRDF without drawing it.
 
-#include "shading/merl_table.h"
+#include <refraster/material.h>
 
 #include <array>
 #include <cstdint>

@@ -1,10 +1,11 @@
 // refraster list fragment-functions | precisions | limits | scene-format
 
+#include <refraster/render.h>
+
 #include "app/command.h"
 #include "io/file/limits.h"
 #include "io/scene/scene_file.h"
 #include "math/precisions.h"
-#include "raster/render.h"
 #include "shading/fragment_functions.h"
 #include "shading/precision_bounds.h"
 

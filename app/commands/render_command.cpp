@@ -1,5 +1,7 @@
 // refraster render SCENE
 
+#include <refraster/render.h>
+
 #include "app/arguments.h"
 #include "app/command.h"
 #include "app/diagnostics.h"
@@ -12,7 +14,6 @@
 #include "io/image/image_file.h"
 #include "io/scene/scene_file.h"
 #include "raster/explain/explain_dark.h"
-#include "raster/render.h"
 
 #include <algorithm>
 #include <chrono>
@@ -73,8 +74,8 @@ RenderOptions options_from(const RenderArguments& arguments) {
   RenderOptions options;
   options.width = arguments.size.width;
   options.height = arguments.size.height;
-  options.crop = arguments.crop;
-  options.precision = arguments.precision;
+  if (!arguments.crop.empty()) options.crop = arguments.crop.back();
+  options.precision = value_named<Precision>(arguments.precision).value();
   options.samples = arguments.samples;
   options.threads = arguments.threads;
   options.tile_size = arguments.tile_size;

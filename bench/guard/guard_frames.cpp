@@ -1,9 +1,10 @@
 // guard_frames SCENES_FOLDER: small frames of the workloads of bench/scenes, each in every precision, one after the
 // other in one thread. bench/guard/run counts their instructions. Prints "scene precision" for each, in order.
 
+#include <refraster/render.h>
+
 #include "io/scene/scene_file.h"
 #include "math/precisions.h"
-#include "raster/render.h"
 #include "scenes/synthesis/waves.h"
 
 #include <exception>
@@ -57,15 +58,15 @@ void draw_all(const std::string& folder) {
   for (const auto& [name, scene] : workloads(folder))
     std::apply(
         [&](auto... precision) {
-          const auto draw = [&](std::string_view precision_name) {
-            options.precision = precision_name;
+          const auto draw = [&](Precision one) {
+            options.precision = one;
             Renderer renderer;
             Frame frame;
             renderer.render(scene, options, frame); // what is done once and kept
             refraster_guarded_frame(&renderer, &scene, &options, &frame);
-            std::cout << name << " " << precision_name << std::endl;
+            std::cout << name << " " << name_of(one) << std::endl;
           };
-          (draw(decltype(precision)::name), ...);
+          (draw(decltype(precision)::id), ...);
         },
         LanePrecisions{});
 }

@@ -1,7 +1,7 @@
 #pragma once
 // How the frames of a benchmark are made: as a program does that shows one after the other.
 
-#include "raster/render.h"
+#include <refraster/render.h>
 
 namespace refraster::bench {
 

@@ -14,7 +14,7 @@ namespace {
 Frame image(const SceneTask& task, std::string_view precision, int threads) {
   RenderOptions options;
   options.width = task.width, options.height = task.height;
-  options.precision = precision;
+  options.precision = value_named<Precision>(precision).value();
   options.threads = threads;
   options.want_radiance_double = true;
   if (precision == DoublePrecision::name) options.aovs = {Aov::object};

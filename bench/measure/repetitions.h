@@ -1,7 +1,7 @@
 #pragma once
 // Frames of several kinds, timed in turn.
 
-#include "raster/render.h"
+#include <refraster/render.h>
 
 #include <atomic>
 #include <functional>

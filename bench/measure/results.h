@@ -1,11 +1,12 @@
 #pragma once
 // What a run of `refraster bench` finds out. docs/reports.md says what each figure means.
 
+#include <refraster/render.h>
+
 #include "bench/machine/machine.h"
 #include "bench/measure/scaling.h"
 #include "bench/measure/statistics.h"
 #include "bench/workloads/variants.h"
-#include "raster/render.h"
 
 #include <optional>
 #include <string>

@@ -91,7 +91,7 @@ std::vector<ScalingCurve> measure_scaling(const ScalingTask& task, const Repetit
       options.width = points[i].width, options.height = points[i].height;
       options.threads = points[i].threads;
       for (std::size_t precision = 0; precision < task.precisions.size() && !stopped(); ++precision) {
-        options.precision = task.precisions[precision];
+        options.precision = value_named<Precision>(task.precisions[precision]).value();
         measure_once(scene, options, thread_pool, collected[i][precision]);
       }
       spent_ms[i] += wall_ms() - start;

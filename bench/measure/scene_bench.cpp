@@ -21,7 +21,7 @@ public:
   std::size_t add(const Scene& scene, const std::string& precision, int threads, int samples, FrameSource& source) {
     RenderOptions options;
     options.width = task_.width, options.height = task_.height;
-    options.precision = precision;
+    options.precision = value_named<Precision>(precision).value();
     options.samples = samples;
     options.threads = threads;
     FrameCounts& counts = counts_.emplace_back();

@@ -41,8 +41,8 @@ void add_fragment_function(const std::string& number, M function) {
   if constexpr (requires { function.glossiness; }) function.glossiness = 32;
   add("fragment/" + std::string(M::name) + "/" + number, few, [function, fragments = Fragments<RealOf<T>>()] {
     for_each_packet_of<T>(few, [&](std::size_t i) {
-      return function(fragments.template at<T>(i),
-                      Incident<T>{fragments.to_light.template at<T>(i), Rgb<T>(as<T>(0.8))});
+      return reflected(function, fragments.template at<T>(i),
+                       Incident<T>{fragments.to_light.template at<T>(i), Rgb<T>(as<T>(0.8))});
     });
   });
 }

@@ -23,7 +23,7 @@ template <class SomeFunction>
 Exactly exactly(const SomeFunction& function, const Inputs& in) {
   const Lit<Exact> there = lit<Exact>(in);
   const Exact diffuse = as<Exact>(in.kd) * as<Exact>(in.texture);
-  return {function(there.at, there.light).x,
+  return {reflected(function, there.at, there.light).x,
           (diffuse * magnitude_of_dot(there.at.normal, there.light.direction) + as<Exact>(in.ks)) *
               there.light.radiance.x};
 }

@@ -19,7 +19,7 @@ int channel_of(int trial) {
 template <class F, class SomeFunction>
 F radiance(const SomeFunction& function, const Inputs& in, int channel) {
   const Lit<F> there = lit<F>(in);
-  return function(there.at, there.light)[channel];
+  return reflected(function, there.at, there.light)[channel];
 }
 
 /// The errors of one fragment function in one number.

@@ -1,6 +1,6 @@
 #include "bench/workloads/built_in.h"
 
-#include "scene/shapes.h"
+#include <refraster/mesh.h>
 
 namespace refraster::bench {
 

@@ -1,7 +1,7 @@
 #pragma once
 // A scene for those who name none.
 
-#include "scene/scene.h"
+#include <refraster/scene.h>
 
 namespace refraster::bench {
 

@@ -1,9 +1,10 @@
 #include "bench/workloads/scaling_scenes.h"
 
+#include <refraster/mesh.h>
+
 #include "bench/workloads/built_in.h"
 #include "math/elementary/degrees.h"
 #include "raster/vertex/subpixel.h"
-#include "scene/shapes.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 // Scenes that differ in one number.
 
-#include "scene/scene.h"
+#include <refraster/scene.h>
 
 #include <string>
 #include <string_view>

@@ -6,11 +6,11 @@ namespace refraster::bench {
 namespace {
 
 bool shows_texture(const Object& object) {
-  return !std::holds_alternative<Merl>(object.material.fragment_function);
+  return !object.material.measured();
 }
 
 std::string_view function_name(const Object& object) {
-  return std::visit([]<class M>(const M&) { return M::name; }, object.material.fragment_function);
+  return object.material.function_name();
 }
 
 /// 64 x 64 texels in smooth colours, 48 kB: stays in the first caches, so that sampling is paid for and not memory.
@@ -79,7 +79,7 @@ std::vector<FragmentFunctionVariant> functions_of(const Scene& scene) {
     if (std::find(functions.begin(), functions.end(), function) == functions.end()) functions.push_back(function);
   };
   for (const Object& object : scene.objects) {
-    if (const Merl* const merl = std::get_if<Merl>(&object.material.fragment_function))
+    if (const Merl* const merl = object.material.measured())
       for (const MerlLookup lookup : {merl->lookup, MerlLookup::nearest, MerlLookup::trilinear})
         add({Merl::name, lookup});
     else add({function_name(object), std::nullopt});

@@ -1,7 +1,7 @@
 #pragma once
 // A scene, changed in one thing: the difference of two frames' times is what that thing costs.
 
-#include "scene/scene.h"
+#include <refraster/scene.h>
 
 #include <optional>
 #include <string>

@@ -106,7 +106,9 @@ void GlDrawing::upload_blocks(const MatricesBlock& matrices) {
 
 const GlDrawing::Program& GlDrawing::linked(const ShaderText& vertex, const ShaderText& fragment, const Object& object,
                                             WarningList& warnings) {
-  const std::size_t function = object.material.fragment_function.index();
+  const Material& material = object.material;
+  const std::size_t function =
+      material.user_function ? std::variant_size_v<FragmentFunction> : material.fragment_function.index();
   for (const Program& program : programs_)
     if (program.vertex == vertex && program.fragment == fragment && program.function == function) return program;
   throw_if_error(gl_, "uploading the scene"); // asking about programs takes errors
@@ -140,7 +142,7 @@ GlDrawing::Part GlDrawing::part(const Object& object, const ShaderText& vertex, 
   part.program = &linked(vertex, fragment, object, warnings);
   const unsigned arrays = part.program->attributes.arrays;
   part.vertices = once(meshes_, {object.mesh.get(), arrays}, [&] { return upload_mesh(gl_, *object.mesh, arrays); });
-  const std::string_view function = std::visit([](const auto& m) { return m.name; }, object.material.fragment_function);
+  const std::string_view function = object.material.function_name();
   std::vector<std::string> found;
   part.uniforms = settings(gl_, part.program->name, values, function, dummies_, found);
   for (const std::string& warning : found) warnings.add(object.name, warning);
@@ -172,7 +174,7 @@ GlDrawing::Item GlDrawing::item(const Scene& scene, std::size_t number, const Gl
     shown = once(textures_, {texture, object.material.texture_filter},
                  [&] { return upload_texture(gl_, *texture, object.material.texture_filter); });
   item.runs = texture_runs(*object.mesh, shown, white_);
-  if (const Merl* const merl = std::get_if<Merl>(&object.material.fragment_function))
+  if (const Merl* const merl = object.material.measured())
     item.table = once(tables_, {merl->table.get(), merl->lookup}, [&] {
       const TableContent content = reads_logarithms(merl->lookup) ? TableContent::logarithms : TableContent::values;
       return upload_table(gl_, *merl->table, content, merl->lookup);

@@ -1,6 +1,25 @@
 #include "gl/draw/uniforms.h"
 
 namespace refraster {
+namespace {
+
+/// The parameters of a fragment function of the user's: uniforms of their names.
+struct ParameterUniforms final : FieldVisitor {
+  explicit ParameterUniforms(UniformValues& its_values) : values(its_values) {}
+  void field(std::string_view name, double& value, const Range&, std::string_view) override {
+    values[std::string(name)] = static_cast<float>(value);
+  }
+  void field(std::string_view name, Double3& value, const Range&, std::string_view) override {
+    values[std::string(name)] = Float3(value);
+  }
+  void field(std::string_view name, NamedValue& value, const Range&, std::string_view) override {
+    values[std::string(name)] = static_cast<int>(value.index);
+  }
+  UniformValues& values;
+};
+
+} // namespace
+
 MatricesBlock matrices_block(const Camera& camera, double aspect) {
   return {Float4x4(view_from_world(camera)), Float4x4(clip_from_view(camera, aspect))};
 }
@@ -35,6 +54,11 @@ UniformValues object_uniforms(const Object& object, const Double4x4& clip_from_w
   values["clipFromObject"] = Float4x4(transform.clip_from_object);
   values["normalMatrix"] = Float3x3(transform.world_from_normal);
   values["tex"] = texture_unit;
+  if (object.material.user_function) {
+    ParameterUniforms parameters(values);
+    object.material.user_function->copy()->fields(parameters);
+    return values;
+  }
   std::visit(
       [&](const auto& function) {
         if constexpr (std::is_base_of_v<PhongParameters, std::decay_t<decltype(function)>>) {

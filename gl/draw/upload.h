@@ -1,8 +1,9 @@
 #pragma once
 // Meshes, textures and tables become GL objects.
 
+#include <refraster/scene.h>
+
 #include "gl/context/gl_api.h"
-#include "scene/scene.h"
 
 namespace refraster {
 

@@ -59,7 +59,8 @@ std::string_view formulas_of(const SomeFunction&) {
 } // namespace
 
 bool has_own_glsl(const Material& material) {
-  return std::visit([](const auto& function) { return !formulas_of(function).empty(); }, material.fragment_function);
+  return !material.user_function &&
+         std::visit([](const auto& function) { return !formulas_of(function).empty(); }, material.fragment_function);
 }
 
 bool reads_logarithms(MerlLookup lookup) {

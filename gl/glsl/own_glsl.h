@@ -1,8 +1,9 @@
 #pragma once
 // Our GLSL of the formulas in shading/: used where a scene names none.
 
+#include <refraster/scene.h>
+
 #include "gl/gl_names.h"
-#include "scene/scene.h"
 
 #include <string>
 #include <string_view>

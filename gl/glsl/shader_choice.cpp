@@ -39,7 +39,7 @@ std::pair<ShaderText, std::string> choose(const std::string& path, std::string o
 } // namespace
 
 ShaderChoice choose_shaders(const Scene& scene, const Object& object, MerlFilter filter, int newest_version) {
-  const std::string_view function = std::visit([](const auto& m) { return m.name; }, object.material.fragment_function);
+  const std::string_view function = object.material.function_name();
   if (std::error_code ignored;
       !has_own_glsl(object.material) && !std::filesystem::exists(object.fragment_shader_path, ignored))
     throw InputError({object.name, 0, 0, "/fragment_shader_file_path",

@@ -1,7 +1,7 @@
 #pragma once
 // The MERL database's `.binary` files.
 
-#include "shading/merl_table.h"
+#include <refraster/material.h>
 
 #include <memory>
 #include <string>

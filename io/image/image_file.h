@@ -1,9 +1,10 @@
 #pragma once
 // Image files.
 
+#include <refraster/image.h>
+#include <refraster/memory.h>
+
 #include "io/file/notes.h"
-#include "scene/image.h"
-#include "scene/memory_budget.h"
 #include "shading/texture.h"
 
 #include <cstdint>

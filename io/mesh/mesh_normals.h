@@ -1,7 +1,7 @@
 #pragma once
 // Where the normals of a mesh that is read from a file come from: the key "normals" of an object.
 
-#include "shading/fields.h"
+#include <refraster/fields.h>
 
 #include <string>
 #include <string_view>

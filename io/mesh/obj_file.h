@@ -1,9 +1,10 @@
 #pragma once
 // Wavefront OBJ.
 
+#include <refraster/scene.h>
+
 #include "io/file/notes.h"
 #include "io/mesh/mesh_normals.h"
-#include "scene/scene.h"
 
 #include <string>
 

@@ -48,11 +48,12 @@ public:
       result.name = text.shape ? std::string(std::visit([](auto& s) { return s.name; }, *text.shape))
                                : fs::path(text.obj_file.given).stem().string();
     note_what_is_not_read(text);
-    if (Merl* const merl = std::get_if<Merl>(&result.material.fragment_function)) {
-      merl->table = load(tables_, text.brdf_file, "a MERL table", [&](const std::string& path) {
-        options_.memory.need(std::min(file_size_bytes(path), merl_file_bytes), path);
-        return read_merl(path);
-      });
+    if (result.material.measured()) {
+      std::get<Merl>(result.material.fragment_function).table =
+          load(tables_, text.brdf_file, "a MERL table", [&](const std::string& path) {
+            options_.memory.need(std::min(file_size_bytes(path), merl_file_bytes), path);
+            return read_merl(path);
+          });
     } else {
       result.material.texture = load(textures_, text.texture_file, "an image", [&](const std::string& path) {
         auto texture = std::make_shared<Texture>(read_texture(path, options_.memory, options_.notes));
@@ -155,12 +156,12 @@ private:
   /// A material may name a file that its own fragment function has no use for: then its picture may surprise.
   void note_what_is_not_read(const ObjectText& text) const {
     if (!options_.notes) return;
-    const FragmentFunction& function = text.object.material.fragment_function;
-    const bool measured = std::holds_alternative<Merl>(function);
+    const Material& material = text.object.material;
+    const bool measured = material.measured() != nullptr;
     const PathText& path = measured ? text.texture_file : text.brdf_file;
     if (path.given.empty()) return;
     const std::string key = measured ? "texture_file_path" : "brdf_file_path";
-    const std::string name(std::visit([](const auto& one) { return one.name; }, function));
+    const std::string name(material.function_name());
     options_.notes->add(
         {document_.file(), document_.fault_at(path.offset, "", "", "").line, key + ' ' + in_quotes(path.given),
          "not read: the fragment function " + name + (measured ? " shows no texture" : " uses no measured table")});
@@ -224,7 +225,7 @@ Scene read_scene(const std::string& path, const SceneOptions& options) {
   for (JsonIndex i = document[0].first_child; i; i = document[i].next)
     if (document[i].key == "asset" && document[i].kind == JsonKind::object) throw gltf_is_no_scene(path);
   SceneReader top(document, 0, "", faults);
-  top.object("scene", required, "", [&](auto& keys) { scene_keys(scene, objects, keys); });
+  top.object("scene", required, "", [&](auto& keys) { scene_keys(scene, objects, options.user_functions, keys); });
   top.finish();
 
   FaultList in_files;

@@ -1,11 +1,14 @@
 #pragma once
 // The scene file: docs/scene-format.md.
 
-#include "io/file/notes.h"
-#include "scene/memory_budget.h"
-#include "scene/scene.h"
+#include <refraster/memory.h>
+#include <refraster/scene.h>
 
+#include "io/file/notes.h"
+
+#include <memory>
 #include <string>
+#include <vector>
 
 namespace refraster {
 
@@ -17,7 +20,10 @@ struct SceneOptions {
   Outside outside = Outside::refused;
   MemoryBudget memory = {};
   NoteList* notes = nullptr; // where remarks on the files that are read go; nowhere if null
-  std::string mesh_cache;    // a folder of large meshes that were read before (io/mesh/mesh_cache.h); none if empty
+  // Fragment functions of one's own that a scene may name: user_function() of the fragment kit makes them. A material
+  // has a copy, with its parameters.
+  std::vector<std::shared_ptr<UserFunction>> user_functions = {};
+  std::string mesh_cache; // a folder of large meshes that were read before (io/mesh/mesh_cache.h); none if empty
 };
 
 /// Reads a scene with every file that it names: meshes, textures, measured tables. A file named twice is loaded once.

@@ -12,11 +12,14 @@
 //   keys.parameters(function, use)                                   what a fragment function declares (fields.h)
 // A value that may be left out keeps what the member is initialised with.
 
+#include <refraster/scene.h>
+
 #include "io/file/limits.h"
 #include "io/mesh/mesh_normals.h"
-#include "scene/scene.h"
 
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -43,8 +46,13 @@ struct PathText {
   std::string json_path;  // and its key
 };
 
-/// The name of a fragment function, as an index into FragmentFunction. Empty when it is not given, or unknown.
+/// The user's own fragment functions that a scene may name.
+using UserFunctions = std::span<const std::shared_ptr<UserFunction>>;
+
+/// The name of a fragment function, as an index into FragmentFunction, followed by those of the user. Empty when it is
+/// not given, or unknown.
 struct FragmentFunctionName {
+  UserFunctions user_functions;
   std::optional<std::size_t> index;
   bool given = false;
 };
@@ -173,9 +181,18 @@ void material_keys(auto& text, auto&& keys) {
     keys.parameters(function, Use::own);
     text.object.material.fragment_function = function;
   });
+  const UserFunctions user_functions = text.fragment_function.user_functions;
+  std::size_t number = std::variant_size_v<FragmentFunction>;
+  for (const auto& function : user_functions)
+    if (number++ == own) {
+      const std::shared_ptr<UserFunction> copy = function->copy();
+      keys.parameters(*copy, Use::own);
+      text.object.material.user_function = copy;
+    }
   for_each_fragment_function([&](auto function, std::size_t index) {
     if (own != index) keys.parameters(function, Use::other);
   });
+  for (const auto& function : user_functions) keys.parameters(*function->copy(), Use::other);
   keys("brdf_file_path", text.brdf_file, Range{},
        "a MERL `.binary` file: must be there for `merl`, not loaded for others",
        needs_table ? required : otherwise("nothing"));
@@ -212,15 +229,17 @@ void object_keys(auto& text, auto&& keys) {
   keys.check(text);
 }
 
-void scene_keys(auto& scene, std::vector<ObjectText>& objects, auto&& keys) {
+void scene_keys(auto& scene, std::vector<ObjectText>& objects, UserFunctions user_functions, auto&& keys) {
   keys.object("camera", required, "", [&](auto& inner) { camera_keys(scene.camera, inner); });
   keys("background", scene.background, Range{}, "colour where there is no surface", defaulted);
   keys.list("point_lights", limit::point_lights, "may be empty", scene.point_lights,
             [](auto& light, auto& k) { point_light_keys(light, k); });
   keys.list("direction_lights", limit::direction_lights, "may be empty", scene.direction_lights,
             [](auto& light, auto& k) { direction_light_keys(light, k); });
-  keys.list("objects", limit::objects, "drawn in this order; may be empty", objects,
-            [](auto& object, auto& k) { object_keys(object, k); });
+  keys.list("objects", limit::objects, "drawn in this order; may be empty", objects, [&](auto& object, auto& k) {
+    object.fragment_function.user_functions = user_functions;
+    object_keys(object, k);
+  });
 }
 
 } // namespace refraster

@@ -87,6 +87,9 @@ public:
     });
   }
 
+  /// The page is about those of the library.
+  void parameters(UserFunction&, Use) {}
+
   void check(const auto&) const {}
 
   std::string text() const {
@@ -131,7 +134,7 @@ std::string scene_format_markdown() {
   Scene scene;
   std::vector<ObjectText> objects;
   MarkdownKeys top("/scene");
-  scene_keys(scene, objects, top);
+  scene_keys(scene, objects, {}, top);
   return top.text();
 }
 

@@ -105,6 +105,39 @@ void SceneReader::finish() {
   }
 }
 
+namespace {
+
+/// Reads the parameters of a fragment function of the user's.
+class ParameterReader final : public FieldVisitor {
+public:
+  ParameterReader(SceneReader& reader, Use use) : reader_(reader), use_(use) {}
+  void field(std::string_view key, double& value, const Range& range, std::string_view meaning) override {
+    read(key, value, range, meaning, required);
+  }
+  void field(std::string_view key, Double3& value, const Range& range, std::string_view meaning) override {
+    read(key, value, range, meaning, required);
+  }
+  void field(std::string_view key, NamedValue& value, const Range& range, std::string_view meaning) override {
+    read(key, value, range, meaning, defaulted);
+  }
+
+private:
+  void read(std::string_view key, auto& value, const Range& range, std::string_view meaning, Presence own) {
+    if (use_ == Use::other && reader_.is_known(key)) return;
+    reader_(key, value, range, meaning, use_ == Use::own ? own : defaulted);
+  }
+
+  SceneReader& reader_;
+  Use use_;
+};
+
+} // namespace
+
+void SceneReader::parameters(UserFunction& function, Use use) {
+  ParameterReader reader(*this, use);
+  function.fields(reader);
+}
+
 void SceneReader::shape(std::string_view key, std::optional<Shape>& shape, std::string_view) {
   std::string names;
   for_each_shape([&](auto s) { names += (names.empty() ? "" : " or ") + std::string(s.name); });

@@ -58,10 +58,15 @@ public:
               });
   }
 
+  void parameters(UserFunction& function, Use use);
+
   // Judged only where every key is sound by itself.
   void check(Camera& camera);
   void check(const DirectionLight& light);
   void check(ObjectText& text);
+
+  /// Whether the key was called.
+  bool is_known(std::string_view key) const;
 
   /// Every key that was not called is a fault.
   void finish();
@@ -80,7 +85,6 @@ private:
   JsonIndex claim(std::string_view key, Presence presence, const std::string& expected);
   /// The same without a fault: 0 if it is not there.
   JsonIndex find(std::string_view key) const;
-  bool is_known(std::string_view key) const;
   std::string path_of(std::string_view key) const;
 
   void missing(std::string_view key, const std::string& expected);

@@ -1,6 +1,6 @@
 #include "io/scene/shape_mesh.h"
 
-#include "scene/shapes.h"
+#include <refraster/mesh.h>
 
 namespace refraster {
 namespace {

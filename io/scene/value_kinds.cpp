@@ -71,10 +71,15 @@ std::string expected_value(const std::string&, const Range&) {
 std::string expected_value(const PathText&, const Range&) {
   return "the path of a file";
 }
-std::string expected_value(const FragmentFunctionName&, const Range&) {
+std::string expected_value(const FragmentFunctionName& value, const Range&) {
+  NamedValue names;
+  for_each_fragment_function([&](auto function, std::size_t) { names.names.push_back(function.name); });
+  for (const auto& function : value.user_functions) names.names.push_back(function->name());
+  return expected_value(names, Range{});
+}
+std::string expected_value(const NamedValue& value, const Range&) {
   std::string result;
-  for_each_fragment_function(
-      [&](auto function, std::size_t) { result += (result.empty() ? "" : " or ") + json_word(function.name); });
+  for (const std::string_view name : value.names) result += (result.empty() ? "" : " or ") + json_word(name);
   return result;
 }
 
@@ -130,7 +135,23 @@ bool read_value(const JsonDocument&, const JsonNode& node, const Range&, Fragmen
   for_each_fragment_function([&](auto function, std::size_t index) {
     if (node.string == function.name) value.index = index;
   });
+  for (std::size_t i = 0; i < value.user_functions.size(); ++i)
+    if (node.string == value.user_functions[i]->name()) value.index = std::variant_size_v<FragmentFunction> + i;
   return value.index.has_value();
+}
+
+bool is_word(const JsonDocument& document, const JsonNode& node, std::string_view word) {
+  const bool is_string = node.kind == JsonKind::string, literal = word == "true" || word == "false";
+  return is_string != literal && (is_string ? node.string : document.source(node)) == word;
+}
+
+bool read_value(const JsonDocument& document, const JsonNode& node, const Range&, NamedValue& value) {
+  for (std::size_t i = 0; i < value.names.size(); ++i) {
+    if (!is_word(document, node, value.names[i])) continue;
+    value.index = i;
+    return true;
+  }
+  return false;
 }
 
 } // namespace refraster

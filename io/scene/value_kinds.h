@@ -16,7 +16,8 @@ std::string expected_value(const int&, const Range& range);
 std::string expected_value(const Double3&, const Range& range);
 std::string expected_value(const std::string&, const Range&);
 std::string expected_value(const PathText&, const Range&);
-std::string expected_value(const FragmentFunctionName&, const Range&);
+std::string expected_value(const FragmentFunctionName& value, const Range&);
+std::string expected_value(const NamedValue& value, const Range&);
 
 /// A word as JSON has it: in quotes, but for the literals true and false.
 std::string json_word(std::string_view word);
@@ -39,13 +40,15 @@ bool read_value(const JsonDocument&, const JsonNode& node, const Range& range, D
 bool read_value(const JsonDocument&, const JsonNode& node, const Range&, std::string& value);
 bool read_value(const JsonDocument&, const JsonNode& node, const Range&, PathText& value);
 bool read_value(const JsonDocument&, const JsonNode& node, const Range&, FragmentFunctionName& value);
+bool read_value(const JsonDocument& document, const JsonNode& node, const Range&, NamedValue& value);
+
+/// Whether a value is this word, as JSON has it.
+bool is_word(const JsonDocument& document, const JsonNode& node, std::string_view word);
 
 template <NamedEnum Enum>
 bool read_value(const JsonDocument& document, const JsonNode& node, const Range&, Enum& value) {
-  const bool is_string = node.kind == JsonKind::string;
   for (const auto& [listed, name] : EnumNames<Enum>::names) {
-    const bool literal = name == "true" || name == "false";
-    if (is_string == literal || (is_string ? node.string : document.source(node)) != name) continue;
+    if (!is_word(document, node, name)) continue;
     value = listed;
     return true;
   }

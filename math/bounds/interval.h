@@ -12,7 +12,7 @@
 #include <concepts>
 #include <initializer_list>
 
-namespace refraster {
+namespace refraster::inline REFRASTER_KIT {
 
 /// What a comparison of ranges says. It does not convert to bool: an `if` on it does not compile.
 enum class Certainty { no, unknown, yes };
@@ -196,4 +196,4 @@ struct NumberTraits<Interval<Budget>> {
   }
 };
 
-} // namespace refraster
+} // namespace refraster::inline REFRASTER_KIT

@@ -7,7 +7,7 @@
 #include <array>
 #include <numbers>
 
-namespace refraster {
+namespace refraster::inline REFRASTER_KIT {
 
 template <class B>
 Interval<B> join(Interval<B> x, Interval<B> y) {
@@ -260,4 +260,4 @@ auto read_every_cell(std::array<Interval<B>, dimensions> place, const std::array
 static_assert(Number<Interval<DoubleArithmetic>> && Number<Interval<FloatArithmetic>>);
 static_assert(!std::convertible_to<Certainty, bool> && !std::constructible_from<bool, Certainty>);
 
-} // namespace refraster
+} // namespace refraster::inline REFRASTER_KIT

@@ -8,7 +8,7 @@
 
 #include <limits>
 
-namespace refraster {
+namespace refraster::inline REFRASTER_KIT {
 
 /// A rounding budget is a type with these members. Each operation's computed result differs from the exact result of
 /// its operands, as they were computed, by at most what is said here.
@@ -38,4 +38,4 @@ struct FloatArithmetic {
                           pow_units = pow_error<float>.max, atan2_units = 2; // likewise
 };
 
-} // namespace refraster
+} // namespace refraster::inline REFRASTER_KIT

@@ -6,7 +6,7 @@
 
 #include <numbers>
 
-namespace refraster {
+namespace refraster::inline REFRASTER_KIT {
 
 template <class F>
 inline constexpr UlpBound atan2_error = {0.85, 0.56}; // results below min_two_product: 2
@@ -93,4 +93,4 @@ T atan2(const T& y, const T& x) {
   return with_sign(select(x < T(0), as<T>(std::numbers::pi) - quadrant, quadrant), y);
 }
 
-} // namespace refraster
+} // namespace refraster::inline REFRASTER_KIT

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace refraster {
+namespace refraster::inline REFRASTER_KIT {
 
 /// The relative error of a result r of small_power is at most (2 + 4 |log2 r|) u, u = epsilon / 2. That is much for a
 /// tiny r, but never more than 3 u of 1: r (2 + 4 |log2 r|) is greatest around r = 1/2.
@@ -72,4 +72,4 @@ T cosine_power(const Vec3<T>& a, const Vec3<T>& b, double s) {
   return cosine_power(a, b, a - b, s);
 }
 
-} // namespace refraster
+} // namespace refraster::inline REFRASTER_KIT

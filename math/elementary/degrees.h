@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-namespace refraster {
+namespace refraster::inline REFRASTER_KIT {
 
 inline constexpr UlpBound sin_degrees_error = {0.75, 0.6}, cos_degrees_error = {0.75, 0.6},
                           tan_degrees_error = {1.0, 0.6};
@@ -95,4 +95,4 @@ inline double tan_degrees(double angle) {
   return swapped ? -tangent : tangent + 0.0;
 }
 
-} // namespace refraster
+} // namespace refraster::inline REFRASTER_KIT

@@ -4,7 +4,7 @@
 
 #include "math/lanes/lane_bits.h"
 
-namespace refraster {
+namespace refraster::inline REFRASTER_KIT {
 
 template <class T>
 struct DoubleDouble {
@@ -69,4 +69,4 @@ DoubleDouble<T> as(const DoubleDouble<double>& constant) {
   return {as<T>(constant.hi), as<T>(constant.lo)};
 }
 
-} // namespace refraster
+} // namespace refraster::inline REFRASTER_KIT

@@ -8,7 +8,7 @@
 #include "math/elementary/polynomial.h"
 #include "math/elementary/ulp_bound.h"
 
-namespace refraster {
+namespace refraster::inline REFRASTER_KIT {
 
 template <class F>
 inline constexpr UlpBound log2_error = sizeof(F) == 4 ? UlpBound{0.502, 0.5} : UlpBound{0.51, 0.5};
@@ -251,4 +251,4 @@ T exp2(const T& x) {
   return select(inside >= T(F(lowest_power<F>)), result, T(0));
 }
 
-} // namespace refraster
+} // namespace refraster::inline REFRASTER_KIT

@@ -6,7 +6,7 @@
 #include <bit>
 #include <cstddef>
 
-namespace refraster {
+namespace refraster::inline REFRASTER_KIT {
 
 /// x, x^2, x^4, ...
 template <class T, std::size_t N>
@@ -35,4 +35,4 @@ T polynomial(const T& x, const std::array<double, N>& c) {
   return part_of_polynomial<0, N>(repeated_squares<T, std::bit_width(N - 1)>(x), c);
 }
 
-} // namespace refraster
+} // namespace refraster::inline REFRASTER_KIT

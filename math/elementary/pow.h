@@ -3,7 +3,7 @@
 
 #include "math/elementary/exp_log.h"
 
-namespace refraster {
+namespace refraster::inline REFRASTER_KIT {
 
 template <class F>
 inline constexpr UlpBound pow_error = {0.7, 0.55};
@@ -51,4 +51,4 @@ T pow(const T& x, double s) {
   else return select(is_positive, power_of(log2_argument(base), s), T(0));
 }
 
-} // namespace refraster
+} // namespace refraster::inline REFRASTER_KIT

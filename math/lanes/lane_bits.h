@@ -5,7 +5,7 @@
 
 #include <utility>
 
-namespace refraster {
+namespace refraster::inline REFRASTER_KIT {
 
 template <class T>
 struct LaneBitsOf;
@@ -93,4 +93,4 @@ Wide<float, N> in_double(const Function& f, const Wide<float, N>& x, const More&
   }
 }
 
-} // namespace refraster
+} // namespace refraster::inline REFRASTER_KIT

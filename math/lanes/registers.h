@@ -2,6 +2,8 @@
 // The x86 instructions that compilers do not find by themselves, or not always, for vectors of the size of a register.
 // Each does what the plain code in math/lanes/wide.h does, lane by lane and bit by bit; that code is the fallback.
 
+#include "math/kit_namespace.h"
+
 #if defined(__x86_64__)
 #include <immintrin.h>
 #endif
@@ -9,7 +11,7 @@
 #include <cstdint>
 #include <type_traits>
 
-namespace refraster::registers {
+namespace refraster::inline REFRASTER_KIT::registers {
 
 /// Whether comparing N lanes of F gives a bit for each lane, in a register of its own kind.
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
@@ -225,4 +227,4 @@ inline __m512d select(__mmask8 m, __m512d x, __m512d y) {
 
 #endif // __x86_64__
 
-} // namespace refraster::registers
+} // namespace refraster::inline REFRASTER_KIT::registers

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <cstring>
 
-namespace refraster {
+namespace refraster::inline REFRASTER_KIT {
 
 namespace rows {
 
@@ -72,4 +72,4 @@ std::array<Wide<F, N>, 4> gather_rows(const Place& at) {
   }
 }
 
-} // namespace refraster
+} // namespace refraster::inline REFRASTER_KIT

@@ -11,6 +11,10 @@
 #include <utility>
 
 namespace refraster {
+struct Half; // math/half.h
+} // namespace refraster
+
+namespace refraster::inline REFRASTER_KIT {
 
 template <class F, int N>
 using VectorOf [[gnu::vector_size(sizeof(F) * N)]] = F;
@@ -121,7 +125,6 @@ struct NumberTraits<Wide<F, N, A>> {
   static constexpr double largest = std::numeric_limits<F>::max();
 };
 
-struct Half; // math/half.h
 template <int N>
 struct NumberTraits<Wide<float, N, Arithmetic::fast>> {
   using Real = float;
@@ -341,4 +344,4 @@ WideMask<F, N> first_lanes(int count) {
   return result;
 }
 
-} // namespace refraster
+} // namespace refraster::inline REFRASTER_KIT

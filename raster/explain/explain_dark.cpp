@@ -90,7 +90,7 @@ bool all_may_be_dark(const Scene& scene, const RenderOptions& options, const Sho
 }
 
 PixelRect region_of(const RenderOptions& options) {
-  return options.crop.empty() ? PixelRect{0, 0, options.width, options.height} : options.crop.front();
+  return options.crop.value_or(PixelRect{0, 0, options.width, options.height});
 }
 
 /// The same view in at most 2^20 pixels.
@@ -110,10 +110,10 @@ RenderOptions options_to_look_with(const RenderOptions& options) {
       std::ceil(std::sqrt(std::max(1.0, static_cast<double>(region.width) * region.height / max_pixels))));
   smaller.width = std::max(1, options.width / divisor);
   smaller.height = std::max(1, options.height / divisor);
-  if (options.crop.empty()) return smaller;
+  if (!options.crop) return smaller;
   const int x = std::min(region.x / divisor, smaller.width - 1), y = std::min(region.y / divisor, smaller.height - 1);
-  smaller.crop = {{x, y, std::clamp(region.width / divisor, 1, smaller.width - x),
-                   std::clamp(region.height / divisor, 1, smaller.height - y)}};
+  smaller.crop = PixelRect{x, y, std::clamp(region.width / divisor, 1, smaller.width - x),
+                           std::clamp(region.height / divisor, 1, smaller.height - y)};
   return smaller;
 }
 
@@ -165,7 +165,7 @@ std::string explained(const Scene& scene, const RenderOptions& options, std::opt
 
 std::string explain_no_surface(const Scene& scene, const RenderOptions& options) {
   try {
-    return std::string(options.crop.empty() ? "the image" : "the crop") +
+    return std::string(options.crop ? "the crop" : "the image") +
            " shows background only: " + why_unseen(scene, options.width, options.height, region_of(options));
   } catch (const std::bad_alloc&) {
     return {};

@@ -1,7 +1,7 @@
 #pragma once
 // An image that shows nothing: found out, and explained in a sentence.
 
-#include "raster/render.h"
+#include <refraster/render.h>
 
 #include <cstdint>
 #include <optional>

@@ -94,7 +94,7 @@ Findings findings(const Scene& scene, const Frame& frame) {
     Double3 arriving_here(0);
     shine(point_lights, at, arriving_here);
     shine(direction_lights, at, arriving_here);
-    if (from_behind && std::holds_alternative<Merl>(scene.objects[object].material.fragment_function)) {
+    if (from_behind && scene.objects[object].material.measured()) {
       ++found.measured_from_behind;
       continue; // whatever arrives
     }
@@ -122,11 +122,15 @@ TableContent content_of(const MerlTable& table) {
   return any_measured ? TableContent::zeros : TableContent::never_measured;
 }
 
-/// Calls visit(model) with the fragment function of each object that is seen.
+/// Calls visit(function) with the fragment function of each object that is seen.
 template <class Visit>
 void for_each_seen(const Scene& scene, const Findings& found, const Visit& visit) {
   for (std::size_t i = 0; i < scene.objects.size(); ++i)
-    if (found.objects[i]) std::visit(visit, scene.objects[i].material.fragment_function);
+    if (found.objects[i]) {
+      const Material& material = scene.objects[i].material;
+      if (material.user_function) visit(*material.user_function);
+      else std::visit(visit, material.fragment_function);
+    }
 }
 
 /// What is wrong with the tables, if all objects that are seen are measured and no table holds any light.

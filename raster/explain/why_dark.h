@@ -1,7 +1,7 @@
 #pragma once
 // Why the surfaces in an image are black, or nearly so, in words.
 
-#include "raster/render.h"
+#include <refraster/render.h>
 
 #include <string>
 

@@ -1,7 +1,7 @@
 #pragma once
 // Why a scene shows no surface, in words.
 
-#include "raster/render.h"
+#include <refraster/render.h>
 
 #include <string>
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace refraster {
 
@@ -11,19 +10,6 @@ namespace {
 
 using T = DoublePrecision::Number;
 using Triangle = AttributeSetup<double>;
-
-// The colour a surface would be called by: what it reflects of white light from the front.
-template <class SomeFunction>
-Rgb<T> albedo(const SomeFunction& function, const PacketSurface<T>& surface) {
-  if constexpr (requires { function.kd; }) {
-    return as<T>(function.kd) * surface.texture;
-  } else {
-    // f at normal incidence and exitance, times pi: for a Lambertian surface, its reflectance.
-    const Vec3<T> up(T(0), T(0), T(1));
-    const Fragment<T> at{up, up, up, Rgb<T>(T(1)), nullptr};
-    return function(at, Incident<T>{up, Rgb<T>(T(std::numbers::pi))});
-  }
-}
 
 } // namespace
 
@@ -48,6 +34,7 @@ void write_aov(const FrameContext& context, const VisibleTile& visible, std::spa
   for (const FragmentRun& run : shown)
     for (int i = 0; i < run.length; ++i) place[run.first_fragment + static_cast<std::size_t>(i)] = {run.x + i, run.y};
 
+  UserShading<T> user_shading;
   UndefinedCounts uncounted; // shading has counted these
   for (const auto& group : setups.groups()) {
     const Material& material = context.scene.objects[group.object].material;
@@ -103,7 +90,10 @@ void write_aov(const FrameContext& context, const VisibleTile& visible, std::spa
         put3(surface().position);
         break;
       case Aov::albedo:
-        put3(std::visit([&](const auto& function) { return albedo(function, surface()); }, material.fragment_function));
+        if (material.user_function) put3(user_shading.albedo(*material.user_function, surface()));
+        else
+          put3(std::visit([&](const auto& function) { return albedo<T>(function, surface().texture); },
+                          material.fragment_function));
         break;
       case Aov::count_:
         break;

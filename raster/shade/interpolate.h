@@ -3,6 +3,7 @@
 // from: a packet of fragments in lanes (PacketData), or a sample in any Number (raster/shade/sample_data.h).
 
 #include "math/lanes/rows.h"
+#include "math/vec.h"
 #include "raster/shade/fragments.h"
 
 #include <array>

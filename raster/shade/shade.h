@@ -1,14 +1,14 @@
 #pragma once
 // From what a tile sees to its pixels, in the number of a precision.
 
-#include "raster/frame.h"
+#include <refraster/render.h>
+
 #include "raster/shade/fragments.h"
 
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <span>
-#include <string_view>
 #include <vector>
 
 namespace refraster {
@@ -45,8 +45,8 @@ public:
                      const TileMeasures& measures) = 0;
 };
 
-/// For a precision by its name; null if there is none of that name.
-std::unique_ptr<TileShading> make_tile_shading(std::string_view precision);
+/// For a precision. Throws std::invalid_argument for what is none.
+std::unique_ptr<TileShading> make_tile_shading(Precision precision);
 
 // Each defined in a file of its own, raster/shade/precisions/<name>.cpp: a full instantiation of everything above the
 // number.

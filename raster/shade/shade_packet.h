@@ -1,22 +1,11 @@
 #pragma once
-// Fragments of one material, a packet in lanes or a single one in any Number: interpolate, light, sum.
+// From interpolation to what shading starts from: a packet in lanes, or a single fragment in any Number.
 
 #include "raster/shade/interpolate.h"
-#include "shading/fragment_functions.h"
-#include "shading/light.h"
+#include "shading/sum_light.h"
 #include "shading/texture.h"
 
-#include <array>
-#include <limits>
-
 namespace refraster {
-
-/// What the fragment stage knows of a packet before any light is considered.
-template <class T>
-struct PacketSurface {
-  Vec3<T> position, normal, to_eye; // normal and to_eye unit, or 0
-  Rgb<T> texture;
-};
 
 /// The interpolated normal at unit length; where that is 0, the triangle's own; where that is 0 too, 0.
 template <class Data, class T = typename Data::Number>
@@ -71,76 +60,6 @@ PacketSurface<T> packet_surface(const Scene& scene, const Geometry& geometry, co
   const bool shows_texture = material.texture && data.may_have_texture_coordinates();
   surface.texture = shows_texture ? texture_colour(material, data, at, tally) : Rgb<T>(T(1));
   return surface;
-}
-
-/// x where it is finite; the largest finite number of its sign for an infinity; 0 for NaN.
-template <class T>
-T finite(const T& x, const UndefinedTally<T>& tally) {
-  const T most = largest_number<T>();
-  tally.note(Undefined::not_finite, !(abs(x) <= most));
-  const T kept = min(max(x, -most), most);
-  return select((x > T(0)) | (x <= T(0)), kept, T(0));
-}
-
-template <class T>
-Rgb<T> finite(const Rgb<T>& rgb, const UndefinedTally<T>& tally) {
-  const T sum = abs(rgb.x) + abs(rgb.y) + abs(rgb.z);
-  if (!any(!(sum <= largest_number<T>()))) return rgb; // nearly always
-  return {finite(rgb.x, tally), finite(rgb.y, tally), finite(rgb.z, tally)};
-}
-
-/// Packets of one material that go through shading together, light by light. What a formula computes for one packet
-/// waits for itself, step by step; the next packet's does not wait for it, and fills the gaps. And what is the same for
-/// all packets is prepared once.
-template <class T>
-struct PacketBatch {
-  static constexpr int most = 16; // what lies in here stays in the first-level cache
-  int packets = 0;
-  std::uint32_t first_fragment = 0;
-  std::array<PacketSurface<T>, most> surface;
-  std::array<Rgb<T>, most> sum;
-  std::array<MaskOf<T>, most> in_use; // lanes that hold a fragment
-
-  template <class Body>
-  void for_each(UndefinedCounts& counts, Body&& body) {
-    for (int i = 0; i < packets; ++i) {
-      const auto p = static_cast<std::size_t>(i);
-      const PacketSurface<T>& s = surface[p];
-      const UndefinedTally<T> tally(counts, in_use[p]);
-      body(sum[p], Fragment<T>{s.position, s.normal, s.to_eye, s.texture, &tally}, tally);
-    }
-  }
-};
-
-/// Radiance toward the eye, into batch.sum: the ambient term, then point lights and direction lights, summed in the
-/// order of the scene.
-template <class T, class SomeFunction>
-void sum_light(const Scene& scene, const SomeFunction& function, PacketBatch<T>& batch, UndefinedCounts& counts) {
-  SomeFunction copy = function; // nothing that is written below can be part of it
-  if constexpr (NumberTraits<T>::largest < std::numeric_limits<double>::max())
-    SomeFunction::fields(copy, [](auto&&, auto& value, auto&&...) {
-      if constexpr (requires { value = within_range<T>(value); }) value = within_range<T>(value);
-    });
-  const SomeFunction& here = copy;
-  batch.for_each(counts, [&](Rgb<T>& sum, const Fragment<T>& at, const auto&) { sum = here.ambient(at); });
-  const auto add = [&](const auto& lights) {
-    for (const auto& light : lights) {
-      const auto prepared = within_range<T>(prepared_light(light));
-      batch.for_each(counts,
-                     [&](Rgb<T>& sum, const Fragment<T>& at, const auto&) { sum += here(at, arriving(prepared, at)); });
-    }
-  };
-  add(scene.point_lights);
-  add(scene.direction_lights);
-  batch.for_each(counts,
-                 [](Rgb<T>& sum, const Fragment<T>&, const UndefinedTally<T>& tally) { sum = finite(sum, tally); });
-}
-
-/// The same for lanes: one piece of code, without a call.
-template <class T, class SomeFunction>
-[[gnu::flatten, gnu::noinline]] void add_light(const Scene& scene, const SomeFunction& function, PacketBatch<T>& batch,
-                                               UndefinedCounts& counts) {
-  sum_light(scene, function, batch, counts);
 }
 
 } // namespace refraster

@@ -6,6 +6,8 @@
 #include "raster/shade/resolve.h"
 #include "raster/shade/shade.h"
 #include "raster/shade/shade_packet.h"
+#include "raster/shade/user_shading.h"
+#include "shading/fragment_functions.h"
 
 #include <chrono>
 #include <functional>
@@ -65,11 +67,11 @@ public:
     colours_.resize(fragments);
     for (const auto& group : setups_.groups()) {
       const Material& material = context.scene.objects[group.object].material;
-      std::visit(
-          [&](const auto& function) {
-            shade_group(context, visible.tile, material, function, group, counts.undefined);
-          },
-          material.fragment_function);
+      const auto shade = [&](const auto& function) {
+        shade_group(context, visible.tile, material, function, group, counts.undefined);
+      };
+      if (material.user_function) shade(*material.user_function);
+      else std::visit(shade, material.fragment_function);
       counts.lane_slots += (group.fragments + lanes - 1) / lanes * lanes;
     }
     counts.fragments += fragments;
@@ -93,8 +95,11 @@ private:
                    const SomeFunction& function, const Group& group, UndefinedCounts& undefined) {
     batch_.packets = 0; // of a frame that an exception ended
     const auto shade_batch = [&] {
-      if constexpr (has_lanes) add_light(context.scene, function, batch_, undefined);
-      else sum_light(context.scene, function, batch_, undefined);
+      const Scene& scene = context.scene;
+      if constexpr (std::is_same_v<SomeFunction, UserFunction>)
+        user_shading_.sum_light(scene, function, batch_, undefined);
+      else if constexpr (has_lanes) add_light(scene.point_lights, scene.direction_lights, function, batch_, undefined);
+      else refraster::sum_light(scene.point_lights, scene.direction_lights, function, batch_, undefined);
       for (int i = 0; i < batch_.packets; ++i)
         colours_.store(batch_.first_fragment + static_cast<std::uint32_t>(i) * lanes,
                        batch_.sum[static_cast<std::size_t>(i)]);
@@ -170,6 +175,7 @@ private:
   std::vector<FragmentRun> runs_;
   Surfaces setups_;
   PacketBatch<T> batch_;
+  UserShading<T> user_shading_;
   FragmentColours<T> colours_;
   TileResolver<T> resolver_;
 };

@@ -1,9 +1,10 @@
 #pragma once
 // The vertex stage, in double: object space to world space, clip space and window.
 
+#include <refraster/scene.h>
+
 #include "raster/buffer.h"
 #include "raster/vertex/subpixel.h"
-#include "scene/scene.h"
 
 #include <array>
 #include <cstdint>

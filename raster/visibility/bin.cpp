@@ -2,6 +2,7 @@
 
 #include "raster/parallel.h"
 #include "raster/visibility/small_triangles.h"
+#include "scene/scene_checks.h"
 
 #include <algorithm>
 #include <bit>
@@ -98,7 +99,11 @@ public:
     for (auto o = static_cast<std::uint32_t>(after - first.begin()) - 1; o < scene_.objects.size() && first[o] < end;
          ++o) {
       const std::uint32_t last = std::min(end, first[o + 1]);
-      for (std::uint32_t number = std::max(begin, first[o]); number < last; number += lanes)
+      const Mesh& mesh = *scene_.objects[o].mesh;
+      const std::uint32_t from = std::max(begin, first[o]);
+      if (!indices_within(std::span(mesh.triangles).subspan(from - first[o], last - from), mesh.positions.size()))
+        refuse_indices(scene_);
+      for (std::uint32_t number = from; number < last; number += lanes)
         bin_register({o, number, number - first[o], std::min<std::uint32_t>(last - number, lanes)}, output);
     }
   }

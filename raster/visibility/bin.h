@@ -1,7 +1,8 @@
 #pragma once
 // Which triangles each tile has to test, in submission order.
 
-#include "raster/frame.h"
+#include <refraster/render.h>
+
 #include "raster/samples.h"
 #include "raster/visibility/setup.h"
 #include "raster/visibility/tile_list.h"

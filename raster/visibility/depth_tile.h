@@ -1,7 +1,8 @@
 #pragma once
 // The nearest depth and triangle of each sample of a tile, and bounds of the depths of its blocks.
 
-#include "raster/frame.h"
+#include <refraster/render.h>
+
 #include "raster/lanes.h"
 
 #include <array>

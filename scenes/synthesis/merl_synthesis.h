@@ -1,8 +1,9 @@
 #pragma once
 // Tables made from formulas: the measured files are large and not free to pass on.
 
+#include <refraster/material.h>
+
 #include "scenes/synthesis/ggx.h"
-#include "shading/merl_table.h"
 
 #include <concepts>
 #include <span>

@@ -1,7 +1,8 @@
 #pragma once
 // A rough sea: a mesh of as many triangles as one likes.
 
-#include "scene/scene.h"
+#include <refraster/scene.h>
+
 #include "scenes/synthesis/noise.h"
 
 #include <cmath>

@@ -125,7 +125,7 @@ std::string fault_of(const Scene& scene) {
 }
 
 std::string fault_of(const Frame& frame, const Scene& scene, const RenderOptions& options) {
-  const PixelRect region = options.crop.empty() ? PixelRect{0, 0, options.width, options.height} : options.crop.front();
+  const PixelRect region = options.crop.value_or(PixelRect{0, 0, options.width, options.height});
   if (options.want_rgb8 && !is_shaped(frame.rgb8, region, 3)) return "levels: shape";
   if (options.want_radiance && !is_shaped(frame.radiance, region, 3)) return "radiance: shape";
   for (const float value : frame.radiance.values)

@@ -1,7 +1,7 @@
 #pragma once
 // What holds of every scene that a reader accepted, and of every frame: asked by the fuzz targets and by the soak.
 
-#include "raster/render.h"
+#include <refraster/render.h>
 
 #include <string>
 

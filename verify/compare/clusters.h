@@ -1,7 +1,7 @@
 #pragma once
 // Where the pixels that differ lie together: one wrong triangle is one cluster, not a thousand pixels.
 
-#include "scene/image.h"
+#include <refraster/image.h>
 
 #include <cstdint>
 #include <vector>

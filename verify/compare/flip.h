@@ -2,7 +2,7 @@
 // How different two images look to a person who flips between them. Information beside the numbers, never a verdict: it
 // sees no fault that an eye would not.
 
-#include "scene/image.h"
+#include <refraster/image.h>
 
 namespace refraster {
 

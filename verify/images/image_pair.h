@@ -1,9 +1,10 @@
 #pragma once
 // Two image files, ready to be compared.
 
+#include <refraster/memory.h>
+
 #include "io/file/notes.h"
 #include "math/vec.h"
-#include "scene/memory_budget.h"
 #include "verify/compare/compare.h"
 #include "verify/images/stored_precision.h"
 

@@ -1,7 +1,8 @@
 #pragma once
 // What kind of difference: known transformations, one of which may make two images equal.
 
-#include "scene/image.h"
+#include <refraster/image.h>
+
 #include "verify/compare/compare.h"
 #include "verify/images/stored_precision.h"
 

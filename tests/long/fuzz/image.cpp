@@ -1,3 +1,5 @@
+#include <refraster/mesh.h>
+
 #include "tests/long/fuzz/dirty_memory.h"
 #include "tests/long/fuzz/memory.h"
 #include "tests/long/fuzz/render_small.h"
@@ -5,7 +7,6 @@
 
 #include "io/file/input_error.h"
 #include "io/image/image_file.h"
-#include "scene/shapes.h"
 #include "tests/support/invariants.h"
 
 #include <cmath>

@@ -1,10 +1,11 @@
+#include <refraster/mesh.h>
+
 #include "tests/long/fuzz/memory.h"
 #include "tests/long/fuzz/render_small.h"
 #include "tests/long/fuzz/targets.h"
 
 #include "io/brdf/merl_file.h"
 #include "io/file/input_error.h"
-#include "scene/shapes.h"
 
 #include <cstring>
 #include <vector>

@@ -9,7 +9,7 @@
 namespace refraster::fuzz {
 
 void render_small(const Scene& scene, std::size_t variant) {
-  constexpr std::string_view precisions[] = {DoublePrecision::name, FloatPrecision::name, FastPrecision::name};
+  constexpr Precision precisions[] = {Precision::double_, Precision::float_, Precision::fast};
   RenderOptions options;
   options.width = options.height = 8;
   options.threads = 1;

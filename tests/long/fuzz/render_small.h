@@ -1,7 +1,7 @@
 #pragma once
 // What was accepted is drawn.
 
-#include "scene/scene.h"
+#include <refraster/scene.h>
 
 #include <cstdint>
 

@@ -52,7 +52,7 @@ void check_crops(const Scene& scene, const RenderOptions& options, const Frame& 
         PixelRect{x, y, options.width - x, options.height - y}}) {
     if (crop.width == 0 || crop.height == 0) continue;
     RenderOptions cropped = options;
-    cropped.crop = {crop};
+    cropped.crop = crop;
     const Frame part = render(scene, cropped);
     ++sums.frames;
     require(fault_of(part, scene, cropped), "a crop's invariants");

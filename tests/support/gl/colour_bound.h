@@ -1,8 +1,9 @@
 #pragma once
 // How far the colour of a pixel on a GPU may be from ours when nothing is wrong: docs/verification.md derives it.
 
+#include <refraster/render.h>
+
 #include "gl/gl_names.h"
-#include "raster/render.h"
 #include "raster/vertex/subpixel.h"
 #include "raster/vertex/transform.h"
 

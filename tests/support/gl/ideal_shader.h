@@ -2,6 +2,7 @@
 // What a pixel ought to show: our own fragment functions in double, whose inputs a bound may move one by one.
 
 #include "raster/shade/shade_packet.h"
+#include "shading/fragment_functions.h"
 
 #include <utility>
 
@@ -61,13 +62,13 @@ struct IdealShader {
     if constexpr (requires { function.specular_gate; })
       if (below_horizon > 0 && dot(at.normal, light.direction) > -below_horizon)
         function.specular_gate = SpecularGate::open;
-    return function(at, light);
+    return reflected(function, at, light);
   }
 
   template <class SomeFunction>
   Rgb<double> colour(const SomeFunction& function, const Varyings& at) const {
     const Fragment<double> here = fragment(at);
-    Rgb<double> sum = function.ambient(here);
+    Rgb<double> sum = ambient(function, here);
     for (const PointLight& light : scene.point_lights) sum += reflected(function, here, arriving(light, here));
     for (const DirectionLight& light : scene.direction_lights) sum += reflected(function, here, arriving(light, here));
     return sum;

@@ -1,7 +1,8 @@
 #pragma once
 // Scenes whose corners are placed by where they are seen.
 
-#include "raster/render.h"
+#include <refraster/render.h>
+
 #include "tests/support/raster/exact_triangle.h"
 
 #include <cmath>

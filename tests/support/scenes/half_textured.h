@@ -1,8 +1,8 @@
 #pragma once
 // A scene in which a texture is shown on some triangles of a mesh only.
 
-#include "scene/scene.h"
-#include "scene/shapes.h"
+#include <refraster/mesh.h>
+#include <refraster/scene.h>
 
 namespace refraster {
 
@@ -25,7 +25,8 @@ inline Scene half_textured(TextureFilter filter) {
   Object object;
   object.name = "knot";
   object.mesh = std::make_shared<const Mesh>(std::move(mesh));
-  object.material = {function, std::move(texture), filter};
+  object.material.fragment_function = function;
+  object.material.texture = std::move(texture), object.material.texture_filter = filter;
   scene.objects = {object};
   return scene;
 }

@@ -1,6 +1,7 @@
 #include "tests/support/scenes/hashed_scenes.h"
 
-#include "scene/shapes.h"
+#include <refraster/mesh.h>
+
 #include "scenes/synthesis/merl_synthesis.h"
 #include <cstdint>
 #include <limits>

@@ -1,7 +1,7 @@
 #pragma once
 // Scenes built in code, no files: between them they run every path that makes a pixel.
 
-#include "scene/scene.h"
+#include <refraster/scene.h>
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 #pragma once
 // The scenes that the repository shows, read once each.
 
-#include "raster/render.h"
+#include <refraster/render.h>
 
 #include <string>
 #include <vector>

@@ -1,7 +1,8 @@
 #include "tests/support/scenes/random_scene.h"
 
+#include <refraster/mesh.h>
+
 #include "math/precisions.h"
-#include "scene/shapes.h"
 #include "tests/support/invariants.h"
 
 #include <algorithm>
@@ -197,8 +198,7 @@ Scene random_scene(Random& random) {
 }
 
 RenderOptions random_options(Random& random) {
-  constexpr std::string_view precisions[] = {DoublePrecision::name, DoublePrecision::name, FloatPrecision::name,
-                                             FastPrecision::name};
+  constexpr Precision precisions[] = {Precision::double_, Precision::double_, Precision::float_, Precision::fast};
   RenderOptions options;
   options.width = 1 + random.below(48);
   options.height = 1 + random.below(48);

@@ -1,7 +1,8 @@
 #pragma once
 // Random scenes that are valid, however odd.
 
-#include "raster/render.h"
+#include <refraster/render.h>
+
 #include "tests/support/random.h"
 
 namespace refraster::test {

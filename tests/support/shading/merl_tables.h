@@ -1,7 +1,8 @@
 #pragma once
 // Tables for the tests of measured reflection.
 
-#include "shading/merl_table.h"
+#include <refraster/material.h>
+
 #include "tests/support/shading/directions.h"
 
 #include <memory>

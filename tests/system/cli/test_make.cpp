@@ -1,9 +1,10 @@
 // refraster mesh, refraster merl
 
+#include <refraster/mesh.h>
+
 #include "tests/support/program/program.h"
 
 #include "io/mesh/obj_file.h"
-#include "scene/shapes.h"
 
 #include <doctest/doctest.h>
 

@@ -66,7 +66,7 @@ TEST_CASE("an empty scene shows the background, to the nearest level") {
 
 TEST_CASE("the same bytes for every number of threads and every tile size") {
   const BallFolder folder;
-  for (const char* precision : {"double", "float"}) {
+  for (const char* const precision : {"double", "float"}) {
     const std::string one = folder.rendered("one.pfm", {"--precision", precision, "--threads", "1"});
     for (const char* threads : {"2", "3", "7"})
       CHECK(folder.rendered("many.pfm", {"--precision", precision, "--threads", threads}) == one);

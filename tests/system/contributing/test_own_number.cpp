@@ -1,8 +1,9 @@
 // The worked example of docs/number.md does what that page says.
 
+#include <refraster/mesh.h>
+#include <refraster/render.h>
+
 #include "counted.h"
-#include "raster/render.h"
-#include "scene/shapes.h"
 
 #include <doctest/doctest.h>
 

@@ -1,10 +1,11 @@
 // Renders scenes and prints one hash for each scene and precision. Where the same source gives another hash, on another
 // machine, from another compiler, with other flags, the promise of one image everywhere is broken.
 
+#include <refraster/render.h>
+
 #include "io/file/input_error.h"
 #include "io/scene/scene_file.h"
 #include "math/precisions.h"
-#include "raster/render.h"
 #include "tests/support/scenes/hashed_scenes.h"
 
 #include <array>
@@ -53,7 +54,7 @@ private:
   Word state_ = (Word{0x6c62272e07bb0142} << 64) + 0x62b821756295c58d;
 };
 
-std::string hash_of(const HashedScene& hashed, std::string_view precision, int threads, int tile_size) {
+std::string hash_of(const HashedScene& hashed, Precision precision, int threads, int tile_size) {
   RenderOptions options;
   options.width = hashed_width, options.height = hashed_height;
   options.precision = precision;
@@ -71,12 +72,12 @@ std::string hash_of(const HashedScene& hashed, std::string_view precision, int t
   return hash.text();
 }
 
-/// body(precision's name) for each precision.
+/// body(precision) for each precision that promises bits.
 template <class Body>
 void for_each_precision(Body&& body) {
   // A fast precision promises no bits.
   const auto strict = [&](auto precision) {
-    if constexpr (!is_fast<typename decltype(precision)::Number>) body(precision.name);
+    if constexpr (!is_fast<typename decltype(precision)::Number>) body(precision.id);
   };
   std::apply([&](auto... precision) { (strict(precision), ...); }, LanePrecisions{});
 }
@@ -105,8 +106,8 @@ int compare(const std::string& path) {
   std::map<std::string, std::string> golden = golden_hashes(path);
   std::size_t compared = 0, different = 0;
   for (const HashedScene& hashed : hashed_scenes())
-    for_each_precision([&](std::string_view precision) {
-      const std::string key = std::string(precision) + " " + hashed.name;
+    for_each_precision([&](Precision precision) {
+      const std::string key = std::string(name_of(precision)) + " " + hashed.name;
       for (const Way& way : ways) {
         const std::string hash = hash_of(hashed, precision, way.threads, way.tile_size);
         ++compared;
@@ -122,8 +123,9 @@ int compare(const std::string& path) {
 
 void print(const std::vector<HashedScene>& scenes, int threads, int tile_size) {
   for (const HashedScene& hashed : scenes)
-    for_each_precision([&](std::string_view precision) {
-      std::cout << hash_of(hashed, precision, threads, tile_size) << " " << precision << " " << hashed.name << "\n";
+    for_each_precision([&](Precision precision) {
+      std::cout << hash_of(hashed, precision, threads, tile_size) << " " << name_of(precision) << " " << hashed.name
+                << "\n";
     });
 }
 

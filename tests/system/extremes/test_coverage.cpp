@@ -315,7 +315,7 @@ TEST_CASE("C10: derivatives are the plane's own: no neighbour is asked, and none
     texture->levels.push_back(
         {size, size, PaddedVector<float>(static_cast<std::size_t>(3 * size * size), static_cast<float>(k))});
   }
-  const auto seen = [&](const std::vector<Float3>& corners, const std::vector<PixelRect>& crop) {
+  const auto seen = [&](const std::vector<Float3>& corners, const std::optional<PixelRect>& crop) {
     WindowScene window(16, 0.25, 64);
     std::vector<Float2> uvs;
     for (const Float3& p : corners) uvs.emplace_back(p.x, p.z);
@@ -344,7 +344,7 @@ TEST_CASE("C10: derivatives are the plane's own: no neighbour is asked, and none
     // Derivatives to some tens of 2^-53, log2 to an ulp; between levels k and k + 1 the share is exact to 2^-50.
     const Mpfr bound = Mpfr(0x1p-44) + half_float_ulp(clamped / 16);
     CHECK(abs(Mpfr(whole.radiance.at(px, py)[0]) - clamped / 16) <= bound);
-    const Frame crop = seen({on_plane(-8, 16), on_plane(24, 16), on_plane(8, 8.5)}, {PixelRect{px, py, 1, 1}});
+    const Frame crop = seen({on_plane(-8, 16), on_plane(24, 16), on_plane(8, 8.5)}, PixelRect{px, py, 1, 1});
     CHECK(crop.radiance.values[0] == whole.radiance.at(px, py)[0]);
 
     const Frame alone =

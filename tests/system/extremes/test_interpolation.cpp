@@ -1,6 +1,6 @@
 // The extremes (docs/extremes.md), rows I: interpolation.
 
-#include "shading/undefined.h"
+#include "shading/texture.h"
 #include "tests/support/for_all.h"
 #include "tests/support/raster/window_scene.h"
 
@@ -138,7 +138,7 @@ TEST_CASE(
     one.add(corner, Double3(1), uvs);
     const ExactTriangle truth = one.exact_triangle(corner[0], corner[1], corner[2]);
     RenderOptions options = one.options({Aov::object, Aov::uv});
-    options.crop = {{16376, 16376, 8, 8}};
+    options.crop = PixelRect{16376, 16376, 8, 8};
     const Frame frame = render(one.scene, options);
     for (int y = 0; y < 8; ++y)
       for (int x = 0; x < 8; ++x) {
@@ -212,7 +212,7 @@ TEST_CASE("I4: on an edge where the texture coordinate is 0 the first texel is s
                           : window.add({b, c, d, b, d, a}, Double3(1), {at_b, at_c, at_d, at_b, at_d, at_a});
     object.material.texture = texture;
     object.material.texture_filter = TextureFilter::nearest;
-    for (const std::string_view precision : {"double", "float"}) {
+    for (const Precision precision : {Precision::double_, Precision::float_}) {
       RenderOptions options = window.options();
       options.precision = precision;
       const Frame frame = render(window.scene, options);
@@ -233,7 +233,7 @@ TEST_CASE("I4: on an edge where the texture coordinate is 0 the first texel is s
                                 Double3(1), {{0, 1}, {0, 0}, {0, 0}});
     object.material.texture = texture;
     object.material.texture_filter = TextureFilter::nearest;
-    for (const std::string_view precision : {"double", "float"}) {
+    for (const Precision precision : {Precision::double_, Precision::float_}) {
       RenderOptions options = window.options();
       options.precision = precision;
       const Frame frame = render(window.scene, options);
@@ -317,7 +317,7 @@ TEST_CASE("I8: a texture coordinate that is NaN or infinite gives the colour at 
   const auto texture = index_texture(4, 4);
   for (const float bad : {std::numeric_limits<float>::quiet_NaN(), INFINITY, -INFINITY})
     for (const TextureFilter filter : {TextureFilter::nearest, TextureFilter::bilinear, TextureFilter::trilinear})
-      for (const std::string_view precision : {"double", "float"}) {
+      for (const Precision precision : {Precision::double_, Precision::float_}) {
         WindowScene window(8);
         Object& object = window.add({window.place(-8, -8, 1), window.place(24, -8, 1), window.place(-8, 24, 1)},
                                     Double3(1), {{bad, 0.375f}, {bad, 0.375f}, {bad, 0.375f}});
@@ -338,7 +338,7 @@ TEST_CASE("I8: a texture coordinate that is NaN or infinite gives the colour at 
 TEST_CASE("I9: a triangle without texture coordinates is white, and nothing is counted") {
   const auto texture = index_texture(4, 4);
   for (const TextureFilter filter : {TextureFilter::nearest, TextureFilter::bilinear, TextureFilter::trilinear})
-    for (const std::string_view precision : {"double", "float", "fast"})
+    for (const Precision precision : {Precision::double_, Precision::float_, Precision::fast})
       for (const std::size_t textured : {0u, 2u, 3u, 5u}) { // vertices; of the triangle on the left it needs three
         WindowScene window(16);
         Object& object = window.add({window.place(-8, -8, 1), window.place(-8, 40, 1), window.place(8, 8, 1),

@@ -108,7 +108,7 @@ Lit reflected(const Merl& merl, const Double3& n, const Double3& l, const Double
   const UndefinedTally<double> tally(result.counts, true);
   Fragment<double> at{};
   at.normal = n, at.to_eye = v, at.texture = Rgb<double>(1), at.tally = &tally;
-  result.colour = merl(at, Incident<double>{l, Rgb<double>(1)});
+  result.colour = reflected(merl, at, Incident<double>{l, Rgb<double>(1)});
   return result;
 }
 

@@ -1,8 +1,9 @@
 // The extremes (docs/extremes.md), rows N: normals and transforms.
 
+#include <refraster/mesh.h>
+
 #include "io/mesh/obj_file.h"
 #include "raster/shade/attribute_setup.h"
-#include "scene/shapes.h"
 #include "tests/support/for_all.h"
 #include "tests/support/raster/window_scene.h"
 
@@ -75,7 +76,7 @@ void check_normals(Random& random, const Double3& scale) {
 
 // What a triangle that fills the view shows of its corners' normals: the image of normals, and the diffuse light from
 // `light`.
-Frame shown(const std::array<Float3, 3>& normals, const Double3& light, std::string_view precision) {
+Frame shown(const std::array<Float3, 3>& normals, const Double3& light, Precision precision) {
   WindowScene window(4);
   Object& object = window.add({window.place(-4, -4, 1), window.place(-4, 12, 1), window.place(12, -4, 1)});
   auto mesh = std::make_shared<Mesh>(*object.mesh);
@@ -175,8 +176,8 @@ TEST_CASE("N4: normals of any finite length give a unit vector to an ulp") {
       CAPTURE(length_factor);
       const Float3 n = direction * length_factor;
       const ExactVec3 exactly = exact_vector(Double3(n));
-      for (const std::string_view precision : {"double", "float"}) {
-        CAPTURE(std::string(precision));
+      for (const Precision precision : {Precision::double_, Precision::float_}) {
+        CAPTURE(name_of(precision));
         const Frame frame = shown({n, n, n}, light, precision);
         Mpfr cosine = 0;
         for (std::size_t c = 0; c < 3; ++c) {
@@ -186,7 +187,7 @@ TEST_CASE("N4: normals of any finite length give a unit vector to an ulp") {
           // 2^-53.
           CHECK(abs(Mpfr(frame.aovs[0].at(1, 1)[c]) - expected) <= half_float_ulp(expected) + Mpfr(8 * 0x1p-53));
         }
-        const double u = precision == "float" ? 0x1p-24 : 0x1p-53;
+        const double u = precision == Precision::float_ ? 0x1p-24 : 0x1p-53;
         // Normal and light to 8 u each, as above, and the dot product to 3.
         const Mpfr expected = cosine > 0 ? cosine : Mpfr(0);
         CHECK(abs(Mpfr(frame.radiance.at(1, 1)[0]) - expected) <= half_float_ulp(expected) + Mpfr(24 * u));
@@ -196,7 +197,7 @@ TEST_CASE("N4: normals of any finite length give a unit vector to an ulp") {
 
 TEST_CASE("N4: lengths near the ends of float change nothing where normals differ from corner to corner") {
   const std::array<Float3, 3> normals{Float3(-1, 0.25f, 0.5f), Float3(1, 0.25f, 0.125f), Float3(0.5f, -1, 0.375f)};
-  for (const std::string_view precision : {"double", "float"}) {
+  for (const Precision precision : {Precision::double_, Precision::float_}) {
     const Frame expected = shown(normals, {0.48, 0.6, 0.64}, precision);
     for (const float power : {0x1p127f, 0x1p-120f}) {
       const Frame scaled =
@@ -208,7 +209,7 @@ TEST_CASE("N4: lengths near the ends of float change nothing where normals diffe
 }
 
 TEST_CASE("N5: where normals are zero, missing or cancel, the triangle's own normal is taken, and counted") {
-  for (const std::string_view precision : {"double", "float"}) {
+  for (const Precision precision : {Precision::double_, Precision::float_}) {
     const Frame zero = shown({}, {0, 0, 1}, precision);
     CHECK(zero.counts.undefined[Undefined::zero_normal] == 16);
     CHECK(zero.counts.undefined[Undefined::no_normal] == 0);
@@ -242,7 +243,7 @@ TEST_CASE("N5: where the normals of a file's faces cancel, no rounding is taken 
   object.mesh = std::make_shared<const Mesh>(mesh_of_obj("sheet.obj", sheet));
   object.position = {0, 0, -0.75}; // larger than the image
   object.cull = Cull::back;
-  for (const std::string_view precision : {"double", "float"}) {
+  for (const Precision precision : {Precision::double_, Precision::float_}) {
     RenderOptions options = window.options({Aov::triangle, Aov::normal});
     options.precision = precision;
     const Frame frame = render(window.scene, options);

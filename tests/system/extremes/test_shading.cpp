@@ -1,6 +1,8 @@
 // The extremes (docs/extremes.md), rows S: shading.
 
 #include "raster/shade/resolve.h"
+#include "shading/fragment_functions.h"
+#include "shading/light.h"
 #include "tests/support/for_all.h"
 #include "tests/support/raster/window_scene.h"
 
@@ -35,7 +37,7 @@ Shaded<T> shade(const SomeFunction& function, const Vec3<T>& n, const Vec3<T>& l
   const UndefinedTally<T> tally(result.counts, true);
   Fragment<T> at{};
   at.normal = n, at.to_eye = v, at.texture = Rgb<T>(T(1)), at.tally = &tally;
-  result.colour = function(at, Incident<T>{l, Rgb<T>(T(1))});
+  result.colour = reflected(function, at, Incident<T>{l, Rgb<T>(T(1))});
   return result;
 }
 
@@ -265,7 +267,7 @@ TEST_CASE("S12: float images keep values outside 0 to 1, levels clamp; NaN and i
     int level;
     std::uint64_t counted;
   };
-  for (const std::string_view precision : {"double", "float"})
+  for (const Precision precision : {Precision::double_, Precision::float_})
     for (const Case& c :
          {Case{0.5, 0.5f, 128, 0}, Case{2.5, 2.5f, 255, 0}, Case{-1, -1, 0, 0}, Case{1e30, 1e30f, 255, 0},
           Case{not_a_number, 0, 0, 3}, Case{infinite, largest, 255, 3}, Case{-infinite, -largest, 0, 3}}) {

@@ -92,7 +92,7 @@ TEST_CASE("V3: a triangle as large as the largest float covers the view that it 
     CAPTURE(size);
     WindowScene window(32);
     window.add({{-size, -size, -1}, {size, -size, -1}, {0, size, -1}});
-    for (const std::string_view precision : {"double", "float"}) {
+    for (const Precision precision : {Precision::double_, Precision::float_}) {
       RenderOptions options = window.options({Aov::object, Aov::depth});
       options.precision = precision;
       const Frame frame = render(window.scene, options);

@@ -74,7 +74,7 @@ TEST_CASE("V12: a pixel of the largest image is the same alone; images of one pi
   window.add({window.place(side, side, 1), window.place(side, 0, 1), window.place(0, side, 1)}, {0, 1, 0});
   const auto crop = [&](const PixelRect& c) {
     RenderOptions options = window.options({Aov::object, Aov::position});
-    options.crop = {c};
+    options.crop = c;
     return render(window.scene, options);
   };
   for (const auto& [x, y] :

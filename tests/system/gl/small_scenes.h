@@ -1,8 +1,8 @@
 #pragma once
 // Scenes for the OpenGL tests, small enough to read.
 
-#include "scene/scene.h"
-#include "scene/shapes.h"
+#include <refraster/mesh.h>
+#include <refraster/scene.h>
 
 namespace refraster {
 

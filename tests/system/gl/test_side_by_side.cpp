@@ -1,11 +1,12 @@
 // Every scene of the gallery through Mesa's drivers.
 
+#include <refraster/mesh.h>
+
 #include "io/scene/scene_file.h"
-#include "scene/shapes.h"
 #include "tests/support/gl/side_by_side.h"
+#include "tests/support/scenes/half_textured.h"
 #include "tests/support/scenes/listed_scenes.h"
 #include "tests/system/gl/small_scenes.h"
-#include "tests/support/scenes/half_textured.h"
 
 #include <doctest/doctest.h>
 

@@ -1,7 +1,8 @@
 // OpenGL's window has y up, as an application has it: what shaders are given of it, and which way up the images are.
 
-#include "raster/render.h"
-#include "scene/shapes.h"
+#include <refraster/mesh.h>
+#include <refraster/render.h>
+
 #include "tests/support/gl/ideal_shader.h"
 #include "tests/system/gl/window_scenes.h"
 

@@ -2,8 +2,9 @@
 // Scenes whose corners are placed by where they are seen, and shaders of a few lines, for what OpenGL makes of a
 // window.
 
+#include <refraster/scene.h>
+
 #include "gl/render_gl.h"
-#include "scene/scene.h"
 #include "tests/support/program/program.h"
 
 #include <array>

@@ -1,17 +1,21 @@
 # Installs the build to a folder of its own, then builds and runs a program that knows only that folder.
-file(REMOVE_RECURSE ${work_dir})
-set(prefix ${work_dir}/prefix)
-
-function(run)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE failed OUTPUT_VARIABLE text ERROR_VARIABLE text)
-  if(failed)
-    message(FATAL_ERROR "${ARGN}\n${text}")
-  endif()
-endfunction()
-
-run(${CMAKE_COMMAND} --install ${build_dir} --prefix ${prefix})
+include(${CMAKE_CURRENT_LIST_DIR}/installed.cmake)
 run(${prefix}/bin/refraster --version)
-run(${CMAKE_COMMAND} -G ${generator} -S ${consumer_dir} -B ${work_dir}/build -D CMAKE_CXX_COMPILER=${compiler}
-  -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_FIND_USE_PACKAGE_REGISTRY=OFF)
-run(${CMAKE_COMMAND} --build ${work_dir}/build)
-run(${work_dir}/build/consumer)
+
+# Nothing is installed but the public headers and, apart, the fragment kit.
+file(GLOB installed RELATIVE ${prefix}/include ${prefix}/include/*)
+list(SORT installed)
+if(NOT installed STREQUAL "refraster;refraster-kit")
+  message(FATAL_ERROR "${prefix}/include holds ${installed}")
+endif()
+# And no instruction set is asked of who links it.
+file(GLOB_RECURSE exported ${prefix}/lib/cmake/refraster/*.cmake)
+foreach(file IN LISTS exported)
+  file(READ ${file} text)
+  if(text MATCHES "-march")
+    message(FATAL_ERROR "${file} asks for an instruction set")
+  endif()
+endforeach()
+
+configure_and_build(${source_dir}/consumer consumer ${compiler} "")
+run(${work_dir}/consumer/consumer)

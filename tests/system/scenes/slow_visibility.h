@@ -2,7 +2,8 @@
 // What a pixel sees, worked out triangle by triangle in long double from the rules in docs/conventions.md: no bins, no
 // tiles, no edge functions, no fixed point.
 
-#include "scene/scene.h"
+#include <refraster/scene.h>
+
 #include "tests/system/scenes/slow_vector.h"
 
 #include <optional>

@@ -85,7 +85,7 @@ void check_frame(const Scene& scene, int samples) {
   options.width = 64, options.height = 36, options.samples = samples;
   options.want_rgb8 = false, options.want_radiance_double = true;
   const Frame in_double = render(scene, options);
-  options.precision = FloatPrecision::name;
+  options.precision = Precision::float_;
   const Frame in_float = render(scene, options);
   const Image<Exact> exact = render_in<Exact>(scene, options);
   const Image<InDouble> double_bounds = render_in<InDouble>(scene, options);

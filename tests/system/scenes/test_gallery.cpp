@@ -1,9 +1,10 @@
 // Laws that hold for every image of the gallery.
 
+#include <refraster/image.h>
+
 #include "tests/support/scenes/listed_scenes.h"
 
 #include "io/image/image_file.h"
-#include "scene/image.h"
 
 #include <doctest/doctest.h>
 
@@ -17,7 +18,7 @@ namespace refraster {
 namespace {
 
 /// Levels, radiance and all AOVs.
-RenderOptions everything(int width, int height, std::string_view precision = "double") {
+RenderOptions everything(int width, int height, Precision precision = Precision::double_) {
   RenderOptions options;
   options.width = width, options.height = height;
   options.precision = precision;
@@ -52,7 +53,7 @@ int float_difference(const Scene& scene, int width, int height) {
   RenderOptions options;
   options.width = width, options.height = height;
   const Frame reference = render(scene, options);
-  options.precision = "float";
+  options.precision = Precision::float_;
   const Frame fast = render(scene, options);
   int most = 0;
   for (std::size_t i = 0; i < reference.rgb8.values.size(); ++i)
@@ -66,7 +67,7 @@ double fast_difference(const Scene& scene, int width, int height) {
   options.width = width, options.height = height;
   options.want_rgb8 = false, options.want_radiance = true;
   const Frame reference = render(scene, options);
-  options.precision = "fast";
+  options.precision = Precision::fast;
   const Frame fast = render(scene, options);
   std::vector<double> levels;
   const auto level = [](float x) { return 255 * std::clamp(static_cast<double>(x), 0.0, 1.0); };
@@ -87,7 +88,7 @@ void for_scenes(const std::vector<std::string>& paths, const Law& law) {
 }
 
 void check_finite(const Scene& scene) {
-  for (const std::string_view precision : {"double", "float", "fast"}) {
+  for (const Precision precision : {Precision::double_, Precision::float_, Precision::fast}) {
     const Frame frame = render(scene, everything(160, 90, precision));
     const auto finite = [](const Image<float>& image) {
       return std::all_of(image.values.begin(), image.values.end(), [](float x) { return std::isfinite(x); });
@@ -100,7 +101,7 @@ void check_finite(const Scene& scene) {
 }
 
 void check_crop(const Scene& scene, const Frame& whole_frame, RenderOptions options, const PixelRect& crop) {
-  options.crop = {crop};
+  options.crop = crop;
   options.threads = 3, options.tile_size = 16;
   const Frame part = render(scene, options);
   CHECK(same_bits(part.rgb8, cut_out(whole_frame.rgb8, crop)));
@@ -203,7 +204,7 @@ TEST_SUITE("slow") {
 
   TEST_CASE("every thread count with every tile size gives the same bits, in double and in float") {
     for_scenes(listed_scenes(), [](const Scene& scene) {
-      for (const std::string_view precision : {"double", "float"}) {
+      for (const Precision precision : {Precision::double_, Precision::float_}) {
         RenderOptions options = everything(211, 119, precision);
         const Frame reference = render(scene, options);
         for (const int threads : {1, 2, 3, 7})

@@ -1,4 +1,5 @@
-#include "scene/shapes.h"
+
+#include <refraster/mesh.h>
 
 #include <doctest/doctest.h>
 

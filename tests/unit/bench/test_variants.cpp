@@ -1,7 +1,8 @@
+#include <refraster/mesh.h>
+
 #include "bench/measure/scene_bench.h"
 #include "bench/workloads/built_in.h"
 #include "bench/workloads/variants.h"
-#include "scene/shapes.h"
 #include "scenes/synthesis/merl_synthesis.h"
 
 #include <doctest/doctest.h>

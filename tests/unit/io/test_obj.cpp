@@ -1,6 +1,7 @@
+#include <refraster/mesh.h>
+
 #include "io/file/input_error.h"
 #include "io/mesh/obj_file.h"
-#include "scene/shapes.h"
 #include "tests/support/files/malformed_inputs.h"
 
 #include <doctest/doctest.h>

@@ -21,7 +21,7 @@ TEST_CASE("where a centre lies on the line at which a triangle's plane vanishes,
 
 TEST_CASE("on the edge opposite a corner next to the eye, what is seen is that edge, in every precision") {
   // Of 1 / w the two that count have less than 2^-70 of the third's, which on their edge has no part.
-  for (const std::string_view precision : {"double", "float", "fast"}) {
+  for (const Precision precision : {Precision::double_, Precision::float_, Precision::fast}) {
     CAPTURE(precision);
     WindowScene window(32, 0x1p-110);
     Object& object = window.add({window.place(4, 8.5, 2), window.place(28, 8.5, 2), window.place(16, 30, 1e-22)},
@@ -46,7 +46,7 @@ TEST_CASE("on the edge opposite a corner next to the eye, what is seen is that e
 }
 
 TEST_CASE("a light too bright for a precision is as bright as that can be, and does no harm where it does not reach") {
-  for (const std::string_view precision : {"double", "float", "fast"}) {
+  for (const Precision precision : {Precision::double_, Precision::float_, Precision::fast}) {
     CAPTURE(precision);
     WindowScene window(8);
     window.add({window.place(-8, -8, 1), window.place(24, -8, 1), window.place(-8, 24, 1)}, Double3(0.5));

@@ -1,7 +1,8 @@
 // Why an image shows nothing: each reason, and silence where it shows something.
 
+#include <refraster/mesh.h>
+
 #include "raster/explain/explain_dark.h"
-#include "scene/shapes.h"
 #include "tests/support/shading/merl_tables.h"
 
 #include <doctest/doctest.h>
@@ -178,7 +179,7 @@ TEST_CASE("vertices beyond a double") {
 
 TEST_CASE("a crop beside what the image shows") {
   RenderOptions options = small();
-  options.crop = {{0, 0, 10, 10}};
+  options.crop = PixelRect{0, 0, 10, 10};
   CHECK(explained(scene_of({{0, 0, -5}}), options) ==
         "the crop shows background only: the only object, \"ball 0\", lies outside the crop");
   CHECK(explained(scene_of({{0, 0, -5}})) == "");

@@ -23,7 +23,7 @@ namespace {
 const std::vector<Aov> every_aov = {Aov::depth,  Aov::normal,   Aov::position, Aov::uv,
                                     Aov::albedo, Aov::triangle, Aov::object};
 
-RenderOptions everything(std::string_view precision, int samples) {
+RenderOptions everything(Precision precision, int samples) {
   RenderOptions options;
   options.width = hashed_width, options.height = hashed_height;
   options.precision = precision, options.samples = samples;
@@ -65,10 +65,10 @@ bool same_counts(const FrameCounts& a, const FrameCounts& b) {
 template <class Body>
 void for_each_rendering(Body&& body) {
   for (const HashedScene& hashed : hashed_scenes())
-    for (const auto& way : {std::pair("double", 1), std::pair("float", 4)}) {
-      const char* const precision = way.first;
+    for (const auto& way : {std::pair(Precision::double_, 1), std::pair(Precision::float_, 4)}) {
+      const Precision precision = way.first;
       const int samples = way.second;
-      INFO(hashed.name, " ", precision, ", samples: ", samples);
+      INFO(hashed.name, " ", name_of(precision), ", samples: ", samples);
       body(hashed.scene, everything(precision, samples));
     }
 }
@@ -86,7 +86,7 @@ TEST_CASE("the radiance in double, rounded once, is the radiance; in the float p
       only_double += value != static_cast<double>(frame.radiance.values[i]);
     }
     CHECK(differ == 0);
-    CHECK((only_double > 0) == (options.precision == "double"));
+    CHECK((only_double > 0) == (options.precision == Precision::double_));
   });
 }
 
@@ -106,7 +106,7 @@ TEST_CASE("threads, tile sizes and crops change no byte, threads and tile sizes 
     options.threads = 2, options.tile_size = 64;
     for (const PixelRect& crop : {PixelRect{hashed_width - 1, hashed_height - 1, 1, 1}, PixelRect{13, 7, 101, 53}}) {
       CAPTURE(crop.x);
-      options.crop = {crop};
+      options.crop = crop;
       CHECK(same_images(render(scene, options), reference, crop));
     }
   });
@@ -343,7 +343,7 @@ TEST_CASE("samples of the largest number and of 0 resolve to the fraction of it,
       // All that is left of x = 4.5. Half of each pattern's samples are: the middle of an edge belongs to the right.
       window.add({at(-20, -20), at(-20, 40), at(4.5, 40), at(-20, -20), at(4.5, 40), at(4.5, -20)},
                  Double3(is_bright ? huge : 0));
-      for (const std::string_view precision : {"double", "float", "fast"})
+      for (const Precision precision : {Precision::double_, Precision::float_, Precision::fast})
         for (const int samples : {2, 4, 8, 16}) {
           RenderOptions options = window.options({}, samples);
           options.precision = precision;
@@ -353,7 +353,8 @@ TEST_CASE("samples of the largest number and of 0 resolve to the fraction of it,
           CHECK(frame.radiance.at(3, 3)[0] == (is_bright ? largest : 0));
           CHECK(frame.radiance.at(5, 3)[0] == (is_bright ? 0 : largest));
           // The mean of 1e300 and 0 is as large as ever in double.
-          CHECK(frame.radiance.at(4, 3)[0] == (huge > 1e100 && precision == "double" ? largest : largest / 2));
+          CHECK(frame.radiance.at(4, 3)[0] ==
+                (huge > 1e100 && precision == Precision::double_ ? largest : largest / 2));
         }
     }
 }
@@ -370,13 +371,13 @@ TEST_CASE("a renderer's frames do not depend on the frames before") {
       CHECK(same_counts(frame.counts, reference.counts));
     }
     // Another shape in between, and fewer images.
-    options.crop = {{3, 5, 70, 40}}, options.tile_size = 16, options.threads = 1;
+    options.crop = PixelRect{3, 5, 70, 40}, options.tile_size = 16, options.threads = 1;
     options.want_radiance = false, options.aovs = {Aov::depth};
     renderer.render(scene, options, frame);
     CHECK(frame.radiance.empty());
     REQUIRE(frame.aovs.size() == 1);
-    CHECK(same_rows(frame.rgb8, reference.rgb8, options.crop[0]));
-    CHECK(same_rows(frame.aovs[0], reference.aovs[0], options.crop[0]));
+    CHECK(same_rows(frame.rgb8, reference.rgb8, *options.crop));
+    CHECK(same_rows(frame.aovs[0], reference.aovs[0], *options.crop));
   });
 }
 
@@ -385,7 +386,7 @@ TEST_CASE("what a progress function throws comes out, and the next frame is whol
   Renderer renderer;
   Frame frame;
   for (const int threads : {1, 2, 3}) {
-    RenderOptions options = everything("double", 1);
+    RenderOptions options = everything(Precision::double_, 1);
     options.threads = threads, options.tile_size = 16;
     const Frame reference = render(scenes[0].scene, options);
     options.progress = [](double) { throw std::runtime_error("enough"); };

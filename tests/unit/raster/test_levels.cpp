@@ -1,6 +1,7 @@
 // From linear values to the levels of an 8-bit image.
 
-#include "raster/render.h"
+#include <refraster/render.h>
+
 #include "tests/support/for_all.h"
 
 #include <doctest/doctest.h>
@@ -13,7 +14,7 @@ using namespace refraster;
 namespace {
 
 /// The levels of an image that shows nothing but its background.
-std::uint8_t level_of(double value, Transfer transfer, std::string_view precision) {
+std::uint8_t level_of(double value, Transfer transfer, Precision precision) {
   Scene scene;
   scene.background = Double3(value);
   RenderOptions options;
@@ -35,7 +36,7 @@ constexpr long double undecided = 0x1p-14L;
 /// For values whose scaled ones do not lie so close to a half that the precision's rounding decides.
 template <class Curve>
 void check_levels(Transfer transfer, const Curve& curve) {
-  for (const std::string_view precision : {"double", "float"}) {
+  for (const Precision precision : {Precision::double_, Precision::float_}) {
     CAPTURE(precision);
     CHECK(level_of(0, transfer, precision) == 0);
     CHECK(level_of(1, transfer, precision) == 255);

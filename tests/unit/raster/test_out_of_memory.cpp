@@ -1,7 +1,8 @@
 // A frame that memory does not suffice for.
 
+#include <refraster/render.h>
+
 #include "app/sanitizer.h"
-#include "raster/render.h"
 #include "tests/support/scenes/hashed_scenes.h"
 #include "tests/support/shading/merl_tables.h"
 
@@ -62,7 +63,7 @@ TEST_CASE("a frame that memory does not suffice for throws, and the next one is 
           doctest::skip(built_with_sanitizer)) {
   RenderOptions options;
   options.width = hashed_width, options.height = hashed_height;
-  options.precision = "float";
+  options.precision = Precision::float_;
   options.threads = 1;
   const Scene scene = measured_scene();
   Renderer renderer;

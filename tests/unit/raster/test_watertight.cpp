@@ -1,4 +1,5 @@
-#include "scene/shapes.h"
+#include <refraster/mesh.h>
+
 #include "tests/support/raster/oracle.h"
 #include "tests/support/raster/triangles.h"
 

@@ -1,6 +1,6 @@
 // Meshes that need no file.
 
-#include "scene/shapes.h"
+#include <refraster/mesh.h>
 
 #include <doctest/doctest.h>
 

@@ -20,7 +20,7 @@ constexpr int lanes = NumberTraits<Fast>::lanes;
 template <class T, class M>
 Rgb<T> shaded(const M& function, const Situation& s) {
   const auto at = s.fragment<T>();
-  return function.ambient(at) + function(at, s.incident<T>());
+  return ambient(function, at) + reflected(function, at, s.incident<T>());
 }
 
 /// Both see the same numbers: directions as a float holds them.

@@ -19,7 +19,7 @@ template <class T>
 Rgb<T> shaded(const FragmentFunction& function, const Situation& situation) {
   const auto at = situation.fragment<T>();
   const auto light = situation.incident<T>();
-  return std::visit([&](const auto& m) { return m.ambient(at) + m(at, light); }, function);
+  return std::visit([&](const auto& m) { return ambient(m, at) + reflected(m, at, light); }, function);
 }
 
 template <class F>
@@ -42,7 +42,7 @@ void check_boxes(int apart) {
         at.to_eye[axis] = {situation.v[axis] - half_width, situation.v[axis] + half_width};
       }
       const Rgb<Bounds> bounds =
-          std::visit([&](const auto& m) { return m.ambient(at) + m(at, light); }, tried.function);
+          std::visit([&](const auto& m) { return ambient(m, at) + reflected(m, at, light); }, tried.function);
       for (int inside = 0; inside < 4; ++inside) {
         Situation moved = situation;
         for (int axis = 0; axis < 3; ++axis) {
@@ -99,7 +99,8 @@ TEST_CASE_TEMPLATE("every lane shades as it would alone, to the last bit", T, Wi
         put(at.normal, s.n), put(at.to_eye, s.v), put(at.texture, s.texture);
         put(light.direction, s.l), put(light.radiance, s.radiance);
       }
-      const Rgb<T> together = std::visit([&](const auto& m) { return m.ambient(at) + m(at, light); }, tried.function);
+      const Rgb<T> together =
+          std::visit([&](const auto& m) { return ambient(m, at) + reflected(m, at, light); }, tried.function);
       for (int lane = 0; lane < lanes; ++lane) {
         const Rgb<F> alone = shaded<F>(tried.function, situations[static_cast<std::size_t>(lane)]);
         REQUIRE(same_bits(together.x[lane], alone.x));
@@ -143,8 +144,8 @@ TEST_CASE("a dark light adds nothing") {
       Situation situation = random_situation(random, k);
       situation.radiance = Double3(0);
       const auto at = situation.fragment<double>();
-      const Rgb<double> ambient = std::visit([&](const auto& m) { return m.ambient(at); }, tried.function);
-      REQUIRE(shaded<double>(tried.function, situation) == ambient);
+      const Rgb<double> unlit = std::visit([&](const auto& m) { return ambient(m, at); }, tried.function);
+      REQUIRE(shaded<double>(tried.function, situation) == unlit);
     }
   }
 }
@@ -163,7 +164,7 @@ TEST_CASE("no diffuse or measured light comes from below the horizon") {
       if (dot(situation.n, situation.l) > 0) situation.l = -situation.l;
       const auto at = situation.fragment<double>();
       const auto light = situation.incident<double>();
-      REQUIRE(std::visit([&](const auto& m) { return m(at, light); }, tried.function) == Rgb<double>(0));
+      REQUIRE(std::visit([&](const auto& m) { return reflected(m, at, light); }, tried.function) == Rgb<double>(0));
     }
   }
 }

@@ -33,7 +33,7 @@ Rgb<double> reflected(const Merl& merl, const Double3& l, const Double3& v, Unde
   UndefinedCounts unused;
   const UndefinedTally<double> tally(counts ? *counts : unused, true);
   const Fragment<double> at{Double3(0), Double3(0, 0, 1), v, Double3(1), &tally};
-  return merl(at, Incident<double>{l, Double3(1, 10, 100)});
+  return reflected(merl, at, Incident<double>{l, Double3(1, 10, 100)});
 }
 
 } // namespace
@@ -216,7 +216,7 @@ TEST_CASE("reflected light worked out by hand") {
   // Light, eye and normal along one line: theta_h = theta_d = 0 and phi_d is a right angle, in bin 90.
   CHECK(reflected(merl, {0, 0, 1}, {0, 0, 1}) == Rgb<double>(0, 0, 9000));
   // There is no ambient light, and no texture.
-  CHECK(merl.ambient(Fragment<double>{}) == Rgb<double>(0));
+  CHECK(ambient(merl, Fragment<double>{}) == Rgb<double>(0));
 }
 
 TEST_CASE("a measured surface is black from behind and by light from behind") {

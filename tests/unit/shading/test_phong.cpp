@@ -28,7 +28,7 @@ Lit lit(const SomeFunction& function, const Double3& n, const Double3& l, const 
   Lit result;
   const UndefinedTally<double> tally(result.counts, true);
   const Fragment<double> at{Double3(0), n, v, texture, &tally};
-  result.colour = function(at, Incident<double>{l, light_colour});
+  result.colour = reflected(function, at, Incident<double>{l, light_colour});
   return result;
 }
 
@@ -52,7 +52,7 @@ TEST_CASE("Phong worked out by hand") {
   // Looking along r: the highlight is ks itself.
   check_close(lit(Phong{parameters}, up, slanted, {-0.6, 0, 0.8}).colour, {1.4, 4.2, 12.075});
   // Ambient light is ka times the texture.
-  check_close(Phong{parameters}.ambient(Fragment<double>{{}, up, up, texture, nullptr}), {0.1, 0.1, 0.075});
+  check_close(ambient(Phong{parameters}, Fragment<double>{{}, up, up, texture, nullptr}), {0.1, 0.1, 0.075});
 }
 
 TEST_CASE("Blinn-Phong worked out by hand") {

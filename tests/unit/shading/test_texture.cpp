@@ -124,17 +124,17 @@ TEST_CASE("a mip level is the mean of the area below") {
   Texture texture = texture_of(grey(4, 2, {0, 4, 8, 12, 100, 104, 108, 112}));
   build_mip_levels(texture);
   REQUIRE(texture.levels.size() == 3); // 4 x 2, 2 x 1, 1 x 1
-  CHECK(texture.levels[1].texels<double>()(0, 0, 0).x == 52);
-  CHECK(texture.levels[1].texels<double>()(1, 0, 0).x == 60);
-  CHECK(texture.levels[2].texels<double>()(0, 0, 0).x == 56);
+  CHECK(texels_of<double>(texture.levels[1])(0, 0, 0).x == 52);
+  CHECK(texels_of<double>(texture.levels[1])(1, 0, 0).x == 60);
+  CHECK(texels_of<double>(texture.levels[2])(0, 0, 0).x == 56);
 
   Texture odd = texture_of(grey(5, 1, {10, 20, 30, 40, 50}));
   build_mip_levels(odd);
   REQUIRE(odd.levels.size() == 3); // 5, 2, 1
   REQUIRE(odd.levels[1].width == 2);
-  CHECK(odd.levels[1].texels<double>()(0, 0, 0).x == 18); // (10 + 20 + 30 / 2) / 2.5
-  CHECK(odd.levels[1].texels<double>()(1, 0, 0).x == 42); // (30 / 2 + 40 + 50) / 2.5
-  CHECK(odd.levels[2].texels<double>()(0, 0, 0).x == 30);
+  CHECK(texels_of<double>(odd.levels[1])(0, 0, 0).x == 18); // (10 + 20 + 30 / 2) / 2.5
+  CHECK(texels_of<double>(odd.levels[1])(1, 0, 0).x == 42); // (30 / 2 + 40 + 50) / 2.5
+  CHECK(texels_of<double>(odd.levels[2])(0, 0, 0).x == 30);
 }
 
 TEST_CASE("every mip level has the mean of the image, whatever its size") {

@@ -1,7 +1,8 @@
 #include "tests/unit/verify/pictures.h"
 
+#include <refraster/render.h>
+
 #include "io/scene/scene_file.h"
-#include "raster/render.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,8 @@
 #pragma once
 // Pictures, and what goes wrong with them as a whole.
 
-#include "scene/image.h"
+#include <refraster/image.h>
+
 #include "verify/transformations/transformations.h"
 
 #include <functional>

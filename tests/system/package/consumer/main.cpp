@@ -1,6 +1,6 @@
 // A sphere in ten lines, with the installed library.
-#include "raster/render.h"
-#include "scene/shapes.h"
+#include <refraster/mesh.h>
+#include <refraster/render.h>
 
 int main() {
   using namespace refraster;

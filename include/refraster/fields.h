@@ -2,11 +2,15 @@
 // How a fragment function declares its parameters: once, beside the member, with range and meaning. The scene reader,
 // its error messages and the documentation all follow from that declaration.
 
-#include <concepts>
+#include <refraster/vector.h>
+
+#include <cstddef>
 #include <limits>
+#include <optional>
 #include <string_view>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace refraster {
 
@@ -44,9 +48,33 @@ constexpr std::string_view name_of(Enum value) {
   return {};
 }
 
+/// The value of this name; nothing if there is none.
+template <NamedEnum Enum>
+constexpr std::optional<Enum> value_named(std::string_view name) {
+  for (const auto& [value, listed] : EnumNames<Enum>::names)
+    if (listed == name) return value;
+  return std::nullopt;
+}
+
 // A fragment function declares each parameter in its function `fields`, by one call:
 //     field("kd", self.kd, Range{}, "diffuse reflection, r g b");
 // for a Double3 (a colour), a double, or a named enum. A scene must give every colour and number; an enum, which
 // chooses between conventions, may be left out and then keeps the value that the member has from the start.
+
+/// An enum whose type is not known here: the words for its values, and which of them it is.
+struct NamedValue {
+  std::vector<std::string_view> names;
+  std::size_t index = 0;
+};
+
+/// Is shown the parameters of a fragment function whose type is not known here, one by one, as `fields` declares them,
+/// and may change their values.
+class FieldVisitor {
+public:
+  virtual ~FieldVisitor() = default;
+  virtual void field(std::string_view name, double& value, const Range& range, std::string_view meaning) = 0;
+  virtual void field(std::string_view name, Double3& value, const Range& range, std::string_view meaning) = 0;
+  virtual void field(std::string_view name, NamedValue& value, const Range& range, std::string_view meaning) = 0;
+};
 
 } // namespace refraster

@@ -1,17 +1,34 @@
 #pragma once
-// What is asked of a frame, and what it is: options, images, counts.
+// What a frame is: its precision, images and counts.
 
-#include "scene/image.h"
-#include "scene/memory_budget.h"
-#include "shading/undefined.h"
+#include <refraster/fields.h>
+#include <refraster/image.h>
 
-#include <atomic>
+#include <array>
+#include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace refraster {
+
+/// A number type for interpolation and shading, all the way from a sample's weights to the pixel. Which triangle a
+/// sample sees is decided before, once, for all of them: images of two precisions differ in values, never in shape.
+enum class Precision {
+  double_, // the reference: the same bits on every machine
+  float_,  // speed, with GPU-like arithmetic: the same bits on every machine
+  fast,    // more speed, last bits of float given up
+  exact    // the truth: the same formulas in 60 digits; slow
+};
+
+template <>
+struct EnumNames<Precision> {
+  static constexpr std::pair<Precision, std::string_view> names[] = {{Precision::double_, "double"},
+                                                                     {Precision::float_, "float"},
+                                                                     {Precision::fast, "fast"},
+                                                                     {Precision::exact, "exact"}};
+};
 
 /// Images beside the colour, each of the nearest surface at the pixel centre; 0 where there is none.
 enum class Aov {
@@ -31,31 +48,6 @@ inline constexpr std::size_t max_exact_triangle_id = std::size_t{1} << 24;
 inline constexpr std::string_view aov_names[] = {"depth", "normal", "position", "uv", "albedo", "triangle", "object"};
 inline constexpr int aov_channels[] = {1, 3, 3, 2, 3, 1, 1};
 
-/// A rectangle of pixels; x, y from the top left.
-struct PixelRect {
-  int x = 0, y = 0, width = 0, height = 0;
-};
-
-enum class Transfer { linear, srgb };
-
-struct RenderOptions {
-  int width = 1280, height = 720;        // of the full image: 1 to 16384 each
-  std::vector<PixelRect> crop;           // none, or one within the image: only these pixels, with the same values
-  std::string_view precision = "double"; // a name in math/precisions.h
-  int samples = 1;                       // a pixel: 1, 2, 4, 8 or 16 at the standard positions; shaded once a triangle
-  int threads = 0;                       // 0: as many as the machine has
-  int tile_size = 64;                    // 8 to 128, a power of two. Changes no pixel.
-  // What to make. Only what is asked for is computed and takes memory.
-  bool want_rgb8 = true;                // 8-bit image
-  bool want_radiance = false;           // float image
-  bool want_radiance_double = false;    // the same before it is rounded to float, to measure a precision by
-  Transfer transfer = Transfer::linear; // of the 8-bit image
-  std::vector<Aov> aovs;
-  std::function<void(double)> progress;      // called with the fraction done, in [0, 1], from one thread at a time
-  const std::atomic<bool>* cancel = nullptr; // when it becomes true, the frame is given up
-  MemoryBudget memory;                       // asked for images and vertices
-};
-
 /// Seconds of wall time in each stage of a frame.
 struct StageSeconds {
   double transform = 0, bin = 0, tiles = 0, total = 0;
@@ -68,6 +60,37 @@ struct TileSeconds {
   double shading = 0;         // interpolation and fragment functions
   double resolve = 0;         // averaging samples, writing pixels
   double sum() const { return visibility + attribute_setup + shading + resolve; }
+};
+
+/// What the mathematics leaves undefined, a fragment function defines and counts, so that a run report can say how
+/// often a pixel rests on a convention instead of a formula.
+enum class Undefined {
+  zero_normal,      // the interpolated normal is 0: the triangle's own normal is used
+  no_normal,        // and that is 0 too: ambient light only
+  eye_at_surface,   // the camera is at the surface point: no direction to the eye, v = 0
+  light_at_surface, // the light is at the surface point: no direction to it, contributes 0
+  no_half_vector,   // l = -v: no half vector, no lobe
+  zero_to_the_zero, // glossiness 0 and a cosine of 0: 0^0 = 1
+  unmeasured_brdf,  // every table sample around the direction is marked as never measured: 0
+  not_finite,       // overflow in a channel: the largest finite number; NaN: 0
+  bad_uv,           // a texture coordinate is NaN or infinite: taken as 0
+  count_
+};
+
+inline constexpr std::array<std::string_view, static_cast<std::size_t>(Undefined::count_)> undefined_names = {
+    "zero_normal",     "no_normal",  "eye_at_surface", "light_at_surface", "no_half_vector", "zero_to_the_zero",
+    "unmeasured_brdf", "not_finite", "bad_uv"};
+
+/// How often each case was met: per light and shaded sample where it concerns a light.
+struct UndefinedCounts {
+  std::array<std::uint64_t, static_cast<std::size_t>(Undefined::count_)> counts{};
+
+  std::uint64_t& operator[](Undefined which) { return counts[static_cast<std::size_t>(which)]; }
+  std::uint64_t operator[](Undefined which) const { return counts[static_cast<std::size_t>(which)]; }
+  UndefinedCounts& operator+=(const UndefinedCounts& other) {
+    for (std::size_t i = 0; i < counts.size(); ++i) counts[i] += other.counts[i];
+    return *this;
+  }
 };
 
 /// What a frame met. The same for every thread count and tile size.

@@ -1,12 +1,15 @@
 #pragma once
-// How much memory may be taken.
+// How much memory may be taken; and the memory of tables.
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <new>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace refraster {
 
@@ -50,5 +53,38 @@ private:
   std::uint64_t limit_bytes_ = 0;
   std::function<std::uint64_t()> in_use_bytes_; // none: no limit
 };
+
+/// At least so many bytes, aligned to 16. From 2 MiB on in pages of 2 MiB instead of 4 KiB, where the system has them:
+/// a table of 35 MB is there after 17 page faults instead of 8500, which take as long as reading its file does. To be
+/// given back with free_memory. Throws std::bad_alloc.
+void* allocate_memory(std::size_t bytes);
+void free_memory(void* memory) noexcept;
+
+/// Asks for the room of four more elements than it is told to: they may be read, whatever is in them, never written.
+template <class T>
+struct PaddedAllocator {
+  using value_type = T;
+  static constexpr std::size_t padding = 4 * sizeof(T);
+
+  PaddedAllocator() = default;
+  template <class U>
+  PaddedAllocator(const PaddedAllocator<U>&) {}
+
+  T* allocate(std::size_t n) {
+    constexpr std::size_t most = static_cast<std::size_t>(std::numeric_limits<std::ptrdiff_t>::max()) / sizeof(T) - 4;
+    if (n > most) throw std::bad_alloc();
+    return static_cast<T*>(allocate_memory(n * sizeof(T) + padding));
+  }
+  void deallocate(T* memory, std::size_t) { free_memory(memory); }
+  template <class U>
+  bool operator==(const PaddedAllocator<U>&) const {
+    return true;
+  }
+};
+
+/// A std::vector of which a row of four may be loaded from the place of any of its elements: textures and measured
+/// tables are read four numbers at a time, wherever one is wanted, the last ones too.
+template <class T>
+using PaddedVector = std::vector<T, PaddedAllocator<T>>;
 
 } // namespace refraster

@@ -1,13 +1,35 @@
 #pragma once
-// Meshes that need no file.
+// Meshes, and those that need no file.
 
-#include "scene/scene.h"
+#include <refraster/vector.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
 
 namespace refraster {
+
+/// Triangles in object space, counter-clockwise seen from outside. Coordinates are float: what a GPU is given, so that
+/// both sides of a comparison start from the same numbers.
+struct Mesh {
+  std::vector<Float3> positions = {};                       // one entry a unique (position, normal, uv)
+  std::vector<Float3> normals = {};                         // as many as positions; any length
+  std::vector<Float2> uvs = {};                             // of the first vertices, all or some; the others have none
+  std::vector<std::array<std::uint32_t, 3>> triangles = {}; // indices into the above, each < positions.size()
+};
+
+/// Whether a triangle of the mesh has texture coordinates: all its corners do. Without them a texture is not shown on
+/// it, as OBJ has it (statement f): it is white.
+inline bool has_uvs(const Mesh& mesh, const std::array<std::uint32_t, 3>& triangle) {
+  const std::size_t count = mesh.uvs.size();
+  return triangle[0] < count && triangle[1] < count && triangle[2] < count;
+}
 
 // All are in object space, counter-clockwise seen from outside, with unit normals and uv in [0, 1]. Where uv jumps or
 // the normal breaks, vertices are duplicated; every vertex belongs to a triangle. The same bits on every machine, and
 // mirror images of each other where the shape is: sines are computed here, not by the system's library.
+// Arguments out of their range throw std::invalid_argument.
 
 /// The unit sphere, swept by two angles: the longitude 2 pi u runs eastward from the back (-Z), the latitude pi v from
 /// the south pole to the north pole.

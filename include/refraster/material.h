@@ -1,0 +1,209 @@
+#pragma once
+// Materials: which fragment function shades a surface, and its parameters as plain data. The formulas are in the
+// fragment kit (shading/phong.h …).
+
+#include <refraster/fields.h>
+#include <refraster/memory.h>
+#include <refraster/texture.h>
+#include <refraster/vector.h>
+
+#include <cstddef>
+#include <memory>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+namespace refraster {
+
+/// f(theta_h, theta_d, phi_d) in 1/sr, without cosine, for red, green and blue. A sample with a negative channel was
+/// never measured. Matusik et al., "A data-driven reflectance model", 2003; half and difference angles after
+/// Rusinkiewicz, "A new change of variables for efficient BRDF representation", 1998.
+///
+/// Immutable. Copies in other precisions are made when they are first asked for, once, whatever threads ask: a frame
+/// pays only for those it reads.
+class MerlTable {
+public:
+  static constexpr int theta_h_bins = 90, theta_d_bins = 90, phi_d_bins = 180;
+  static constexpr std::size_t samples = std::size_t{90} * 90 * 180;
+
+  /// `rgb` holds 3 * samples finite values, interleaved, phi_d fastest, then theta_d, then theta_h. Throws
+  /// std::invalid_argument for another number of values.
+  explicit MerlTable(PaddedVector<double> rgb);
+  ~MerlTable();
+
+  /// Index of the first channel of a sample. 0 <= h, d < 90, 0 <= p < 180.
+  static constexpr int offset(int h, int d, int p) { return 3 * ((h * theta_d_bins + d) * phi_d_bins + p); }
+
+  // What the formulas of the fragment kit read.
+
+  /// The values as a precision reads them: in double; in float, each rounded once; or in Half (math/half.h), in units
+  /// of unit<Half>(), each rounded once. A sample that was never measured has -1 in all channels; in double, what the
+  /// file has.
+  template <class Stored>
+  const Stored* values() const;
+
+  /// The f that a stored value of 1 means. Of double and float 1; of Half a power of two, chosen so that the greatest
+  /// value of the table lies in (32752, 65504]: a metal's highlight is brighter than the largest half, and what is
+  /// 2^28 times darker still has all its digits.
+  template <class Stored>
+  double unit() const;
+
+  /// g = log2(1 + f / log_epsilon) >= 0 in double or float; -1 in all channels of a sample that was never measured.
+  /// Not in Half: g goes up to 30, and half's 11 bits of that are a worse f than half's 11 bits of f.
+  template <class F>
+  const F* log_values() const;
+
+  /// Below this value, in 1/sr, interpolating logarithms turns into interpolating values: it keeps the logarithm of
+  /// black finite. Black paint has f near 1e-2, so that nothing measured is that dark.
+  static constexpr double log_epsilon = 1e-4;
+
+  Rgb<double> sample(int h, int d, int p) const {
+    const double* at = doubles_.data() + offset(h, d, p);
+    return {at[0], at[1], at[2]};
+  }
+
+private:
+  struct Copies;
+
+  PaddedVector<double> doubles_;
+  std::unique_ptr<Copies> copies_;
+};
+
+/// Whether a light at or below the horizon (n.l <= 0) still makes a highlight. The textbook formula keeps it.
+enum class SpecularGate { open, cut_below_horizon };
+
+template <>
+struct EnumNames<SpecularGate> {
+  static constexpr std::pair<SpecularGate, std::string_view> names[] = {
+      {SpecularGate::open, "false"},
+      {SpecularGate::cut_below_horizon, "true"},
+  };
+};
+
+/// The parameters that Phong and Blinn-Phong share.
+struct PhongParameters {
+  Double3 ka{0.05}, kd{1}, ks{1}; // ambient, diffuse and specular reflection, linear; each channel >= 0
+  double glossiness = 8;          // s, the exponent of the highlight; >= 0
+  SpecularGate specular_gate = SpecularGate::open;
+
+  static void fields(auto& self, auto&& field) {
+    field("ka", self.ka, Range{}, "ambient reflection, r g b");
+    field("kd", self.kd, Range{}, "diffuse reflection, r g b");
+    field("ks", self.ks, Range{}, "specular reflection, r g b");
+    field("glossiness", self.glossiness, Range{}, "exponent of the highlight");
+    field("specular_gate", self.specular_gate, Range{}, "true: no highlight from a light at or below the horizon");
+  }
+};
+
+/// Phong reflection: radiance toward the eye from one light,
+///
+///     (kd t <n.l> + ks <r.v>^s) C,     r = 2 (n.l) n - l,     <x> = max(x, 0),
+///
+/// t the texture colour: the highlight is not coloured by it. Phong, "Illumination for computer generated pictures",
+/// 1975.
+struct Phong : PhongParameters {
+  static constexpr std::string_view name = "phong";
+  static constexpr std::string_view shader_stems[] = {"phong_fs", "phong"}; // names of GLSL files that mean it
+};
+
+/// Blinn-Phong reflection: radiance toward the eye from one light,
+///
+///     (kd t <n.l> + ks <n.h>^s) C,     h = (l + v) / |l + v|,     <x> = max(x, 0).
+///
+/// Blinn, "Models of light reflection for computer synthesized pictures", 1977.
+struct BlinnPhong : PhongParameters {
+  static constexpr std::string_view name = "blinn_phong";
+  static constexpr std::string_view shader_stems[] = {"blinn_phong_fs", "blinn_fs", "blinn_phong", "blinn"};
+};
+
+/// How a MERL table is read between its samples. docs/merl.md shows what each is for.
+///   nearest         the sample of the bin that holds the point
+///   trilinear       linear in u, v and w, samples at the centres of their bins: the default
+///   trilinear_edge  the same with samples at the starts of their bins, as several published readers have it
+///   trilinear_log   the same as trilinear on g = log2(1 + f / epsilon)
+///   tricubic_log    Catmull-Rom splines in u, v and w on g
+/// phi_d wraps from 179 to 0, since it is periodic in pi; theta_h and theta_d are clamped. Samples that were never
+/// measured are left out and the weights of the others scaled up to a sum of 1.
+enum class MerlLookup { nearest, trilinear, trilinear_edge, trilinear_log, tricubic_log };
+
+template <>
+struct EnumNames<MerlLookup> {
+  static constexpr std::pair<MerlLookup, std::string_view> names[] = {
+      {MerlLookup::nearest, "nearest"},
+      {MerlLookup::trilinear, "trilinear"},
+      {MerlLookup::trilinear_edge, "trilinear-edge"},
+      {MerlLookup::trilinear_log, "trilinear-log"},
+      {MerlLookup::tricubic_log, "tricubic-log"},
+  };
+};
+
+/// How the azimuth of the difference vector is computed. All agree in exact arithmetic.
+enum class MerlAngles { closed, rotation, frame };
+
+template <>
+struct EnumNames<MerlAngles> {
+  static constexpr std::pair<MerlAngles, std::string_view> names[] = {
+      {MerlAngles::closed, "closed"},
+      {MerlAngles::rotation, "rotation"},
+      {MerlAngles::frame, "frame"},
+  };
+};
+
+/// Measured reflection: radiance toward the eye from one light,
+///
+///     f(l, v) <n.l> C,     0 unless n.l > 0 and n.v > 0,     <x> = max(x, 0).
+///
+/// f is read from a MERL table. There is no ambient term, and the texture is not used.
+struct Merl {
+  static constexpr std::string_view name = "merl";
+  static constexpr std::string_view shader_stems[] = {"merl_fs", "merl"};
+
+  std::shared_ptr<const MerlTable> table; // not null when shading
+  MerlLookup lookup = MerlLookup::trilinear;
+  MerlAngles angles = MerlAngles::closed;
+
+  static void fields(auto& self, auto&& field) {
+    field("merl_lookup", self.lookup, Range{}, "how the table is read between its samples");
+    field("merl_angles", self.angles, Range{}, "how the half and difference angles are computed");
+  }
+};
+
+/// Every fragment function of the library. The order is that of `refraster list fragment-functions`; nothing else
+/// depends on it. The formula of each is in shading/fragment_functions.h.
+using FragmentFunction = std::variant<Phong, BlinnPhong, Merl>;
+
+struct FragmentBatch; // of the fragment kit
+
+/// A fragment function of one's own: made by user_function() of the fragment kit, from a block of parameters and a
+/// formula like those above. Immutable while a frame is rendered; materials may share it.
+class UserFunction {
+public:
+  virtual ~UserFunction() = default;
+  /// The word in "fragment_function" of a scene file.
+  virtual std::string_view name() const = 0;
+  /// Shows each parameter to `visitor`, which may change it.
+  virtual void fields(FieldVisitor& visitor) = 0;
+  virtual std::shared_ptr<UserFunction> copy() const = 0;
+  /// Shades many fragments at once. Called by the library, from several threads. Throws std::invalid_argument for a
+  /// number that it was not compiled for: one built with an older kit.
+  virtual void shade(const FragmentBatch& batch) const = 0;
+};
+
+/// What an object's surface is like.
+struct Material {
+  FragmentFunction fragment_function = {};
+  std::shared_ptr<const UserFunction> user_function = {}; // shades instead of it, if not null
+  std::shared_ptr<const Texture> texture = {};            // null: white
+  TextureFilter texture_filter = TextureFilter::bilinear;
+
+  /// What is measured of it; null if another function shades it.
+  const Merl* measured() const { return user_function ? nullptr : std::get_if<Merl>(&fragment_function); }
+
+  /// Of what shades it.
+  std::string_view function_name() const {
+    if (user_function) return user_function->name();
+    return std::visit([](const auto& function) { return function.name; }, fragment_function);
+  }
+};
+
+} // namespace refraster

@@ -1,0 +1,123 @@
+// A fragment function of one's own is shaded as one of the library is: bit for bit.
+
+#include <refraster/mesh.h>
+#include <refraster/render.h>
+
+#include "raster/render_in.h"
+#include "shading/fragment_functions.h"
+#include <refraster/fragment_kit.h>
+
+#include <doctest/doctest.h>
+
+#include <cstring>
+#include <stdexcept>
+
+namespace own {
+using namespace refraster;
+
+/// Blinn-Phong under another name, registered from outside.
+struct Gloss : BlinnPhong {
+  static constexpr std::string_view name = "gloss";
+};
+template <Number T>
+Rgb<T> ambient(const Gloss& gloss, const Fragment<T>& at) {
+  return refraster::ambient(static_cast<const BlinnPhong&>(gloss), at);
+}
+template <Number T>
+Rgb<T> reflected(const Gloss& gloss, const Fragment<T>& at, const Incident<T>& light) {
+  return refraster::reflected(static_cast<const BlinnPhong&>(gloss), at, light);
+}
+
+} // namespace own
+
+namespace {
+
+using namespace refraster;
+
+/// The scene, with every Blinn-Phong by the user's function.
+Scene by_user(Scene scene) {
+  for (Object& object : scene.objects)
+    if (const auto* const blinn = std::get_if<BlinnPhong>(&object.material.fragment_function))
+      object.material.user_function = user_function(own::Gloss{*blinn});
+  return scene;
+}
+
+Scene two_balls() {
+  Scene scene;
+  scene.camera.position = {0, 0, 5};
+  scene.point_lights = {{.position = {2, 3, 4}, .radiance = Double3(3), .quadratic = 0.1}};
+  scene.direction_lights = {{{-1, -1, -1}, Double3(0.5)}};
+  for (const double x : {-0.8, 0.9}) {
+    Object object;
+    object.mesh = std::make_shared<const Mesh>(sphere_mesh(24, 12));
+    object.position = {x, 0.1, 0};
+    BlinnPhong blinn;
+    blinn.glossiness = x < 0 ? 0 : 33; // 0^0 is counted
+    object.material.fragment_function = blinn;
+    scene.objects.push_back(object);
+  }
+  return scene;
+}
+
+template <class Value>
+bool same_bits(const Image<Value>& a, const Image<Value>& b) {
+  return a.values.size() == b.values.size() && a.values.size() > 0 &&
+         std::memcmp(a.values.data(), b.values.data(), a.values.size() * sizeof(Value)) == 0;
+}
+
+} // namespace
+
+TEST_CASE("a fragment function of one's own gives the library's bits in every precision, with AOVs and counts") {
+  const Scene built_in = two_balls(), user = by_user(built_in);
+  for (const auto& [precision, name] : EnumNames<Precision>::names) {
+    CAPTURE(name);
+    RenderOptions options{.width = 40, .height = 30, .precision = precision, .samples = 4, .threads = 2};
+    if (precision == Precision::exact) options.width = 12, options.height = 9;
+    options.want_radiance_double = true;
+    options.aovs = {Aov::albedo, Aov::normal};
+    const Frame expected = render(built_in, options), frame = render(user, options);
+    CHECK(same_bits(frame.radiance_double, expected.radiance_double));
+    CHECK(same_bits(frame.rgb8, expected.rgb8));
+    CHECK(same_bits(frame.aovs[0], expected.aovs[0]));
+    CHECK(frame.counts.undefined.counts == expected.counts.undefined.counts);
+    CHECK(frame.counts.undefined[Undefined::zero_to_the_zero] > 0);
+  }
+}
+
+TEST_CASE("and the library's bounds") {
+  const Scene built_in = two_balls(), user = by_user(built_in);
+  const RenderOptions options{.width = 16, .height = 12, .threads = 2};
+  const auto check = [&]<class T>(T) {
+    const Image<T> expected = render_in<T>(built_in, options), image = render_in<T>(user, options);
+    for (std::size_t i = 0; i < image.values.size(); ++i) {
+      REQUIRE(image.values[i].lo == expected.values[i].lo);
+      REQUIRE(image.values[i].hi == expected.values[i].hi);
+    }
+  };
+  check(Interval<DoubleArithmetic>(0));
+  check(Interval<FloatArithmetic>(0));
+}
+
+TEST_CASE("its parameters are shown one by one, words by number, and may be changed") {
+  struct Visitor final : FieldVisitor {
+    std::string seen;
+    void field(std::string_view name, double& value, const Range&, std::string_view) override {
+      seen += std::string(name) + " ", value = 3;
+    }
+    void field(std::string_view name, Double3&, const Range&, std::string_view) override {
+      seen += std::string(name) + " ";
+    }
+    void field(std::string_view name, NamedValue& value, const Range&, std::string_view) override {
+      seen += std::string(name) + "=" + std::string(value.names.at(value.index)), value.index = 1;
+    }
+  };
+  const auto function = user_function(own::Gloss{});
+  const auto copy = function->copy();
+  Visitor first, second, of_original;
+  copy->fields(first);
+  CHECK(first.seen == "ka kd ks glossiness specular_gate=false");
+  copy->fields(second);
+  CHECK(second.seen == "ka kd ks glossiness specular_gate=true");
+  function->fields(of_original);
+  CHECK(of_original.seen == first.seen); // a copy of its own
+}
