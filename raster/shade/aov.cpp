@@ -43,8 +43,7 @@ void write_aov(const FrameContext& context, const VisibleTile& visible, std::spa
     if (shown.empty() || shown.back().x != run.x || shown.back().y != run.y) shown.push_back(run);
 
   TileAttributes<double> setups;
-  std::vector<std::array<int, 2>> place(
-      setups.collect(context.scene, context.geometry, context.bins, visible.triangles, shown));
+  std::vector<std::array<int, 2>> place(setups.collect(context, visible.triangles, shown));
   for (const FragmentRun& run : shown)
     for (int i = 0; i < run.length; ++i) place[run.first_fragment + static_cast<std::size_t>(i)] = {run.x + i, run.y};
 
@@ -54,7 +53,7 @@ void write_aov(const FrameContext& context, const VisibleTile& visible, std::spa
     for_each_packet<T>(setups, group, tile, [&](const Packet<T>& packet, std::uint32_t first) {
       const UndefinedTally<T> tally(uncounted, first_lanes<double, NumberTraits<T>::lanes>(packet.count));
       const PacketData<T, Triangles::many> data(packet);
-      const auto surface = [&] { return packet_surface(context.scene, context.geometry, material, data, tally); };
+      const auto surface = [&] { return packet_surface(context, material, data, tally); };
       // Pixel centres beside a triangle may make any number of it; and a finite double may lie beyond a float.
       constexpr double largest = std::numeric_limits<float>::max();
       const auto put = [&](int channel, auto&& value) {
@@ -90,8 +89,7 @@ void write_aov(const FrameContext& context, const VisibleTile& visible, std::spa
         for (int c = 0; c < 2; ++c) {
           const T fraction = interpolated_uv(data, c, at);
           put(c, [&](int lane) {
-            return fraction[lane] +
-                   whole_repeats(context.scene, context.geometry, triangle(lane).number)[static_cast<std::size_t>(c)];
+            return fraction[lane] + whole_repeats(context, triangle(lane).number)[static_cast<std::size_t>(c)];
           });
         }
         break;

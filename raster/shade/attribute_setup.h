@@ -72,20 +72,19 @@ struct VisibleTriangle {
 
 /// Sets up setups[i] for triangles[i]. What their lines need of `uncommon` is appended there.
 template <class Real>
-void set_up_attributes(const Scene& scene, const Geometry& geometry, const Bins& bins,
-                       std::span<const VisibleTriangle> triangles, std::span<AttributeSetup<Real>> setups,
-                       UncommonEdges& uncommon);
+void set_up_attributes(const FrameContext& context, std::span<const VisibleTriangle> triangles,
+                       std::span<AttributeSetup<Real>> setups, UncommonEdges& uncommon);
 
-extern template void set_up_attributes(const Scene&, const Geometry&, const Bins&, std::span<const VisibleTriangle>,
+extern template void set_up_attributes(const FrameContext&, std::span<const VisibleTriangle>,
                                        std::span<AttributeSetup<double>>, UncommonEdges&);
-extern template void set_up_attributes(const Scene&, const Geometry&, const Bins&, std::span<const VisibleTriangle>,
+extern template void set_up_attributes(const FrameContext&, std::span<const VisibleTriangle>,
                                        std::span<AttributeSetup<float>>, UncommonEdges&);
 
 /// Whole repeats that are taken off a triangle's texture coordinates before they are interpolated, so that their
 /// fractions keep their digits. 0 for a triangle without texture coordinates.
-std::array<double, 2> whole_repeats(const Scene& scene, const Geometry& geometry, std::uint32_t number);
+std::array<double, 2> whole_repeats(const FrameContext& context, std::uint32_t number);
 
 /// The triangle's own normal in world space, from its winding: for places where the mesh gives none. May be 0.
-Double3 face_normal(const Scene& scene, const Geometry& geometry, std::uint32_t number);
+Double3 face_normal(const FrameContext& context, std::uint32_t number);
 
 } // namespace refraster

@@ -39,15 +39,15 @@ public:
   };
 
   /// Numbers the fragments of `runs` in the order of shading. Returns how many there are.
-  std::uint32_t collect(const Scene& scene, const Geometry& geometry, const Bins& bins,
-                        std::span<const std::uint32_t> triangles, std::span<FragmentRun> runs);
+  std::uint32_t collect(const FrameContext& context, std::span<const std::uint32_t> triangles,
+                        std::span<FragmentRun> runs);
 
   std::span<const Group> groups() const { return groups_; }
   std::span<const FragmentRun> sorted() const { return sorted_; } // `slot` is the surface's
   const AttributeSetup<Real>* setups() const { return setups_.data(); }
 
 private:
-  void set_up(const Scene& scene, const Geometry& geometry, const Bins& bins, std::span<const std::uint32_t> triangles);
+  void set_up(const FrameContext& context, std::span<const std::uint32_t> triangles);
   std::uint32_t sort(std::span<FragmentRun> runs);
 
   std::vector<AttributeSetup<Real>> setups_;

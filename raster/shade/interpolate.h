@@ -79,10 +79,10 @@ public:
   static constexpr bool may_have_texture_coordinates() { return true; }
 
   /// The triangles' own normals, of any length; 0 where a triangle has none.
-  Vec3<T> own_normals(const Scene& scene, const Geometry& geometry) const {
+  Vec3<T> own_normals(const FrameContext& context) const {
     Vec3<T> own;
     for (int lane = 0; lane < lanes; ++lane) {
-      const Double3 n = face_normal(scene, geometry, packet_.triangle(lane).number);
+      const Double3 n = face_normal(context, packet_.triangle(lane).number);
       const Double3 scaled = n * reciprocal_binade(n);
       own.x.set(lane, static_cast<Real>(scaled.x));
       own.y.set(lane, static_cast<Real>(scaled.y));

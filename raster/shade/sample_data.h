@@ -52,15 +52,6 @@ struct SampleCorners {
   std::array<T, 3> inverse_w;              // of corners on the lattice
 };
 
-/// Where in a frame a triangle is.
-struct TrianglePlace {
-  const Scene& scene;
-  const Geometry& geometry;
-  const Bins& bins;
-  ImageShape shape;
-  std::uint32_t number; // in the frame
-};
-
 template <Number T>
 class SampleData {
 public:
@@ -68,11 +59,12 @@ public:
   using Edge = EdgeArithmetic<T>;
   using EdgeValue = typename Edge::Value;
 
-  explicit SampleData(const TrianglePlace& place)
-      : place_(place), ref_(triangle_ref(place.scene, place.geometry, place.number)) {
-    const std::array<WindowVertex, 3> window = window_corners(place.geometry, ref_);
+  /// Of the triangle of that number in the frame.
+  SampleData(const FrameContext& context, std::uint32_t number)
+      : context_(context), ref_(TriangleFinder(context.scene, context.geometry).at(number)) {
+    const std::array<WindowVertex, 3> window = window_corners(context.geometry, ref_);
     if ((window[0].outcode | window[1].outcode | window[2].outcode) & outcode::unsnapped) {
-      projective_ = &place.bins.projective_triangle(place.number);
+      projective_ = &context.bins.projective_triangle(number);
       corner_ = projective_->corner;
       set_up_pieces(window);
     } else {
@@ -109,16 +101,16 @@ public:
   }
 
   bool may_have_texture_coordinates() const {
-    const Mesh& mesh = *place_.scene.objects[ref_.object].mesh;
+    const Mesh& mesh = *context_.scene.objects[ref_.object].mesh;
     return has_uvs(mesh, mesh.triangles[ref_.triangle]);
   }
 
   /// The triangle's own normal, of any length; 0 where it has none.
-  Vec3<T> own_normals(const Scene& scene, const Geometry& geometry) const {
-    const Mesh& mesh = *scene.objects[ref_.object].mesh;
+  Vec3<T> own_normals(const FrameContext&) const {
+    const Mesh& mesh = *context_.scene.objects[ref_.object].mesh;
     const auto corner = [&](std::size_t k) { return as<T>(Double3(mesh.positions[mesh.triangles[ref_.triangle][k]])); };
     const Vec3<T> n = cross(corner(1) - corner(0), corner(2) - corner(0));
-    const Double3x3& m = geometry.transforms[ref_.object].world_from_normal;
+    const Double3x3& m = context_.geometry.transforms[ref_.object].world_from_normal;
     return as<T>(m[0]) * n.x + as<T>(m[1]) * n.y + as<T>(m[2]) * n.z;
   }
 
@@ -136,9 +128,9 @@ private:
 
   SampleCorners<T> corners(const std::array<WindowVertex, 3>& window) const {
     SampleCorners<T> result;
-    const Mesh& mesh = *place_.scene.objects[ref_.object].mesh;
+    const Mesh& mesh = *context_.scene.objects[ref_.object].mesh;
     std::array<WorldVertex, 3> world;
-    for (std::size_t k = 0; k < 3; ++k) world[k] = place_.geometry.world[ref_.vertex[corner_[k]]];
+    for (std::size_t k = 0; k < 3; ++k) world[k] = context_.geometry.world[ref_.vertex[corner_[k]]];
     const double scale = normal_scale(world[0], world[1], world[2]);
     for (std::size_t k = 0; k < 3; ++k) {
       result.position[k] = as<T>(world[k].position);
@@ -185,12 +177,12 @@ private:
 
   void set_up_pieces(const std::array<WindowVertex, 3>& window) {
     if constexpr (std::same_as<T, Exact>) {
-      const Mesh& mesh = *place_.scene.objects[ref_.object].mesh;
+      const Mesh& mesh = *context_.scene.objects[ref_.object].mesh;
       std::array<Double4, 3> clip;
       for (std::size_t k = 0; k < 3; ++k)
         clip[k] =
-            clip_position(place_.geometry.transforms[ref_.object], mesh.positions[mesh.triangles[ref_.triangle][k]]);
-      exact_ = exact_pieces(window, clip, place_.shape);
+            clip_position(context_.geometry.transforms[ref_.object], mesh.positions[mesh.triangles[ref_.triangle][k]]);
+      exact_ = exact_pieces(window, clip, image_shape(context_));
     }
   }
 
@@ -248,7 +240,7 @@ private:
     }
   }
 
-  TrianglePlace place_;
+  const FrameContext& context_;
   TriangleRef ref_;
   std::optional<SnappedTriangle> snapped_;
   const ProjectiveTriangle* projective_ = nullptr;

@@ -1,7 +1,7 @@
 #pragma once
 // From what a tile sees to its pixels, in the number of a precision.
 
-#include "raster/frame.h"
+#include "raster/frame_context.h"
 #include "raster/shade/fragments.h"
 
 #include <cstdint>
@@ -12,15 +12,6 @@
 #include <vector>
 
 namespace refraster {
-
-/// Everything that stays the same through a frame.
-struct FrameContext {
-  const Scene& scene;
-  const Geometry& geometry;
-  const Bins& bins;
-  const RenderOptions& options;
-  PixelRect region; // pixels of the full image that the frame's images hold
-};
 
 /// What is known of a tile once visibility is decided.
 struct VisibleTile {
@@ -59,9 +50,6 @@ std::unique_ptr<TileShading> make_exact_shading();
 /// not read.
 using MakeShading = std::function<std::unique_ptr<TileShading>()>;
 void render_with(const Scene& scene, const RenderOptions& options, const MakeShading& make_shading, Frame& frame);
-
-/// The pixels that a frame's images hold: those of the crop, or all.
-PixelRect rendered_region(const RenderOptions& options);
 
 /// Writes the tile's part of an image of `aov`. Computed in double whatever the precision: of the first of each pixel's
 /// `runs`.

@@ -6,8 +6,8 @@
 #include "raster/shade/resolve.h"
 #include "raster/shade/shade.h"
 #include "raster/shade/shade_packet.h"
+#include "raster/stopwatch.h"
 
-#include <chrono>
 #include <functional>
 #include <utility>
 #include <variant>
@@ -52,16 +52,11 @@ public:
   void shade(const FrameContext& context, const VisibleTile& visible, Frame& frame,
              const TileMeasures& measures) override {
     FrameCounts& counts = measures.counts;
-    auto now = std::chrono::steady_clock::now();
-    const auto lap = [&now](double& sum) {
-      const auto before = std::exchange(now, std::chrono::steady_clock::now());
-      sum += std::chrono::duration<double>(now - before).count();
-    };
+    Stopwatch stopwatch;
     list_runs(visible.visibility, visible.tile, context.options.samples, runs_);
     if constexpr (!has_lanes) keep_wanted(visible.tile);
-    const std::uint32_t fragments =
-        setups_.collect(context.scene, context.geometry, context.bins, visible.triangles, runs_);
-    lap(measures.seconds.attribute_setup);
+    const std::uint32_t fragments = setups_.collect(context, visible.triangles, runs_);
+    measures.seconds.attribute_setup += stopwatch.lap();
     colours_.resize(fragments);
     for (const auto& group : setups_.groups()) {
       const Material& material = context.scene.objects[group.object].material;
@@ -73,13 +68,13 @@ public:
       counts.lane_slots += (group.fragments + lanes - 1) / lanes * lanes;
     }
     counts.fragments += fragments;
-    lap(measures.seconds.shading);
+    measures.seconds.shading += stopwatch.lap();
     resolver_.resolve(context, visible.tile, runs_, colours_, frame, counts);
     if constexpr (!has_lanes)
       if (request_.take && !cancelled(context)) resolver_.for_each_pixel(visible.tile, request_.take);
     for (std::size_t i = 0; i < context.options.aovs.size(); ++i)
       write_aov(context, visible, runs_, context.options.aovs[i], frame.aovs[i]);
-    lap(measures.seconds.resolve);
+    measures.seconds.resolve += stopwatch.lap();
   }
 
 private:
@@ -118,9 +113,8 @@ private:
       });
     } else {
       for_each_sample(context, group, tile, [&](const SampleData<T>& data, std::uint32_t number) {
-        add(number, T(0) <= T(0), [&](const auto& tally, auto& surface) {
-          surface = packet_surface(context.scene, context.geometry, material, data, tally);
-        });
+        add(number, T(0) <= T(0),
+            [&](const auto& tally, auto& surface) { surface = packet_surface(context, material, data, tally); });
       });
     }
     if (batch_.packets > 0) shade_batch();
@@ -130,10 +124,9 @@ private:
   /// tile may take seconds in 60 digits: it ends early where the frame is given up.
   template <class Body>
   void for_each_sample(const FrameContext& context, const Group& group, const PixelRect& tile, const Body& body) const {
-    const ImageShape shape{context.options.width, context.options.height, context.scene.camera.near};
     for (std::size_t i = group.begin_run; i < group.end_run; ++i) {
       const FragmentRun& run = setups_.sorted()[i];
-      SampleData<T> data({context.scene, context.geometry, context.bins, shape, setups_.setups()[run.slot].number});
+      SampleData<T> data(context, setups_.setups()[run.slot].number);
       for (int k = 0; k < run.length; ++k) {
         if (cancelled(context)) return;
         data.move_to((tile.x + run.x + k) * subpixels + subpixels / 2, (tile.y + run.y) * subpixels + subpixels / 2,
@@ -163,7 +156,7 @@ private:
   [[gnu::flatten, gnu::noinline]] static void interpolate(const FrameContext& context, const Material& material,
                                                           const PacketData<T, triangles>& data,
                                                           const UndefinedTally<T>& tally, PacketSurface<T>& surface) {
-    surface = packet_surface(context.scene, context.geometry, material, data, tally);
+    surface = packet_surface(context, material, data, tally);
   }
 
   [[no_unique_address]] Request request_;

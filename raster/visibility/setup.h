@@ -79,6 +79,8 @@ struct ImageShape {
   double near = 0;
 };
 
+ImageShape image_shape(const FrameInput& input);
+
 /// Nothing if the triangle has no area on the lattice.
 std::optional<SnappedTriangle> set_up_snapped(const std::array<WindowVertex, 3>& v);
 /// Nothing if the three points are on one line, or all behind the eye. `clip` are the vertices' clip coordinates, all

@@ -80,12 +80,18 @@ struct LatticeFrame {
   }
 
   /// Bins the triangles for a grid of one tile, and decides that tile. `tile` is square, with a power of two of pixels.
-  void decide(const PixelRect& tile, std::span<const SamplePosition> samples, TileVisibility& visibility) const {
+  void decide(const PixelRect& tile, int samples, TileVisibility& visibility) const {
+    RenderOptions options;
+    options.width = options.height = max_image_side;
+    options.crop = {tile};
+    options.samples = samples;
+    options.threads = 1;
+    options.tile_size = tile.width;
     Bins bins;
     FrameCounts counts;
-    const TileGrid grid{tile.x, tile.y, tile.width, tile.height, tile.width};
-    bin_triangles(scene, geometry, grid, max_image_side, max_image_side, samples, 1, bins, counts);
-    visibility.decide(scene, geometry, bins, 0, tile, samples);
+    const FrameContext context{{scene, options}, geometry, bins};
+    bin_triangles(context, geometry, bins, counts);
+    visibility.decide(context, 0, tile);
   }
 };
 

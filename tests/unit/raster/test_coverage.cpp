@@ -29,7 +29,7 @@ bool has_area(const Corners& c) {
 template <int bits>
 int mismatches(const Corners& corners, int n, TileVisibility& visibility) {
   const LatticeFrame frame({window(corners)});
-  frame.decide({0, 0, n, n}, sample_pattern(1), visibility);
+  frame.decide({0, 0, n, n}, 1, visibility);
   int wrong = 0;
   for (int y = 0; y < n; ++y)
     for (int x = 0; x < n; ++x) {
