@@ -51,7 +51,7 @@ struct AttributeSetup {
   /// 2^31 comes out exact, however large the terms.
   std::array<WrappedEdge, 3> edge;
   /// Row r: the component at the anchor, its differences to the other two corners; and one number more: in rows 0 to 2
-  /// the weights of perspective, see SnappedTriangle (1 if projective); in rows 6 and 7 the least, in rows 4 and 5 the
+  /// the weights of perspective_weights (1 if projective); in rows 6 and 7 the least, in rows 4 and 5 the
   /// greatest u and v of the three corners. Without texture coordinates the anchor's is NaN, so that every one that is
   /// interpolated is, and the least is 1 and the greatest 0, so that it is known for what it is.
   std::array<std::array<Real, 4>, 8> row;

@@ -8,6 +8,7 @@
 #include "raster/shade/corner_values.h"
 #include "raster/shade/exact_pieces.h"
 #include "raster/shade/interpolate.h"
+#include "raster/visibility/snapped_setup.h"
 
 #include <algorithm>
 #include <array>
@@ -163,10 +164,11 @@ private:
       row_[static_cast<std::size_t>(min_uv_row + c)][3] = min(uv[0][c], min(uv[1][c], uv[2][c]));
       row_[static_cast<std::size_t>(max_uv_row + c)][3] = max(uv[0][c], max(uv[1][c], uv[2][c]));
     }
-    // perspective_weights; of projective triangles, edges() bring their weights.
-    const T nearest = max(corner.inverse_w[0], max(corner.inverse_w[1], corner.inverse_w[2]));
+    // Of projective triangles, edges() bring their weights.
+    const std::array<T, 3> weight =
+        snapped_ ? perspective_weights(corner.inverse_w) : std::array<T, 3>{T(1), T(1), T(1)};
     for (std::size_t k = 0; k < 3; ++k) {
-      row_[k][3] = snapped_ ? corner.inverse_w[k] / nearest : T(1);
+      row_[k][3] = weight[k];
       // Lanes take no weight below this (attribute_setup.cpp): bounds hold it either way.
       if constexpr (!NumberTraits<T>::decides) {
         constexpr bool is_single = NumberTraits<T>::largest < std::numeric_limits<double>::max();

@@ -201,7 +201,7 @@ private:
     const auto sample = [](const Ints& pixel, int corner, int offset) {
       return numbers<lanes>((pixel + corner) * subpixels + offset);
     };
-    const auto coverage = cover_small(set_up_lanes(window.corner[0], window.corner[1], window.corner[2]),
+    const auto coverage = cover_small(set_up_snapped(window.corner[0], window.corner[1], window.corner[2]),
                                       sample(box.left, grid_.x, first_x_), sample(box.top, grid_.y, first_y_));
     // Beyond the box, which the grid may have cut, there is nothing.
     const LaneSet two_wide = set_where(box.left < box.right), two_high = set_where(box.top < box.bottom);

@@ -102,10 +102,10 @@ void mixed_frame(std::uint64_t seed, int triangles) {
   Random random(seed);
   const auto vertices = mixed_triangles(random, triangles);
   const LatticeFrame frame(vertices);
-  std::vector<std::optional<SnappedTriangle>> set_up;
+  std::vector<std::optional<ScalarTriangle>> set_up;
   std::vector<std::array<LatticePoint, 3>> corners;
   for (const auto& v : vertices) {
-    set_up.push_back(set_up_snapped(v));
+    set_up.push_back(set_up_scalar(v));
     corners.push_back({LatticePoint{v[0].x, v[0].y}, {v[1].x, v[1].y}, {v[2].x, v[2].y}});
   }
   const auto covers = [&](std::size_t t, std::int32_t x, std::int32_t y) {
