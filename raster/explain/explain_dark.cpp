@@ -47,8 +47,8 @@ Bounds bounds_of_radiance(float value, int samples) {
   return {radiance - off, is_largest ? std::numeric_limits<double>::infinity() : radiance + off};
 }
 
-/// Whether a pixel may be a mean of the background and of samples from black to `dark`: for a share of k / samples of
-/// such samples it is.
+/// Whether a pixel may be a mean of the background and of samples from black to `dark`: for a fraction of k / samples
+/// of such samples it is.
 bool may_be_dark(const std::array<Bounds, 3>& pixel, const Double3& background, double dark, int samples) {
   for (int k = 0; k <= samples; ++k) {
     const double fraction = static_cast<double>(k) / samples;

@@ -57,7 +57,7 @@ template <class Real>
   t.row[5] = {f0[1], f1[1], f2[1], Real(0)};
 }
 
-// Everything but the lines. weight: of the corners, in their order.
+// Everything but the edge functions. weight: of the corners, in their order.
 template <class Real>
 [[gnu::always_inline]] inline void set_attributes(const FrameContext& context, const TriangleRef& ref,
                                                   const std::array<std::uint8_t, 3>& corner,
@@ -138,7 +138,7 @@ void set_up_attributes(const FrameContext& context, std::span<const VisibleTrian
       if ((state(0) | state(1) | state(2)) & outcode::unsnapped) [[unlikely]] {
         const ProjectiveTriangle& projective = context.bins.projective_triangle(number);
         t.projective = &uncommon.projective.emplace_back(projective);
-        set_attributes<Real>(context, ref, projective.corner, {1, 1, 1}, t); // line values bring their weights
+        set_attributes<Real>(context, ref, projective.corner, {1, 1, 1}, t); // its edge functions bring their weights
         continue;
       }
       const auto corner_at = [&](std::size_t k) { return static_cast<std::uint8_t>(set_up.corner[k].submitted[lane]); };

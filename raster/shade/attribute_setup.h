@@ -16,27 +16,27 @@ namespace refraster {
 /// The attributes of an AttributeSetup: each component has a row, and these are the first ones.
 enum class Attribute : std::uint8_t { position = 0, normal = 3, uv = 6 };
 
-/// a, b, c of a line modulo 2^32.
+/// a, b, c of an edge function modulo 2^32.
 struct alignas(16) WrappedEdge {
   std::int32_t a = 0, b = 0, c = 0, unused = 0;
 };
 
-/// Lines of a triangle too large for that: exact as well.
+/// Edge functions of a triangle too large for that: exact as well.
 struct LargeEdges {
   std::array<SnappedEdge, 3> edge;
 };
 
-/// The lines of those of a tile's triangles that need more room. They stay where they are.
+/// The edge functions of those of a tile's triangles that need more room. They stay where they are.
 struct UncommonEdges {
   std::deque<LargeEdges> large;
   std::deque<ProjectiveEdges> projective;
 };
 
-/// How a triangle's line values are computed. Packets of only the first kind are the quick ones.
+/// How the values of a triangle's edge functions are computed. Packets of only the first kind are the quick ones.
 enum class EdgeKind : std::uint8_t {
   wrapped,   // in 32-bit integers: nearly all
   large,     // in double, where they are exact as well
-  projective // from the lines of a ProjectiveTriangle, and rounded
+  projective // from the edge functions of a ProjectiveTriangle, and rounded
 };
 
 /// What shading needs of one visible triangle, attributes in this precision. Rows of four numbers, so that lanes
@@ -70,7 +70,7 @@ struct VisibleTriangle {
   std::uint32_t number = 0;
 };
 
-/// Sets up setups[i] for triangles[i]. What their lines need of `uncommon` is appended there.
+/// Sets up setups[i] for triangles[i]. What their edge functions need of `uncommon` is appended there.
 template <class Real>
 void set_up_attributes(const FrameContext& context, std::span<const VisibleTriangle> triangles,
                        std::span<AttributeSetup<Real>> setups, UncommonEdges& uncommon);

@@ -51,14 +51,14 @@ void TileAttributes<Real>::set_up(const FrameContext& context, std::span<const s
   groups_.clear();
   next_.clear();
   visible_.clear();
-  surface_of_.resize(triangles.size());
+  setup_of_.resize(triangles.size());
   TriangleFinder finder(context.scene, context.geometry);
   std::uint32_t runs = 0;
   for (std::size_t slot = 0; slot < triangles.size(); ++slot) {
     const Seen seen = seen_[slot];
     if (seen.runs == 0) continue;
     const TriangleRef ref = finder.at(triangles[slot]);
-    surface_of_[slot] = static_cast<std::int32_t>(visible_.size());
+    setup_of_[slot] = static_cast<std::int32_t>(visible_.size());
     visible_.push_back({ref, triangles[slot]});
     if (groups_.empty() || groups_.back().object != ref.object) groups_.push_back({ref.object, runs, runs, 0});
     next_.push_back(runs);
@@ -77,10 +77,10 @@ template <class Real>
 std::uint32_t TileAttributes<Real>::sort(std::span<FragmentRun> runs) {
   sorted_.resize(runs.size());
   for (FragmentRun& run : runs) {
-    const std::int32_t surface = surface_of_[static_cast<std::size_t>(run.slot)];
-    std::uint32_t& next = next_[static_cast<std::size_t>(surface)];
+    const std::int32_t setup = setup_of_[static_cast<std::size_t>(run.slot)];
+    std::uint32_t& next = next_[static_cast<std::size_t>(setup)];
     run.first_fragment = next; // its place in sorted_, until the fragments are numbered
-    sorted_[next++] = {surface, 0, run.x, run.y, run.length, run.samples};
+    sorted_[next++] = {setup, 0, run.x, run.y, run.length, run.samples};
   }
   std::uint32_t fragments = 0;
   for (FragmentRun& run : sorted_) {

@@ -51,9 +51,10 @@ std::unique_ptr<TileShading> make_exact_shading();
 using MakeShading = std::function<std::unique_ptr<TileShading>()>;
 void render_with(const Scene& scene, const RenderOptions& options, const MakeShading& make_shading, Frame& frame);
 
-/// Writes the tile's part of an image of `aov`. Computed in double whatever the precision: of the first of each pixel's
-/// `runs`.
-void write_aov(const FrameContext& context, const VisibleTile& visible, std::span<const FragmentRun> runs, Aov aov,
-               Image<float>& image);
+/// Writes the tile's part of the images of all AOVs that are asked for, in one pass over its surfaces. Computed in
+/// double whatever the precision: of the first of each pixel's `runs`. `shaded` is what shading has set up for these
+/// runs, if that is double and no pixel has more than one run; else null.
+void write_aovs(const FrameContext& context, const VisibleTile& visible, std::span<const FragmentRun> runs,
+                const TileAttributes<double>* shaded, std::span<Image<float>> images);
 
 } // namespace refraster

@@ -72,15 +72,13 @@ public:
     resolver_.resolve(context, visible.tile, runs_, colours_, frame, counts);
     if constexpr (!has_lanes)
       if (request_.take && !cancelled(context)) resolver_.for_each_pixel(visible.tile, request_.take);
-    for (std::size_t i = 0; i < context.options.aovs.size(); ++i)
-      write_aov(context, visible, runs_, context.options.aovs[i], frame.aovs[i]);
+    write_aovs(context, visible, runs_, setups_for_aovs(context), frame.aovs);
     measures.seconds.resolve += stopwatch.lap();
   }
 
 private:
   using Real = RealOf<T>;
-  using Surfaces = TileAttributes<Real>;
-  using Group = typename Surfaces::Group;
+  using Group = typename TileAttributes<Real>::Group;
   static constexpr std::uint32_t lanes = NumberTraits<T>::lanes;
 
   template <class SomeFunction>
@@ -101,7 +99,7 @@ private:
       const auto at = static_cast<std::size_t>(batch_.packets++);
       batch_.in_use[at] = in_use;
       surface_of(UndefinedTally<T>(undefined, batch_.in_use[at]), batch_.surface[at]);
-      if (batch_.packets == batch_.most) shade_batch();
+      if (batch_.packets == batch_.capacity) shade_batch();
     };
     if constexpr (has_lanes) {
       for_each_packet<T>(setups_, group, tile, [&](const Packet<T>& packet, std::uint32_t first) {
@@ -136,6 +134,11 @@ private:
     }
   }
 
+  const TileAttributes<double>* setups_for_aovs(const FrameContext& context) const {
+    if constexpr (std::same_as<Real, double>) return context.options.samples == 1 ? &setups_ : nullptr;
+    else return nullptr;
+  }
+
   static bool cancelled(const FrameContext& context) {
     return context.options.cancel && context.options.cancel->load(std::memory_order_relaxed);
   }
@@ -161,7 +164,7 @@ private:
 
   [[no_unique_address]] Request request_;
   std::vector<FragmentRun> runs_;
-  Surfaces setups_;
+  TileAttributes<Real> setups_;
   PacketBatch<T> batch_;
   FragmentColours<T> colours_;
   TileResolver<T> resolver_;

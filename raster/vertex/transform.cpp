@@ -44,10 +44,10 @@ Double3x3 normal_matrix(const Double3x3& m) {
   const Double3 u0 = m[0] * size(0), u1 = m[1] * size(1), u2 = m[2] * size(2);
   const Double3x3 cofactors(cross(u1, u2) * size(0), cross(u2, u0) * size(1), cross(u0, u1) * size(2));
   const double sign = dot(u0, cofactors[0]) < 0 ? -1 : 1;
-  double most = 0;
+  double largest = 0;
   for (int column = 0; column < 3; ++column)
-    for (int row = 0; row < 3; ++row) most = max(abs(cofactors[column][row]), most);
-  return cofactors * (sign * reciprocal_binade(most));
+    for (int row = 0; row < 3; ++row) largest = max(abs(cofactors[column][row]), largest);
+  return cofactors * (sign * reciprocal_binade(largest));
 }
 
 } // namespace

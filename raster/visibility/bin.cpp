@@ -258,8 +258,8 @@ private:
   struct Box {
     int left, top, right, bottom; // pixels of the grid
   };
-  // Lists a triangle with each tile that it may touch. Where the bounding box holds many tiles, its lines rule out
-  // those beside a long thin triangle.
+  // Lists a triangle with each tile that it may touch. Where the bounding box holds many tiles, its edge functions rule
+  // out those beside a long thin triangle.
   void add_box(std::uint32_t number, const Box& box, double z_min, TileLists::Run& lists) const {
     const int left = box.left >> tile_shift_, right = box.right >> tile_shift_;
     const int top = box.top >> tile_shift_, bottom = box.bottom >> tile_shift_;
@@ -275,7 +275,7 @@ private:
         many ? set_up_snapped(window_corners(geometry_, TriangleFinder(scene_, geometry_).at(number))) : std::nullopt;
     for (int row = top; row <= bottom; ++row)
       for (int column = left; column <= right; ++column)
-        if (!many || lines_touch(set_up->edge, index(column, row))) add(column, row);
+        if (!many || edges_touch(set_up->edge, index(column, row))) add(column, row);
   }
 
   void add_projective(const Batch& batch, std::uint32_t number, const Output& output) const {
@@ -294,19 +294,19 @@ private:
       ++output.counts.drawn, ++output.counts.clipped;
       output.projective.push_back({number, *set_up});
       for (std::size_t tile = 0; tile < grid_.tiles(); ++tile)
-        if (lines_touch(set_up->piece[0].edge, tile) ||
-            (set_up->pieces == 2 && lines_touch(set_up->piece[1].edge, tile)))
+        if (edges_touch(set_up->piece[0].edge, tile) ||
+            (set_up->pieces == 2 && edges_touch(set_up->piece[1].edge, tile)))
           output.lists.add(tile, TileEntry::projective(number));
     }
   }
 
-  template <class Lines>
-  bool lines_touch(const Lines& edges, std::size_t tile) const {
+  template <class Edges>
+  bool edges_touch(const Edges& edges, std::size_t tile) const {
     const PixelRect c = grid_.tile(tile);
     const std::int32_t x0 = c.x * subpixels + first_x_, x1 = (c.x + c.width - 1) * subpixels + last_x_;
     const std::int32_t y0 = c.y * subpixels + first_y_, y1 = (c.y + c.height - 1) * subpixels + last_y_;
-    return edges[0].most(x0, y0, x1, y1) >= 0 && edges[1].most(x0, y0, x1, y1) >= 0 &&
-           edges[2].most(x0, y0, x1, y1) >= 0;
+    return edges[0].max_over(x0, y0, x1, y1) >= 0 && edges[1].max_over(x0, y0, x1, y1) >= 0 &&
+           edges[2].max_over(x0, y0, x1, y1) >= 0;
   }
   std::size_t index(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);

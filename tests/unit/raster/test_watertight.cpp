@@ -27,8 +27,8 @@ struct SignedCoverage {
           const auto place = [&](int pixel, int offset) { return pixel * subpixels + offset; };
           bool misses = false;
           for (const auto& line : lines)
-            misses |= line.most(place(tx, sample.x), place(ty, sample.y), place(tx + tile - 1, sample.x),
-                                place(ty + tile - 1, sample.y)) < 0;
+            misses |= line.max_over(place(tx, sample.x), place(ty, sample.y), place(tx + tile - 1, sample.x),
+                                    place(ty + tile - 1, sample.y)) < 0;
           if (misses) continue;
           for (int y = ty; y < ty + tile; ++y)
             for (int x = tx; x < tx + tile; ++x) {
