@@ -1,4 +1,5 @@
 
+
 #include <refraster/memory.h>
 
 #include <cstdlib>

@@ -1,42 +1,22 @@
+
+
 #include <refraster/render.h>
 
 #include "math/precisions.h"
 #include "raster/parallel.h"
 #include "raster/shade/shade.h"
+#include "raster/stopwatch.h"
 #include "scene/scene_checks.h"
 
 #include <algorithm>
 #include <atomic>
 #include <bit>
-#include <chrono>
 #include <stdexcept>
 #include <string>
-
-#include <omp.h>
 
 namespace refraster {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point begin) {
-  return std::chrono::duration<double>(Clock::now() - begin).count();
-}
-
-void add(FrameCounts& sum, const FrameCounts& part) {
-  sum.shaded += part.shaded;
-  sum.fragments += part.fragments;
-  sum.lane_slots += part.lane_slots;
-  sum.undefined += part.undefined;
-}
-
-void add(TileSeconds& sum, const TileSeconds& part) {
-  sum.visibility += part.visibility;
-  sum.attribute_setup += part.attribute_setup;
-  sum.shading += part.shading;
-  sum.resolve += part.resolve;
-}
 
 bool cancelled(const RenderOptions& options) {
   return options.cancel && options.cancel->load(std::memory_order_relaxed);
@@ -55,16 +35,16 @@ struct TileWorker {
 
 // The last stage: visibility, then shading, tile by tile. Tiles write disjoint pixels, and counts are sums of integers,
 // so which thread takes which tile changes nothing.
-void shade_tiles(const FrameContext& context, const TileGrid& grid, std::span<const SamplePosition> samples,
-                 std::span<TileWorker> workers, Frame& frame) {
+void shade_tiles(const FrameContext& context, std::span<TileWorker> workers, Frame& frame) {
+  const TileGrid grid = tile_grid(context);
   std::atomic<std::size_t> done{0};
   parallel_for(static_cast<int>(workers.size()), grid.tiles(), [&](std::size_t index, int thread) {
     if (cancelled(context.options)) return;
     TileWorker& worker = workers[static_cast<std::size_t>(thread)];
     const PixelRect tile = grid.tile(index);
-    const auto start = Clock::now();
-    worker.visibility.decide(context.scene, context.geometry, context.bins, index, tile, samples);
-    worker.seconds.visibility += seconds_since(start);
+    const Stopwatch stopwatch;
+    worker.visibility.decide(context, index, tile);
+    worker.seconds.visibility += stopwatch.seconds();
     worker.shading->shade(context, {tile, worker.visibility.triangles(), worker.visibility}, frame,
                           {worker.counts, worker.seconds});
     const std::size_t now_done = ++done;
@@ -73,8 +53,8 @@ void shade_tiles(const FrameContext& context, const TileGrid& grid, std::span<co
   });
   if (context.options.progress && !cancelled(context.options)) context.options.progress(1);
   for (const TileWorker& worker : workers) {
-    add(frame.counts, worker.counts);
-    add(frame.tile_seconds, worker.seconds);
+    frame.counts += worker.counts;
+    frame.tile_seconds += worker.seconds;
   }
 }
 
@@ -164,38 +144,28 @@ void render_frame(const Scene& scene, const RenderOptions& options, Geometry& ge
                   const std::function<std::span<TileWorker>(int threads)>& workers_for, Frame& frame) {
   check(options);
   if (const std::optional<SceneFault> fault = first_refused_fault(scene)) refuse(*fault);
-  const auto start = Clock::now();
-  const PixelRect region = rendered_region(options);
+  const Stopwatch whole_frame;
+  const FrameContext context{{scene, options}, geometry, bins};
+  const PixelRect& region = context.region;
   need_more(options.memory, image_bytes(options, region), bytes_of(frame), "the image");
   reshape_images(options, region, frame);
-  frame.threads = options.threads > 0 ? options.threads : omp_get_num_procs();
+  frame.threads = context.threads;
   frame.counts = {}, frame.seconds = {}, frame.tile_seconds = {};
   frame.counts.pixels = static_cast<std::uint64_t>(region.width) * static_cast<std::uint64_t>(region.height);
 
-  const std::span<const SamplePosition> samples = sample_pattern(options.samples);
-  const TileGrid grid{region.x, region.y, region.width, region.height, options.tile_size};
-
-  const auto transform_start = Clock::now();
+  Stopwatch stage;
   need_more(options.memory, vertex_bytes * vertices_of(scene), vertex_bytes * geometry.window.size(), "the vertices");
-  transform(scene, options.width, options.height, frame.threads, geometry);
-  frame.seconds.transform = seconds_since(transform_start);
-
-  const auto bin_start = Clock::now();
-  bin_triangles(scene, geometry, grid, options.width, options.height, samples, frame.threads, bins, frame.counts);
-  frame.seconds.bin = seconds_since(bin_start);
-
-  const auto tiles_start = Clock::now();
-  shade_tiles({scene, geometry, bins, options, region}, grid, samples, workers_for(frame.threads), frame);
-  frame.seconds.tiles = seconds_since(tiles_start);
-  frame.seconds.total = seconds_since(start);
+  transform(context, geometry);
+  frame.seconds.transform = stage.lap();
+  bin_triangles(context, geometry, bins, frame.counts);
+  frame.seconds.bin = stage.lap();
+  shade_tiles(context, workers_for(frame.threads), frame);
+  frame.seconds.tiles = stage.lap();
+  frame.seconds.total = whole_frame.seconds();
   frame.cancelled = cancelled(options);
 }
 
 } // namespace
-
-PixelRect rendered_region(const RenderOptions& options) {
-  return options.crop.value_or(PixelRect{0, 0, options.width, options.height});
-}
 
 std::unique_ptr<TileShading> make_tile_shading(Precision precision) {
   switch (precision) {

@@ -1,3 +1,6 @@
+
+#include <refraster/shapes.h>
+
 #include <refraster/mesh.h>
 
 #include <numbers>

@@ -1,3 +1,4 @@
+
 #include <refraster/scene.h>
 
 #include "scene/scene_checks.h"

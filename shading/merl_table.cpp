@@ -1,3 +1,6 @@
+
+#include <refraster/merl_table.h>
+
 #include <refraster/material.h>
 
 #include "math/elementary.h"

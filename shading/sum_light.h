@@ -42,12 +42,12 @@ Rgb<T> finite(const Rgb<T>& rgb, const UndefinedTally<T>& tally) {
 /// all packets is prepared once.
 template <class T>
 struct PacketBatch {
-  static constexpr int most = 16; // what lies in here stays in the first-level cache
+  static constexpr int capacity = 16; // what lies in here stays in the first-level cache
   int packets = 0;
   std::uint32_t first_fragment = 0;
-  std::array<PacketSurface<T>, most> surface;
-  std::array<Rgb<T>, most> sum;
-  std::array<MaskOf<T>, most> in_use; // lanes that hold a fragment
+  std::array<PacketSurface<T>, capacity> surface;
+  std::array<Rgb<T>, capacity> sum;
+  std::array<MaskOf<T>, capacity> in_use; // lanes that hold a fragment
 
   template <class Body>
   void for_each(UndefinedCounts& counts, Body&& body) {

@@ -107,9 +107,9 @@ void shade_in(const Function& function, const FragmentBatch& batch) {
     return;
   }
   PacketBatch<T> packets;
-  for (std::uint32_t first = 0; first < batch.fragments; first += lanes * PacketBatch<T>::most) {
+  for (std::uint32_t first = 0; first < batch.fragments; first += lanes * PacketBatch<T>::capacity) {
     packets.packets = 0;
-    const std::uint32_t end = std::min(batch.fragments, first + lanes * PacketBatch<T>::most);
+    const std::uint32_t end = std::min(batch.fragments, first + lanes * PacketBatch<T>::capacity);
     for (std::uint32_t i = first; i < end; i += lanes) {
       const auto p = static_cast<std::size_t>(packets.packets++);
       packets.surface[p] = {vector(FragmentBatch::position, i), vector(FragmentBatch::normal, i),

@@ -1,11 +1,7 @@
 #pragma once
-// What time is measured with.
+// What cycles are measured with.
 
 namespace refraster::bench {
-
-/// Milliseconds since some moment: of wall time, and of CPU time of all threads of this process.
-double wall_ms();
-double process_cpu_ms();
 
 /// How fast the processor's time stamp counter runs, in GHz, measured against the wall clock for a few milliseconds; 0
 /// where there is none. It counts at one rate whatever the cores' clock is: cycles by it are reference cycles, a

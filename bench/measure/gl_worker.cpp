@@ -1,8 +1,8 @@
 #include "bench/measure/gl_worker.h"
 
-#include "bench/machine/clocks.h"
 #include "bench/machine/cpus.h"
 #include "gl/gl_session.h"
+#include "raster/stopwatch.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -99,9 +99,9 @@ struct Drawn {
 void wait_for_own_threads() {
   using namespace std::chrono_literals;
   for (int i = 0; i < 50; ++i) {
-    const double cpu = process_cpu_ms();
+    const Stopwatch cpu(TimeOf::process);
     std::this_thread::sleep_for(1ms);
-    if (process_cpu_ms() - cpu < 0.2) return;
+    if (cpu.milliseconds() < 0.2) return;
   }
 }
 

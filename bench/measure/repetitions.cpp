@@ -1,6 +1,6 @@
 #include "bench/measure/repetitions.h"
 
-#include "bench/machine/clocks.h"
+#include "raster/stopwatch.h"
 
 #include <algorithm>
 #include <numeric>
@@ -23,13 +23,14 @@ std::vector<std::vector<FrameTimes>> interleaved(std::span<const Candidate> cand
     }
   };
   for (int i = 0; i < repetitions.warm_up; ++i) draw_all();
-  const double start = wall_ms(), budget = repetitions.seconds * 1e3;
+  const Stopwatch stopwatch;
   for (int done = 0;; ++done) {
-    const double spent = wall_ms() - start;
+    const double spent = stopwatch.seconds();
     // The next repetition is taken to last as long as the mean of those before.
-    if (done >= repetitions.least && (done == 0 || spent * (done + 1) / done > budget)) break;
+    if (done >= repetitions.least && (done == 0 || spent * (done + 1) / done > repetitions.seconds)) break;
     if (repetitions.progress)
-      repetitions.progress(std::min(static_cast<double>(done) / repetitions.least, budget > 0 ? spent / budget : 1));
+      repetitions.progress(std::min(static_cast<double>(done) / repetitions.least,
+                                    repetitions.seconds > 0 ? spent / repetitions.seconds : 1));
     draw_all();
     if (repetitions.stop && repetitions.stop->load()) break;
     for (std::size_t i = 0; i < candidates.size(); ++i) times[i].push_back(repetition[i]);

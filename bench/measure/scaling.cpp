@@ -1,8 +1,8 @@
 #include "bench/measure/scaling.h"
 
-#include "bench/machine/clocks.h"
 #include "bench/machine/memory.h"
 #include "bench/measure/frame_source.h"
+#include "raster/stopwatch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,10 +30,10 @@ void measure_once(const Scene& scene, const RenderOptions& options, const Pinned
   restart_peak_memory();
   FrameSource source;
   source.draw(scene, options);
-  const double start = wall_ms(), cpu_start = process_cpu_ms();
+  const Stopwatch wall, cpu(TimeOf::process);
   const Frame& frame = source.draw(scene, options);
-  collected.cpu_ms.push_back(process_cpu_ms() - cpu_start);
-  collected.wall_ms.push_back(wall_ms() - start);
+  collected.cpu_ms.push_back(cpu.milliseconds());
+  collected.wall_ms.push_back(wall.milliseconds());
   collected.counts = frame.counts;
   const std::optional<std::uint64_t> peak = peak_memory_bytes();
   collected.memory_known = collected.memory_known && peak;
@@ -85,7 +85,7 @@ std::vector<ScalingCurve> measure_scaling(const ScalingTask& task, const Repetit
       // Up and down in turn, so that a machine that gets slower does not look like a curve that gets steeper.
       const std::size_t i = repetition % 2 == 0 ? step : points.size() - 1 - step;
       if (repetition >= 3 && spent_ms[i] > 1e3 * repetitions.seconds) continue;
-      const double start = wall_ms();
+      const Stopwatch stopwatch;
       const Scene scene = scaling_scene(task.growth, points[i]);
       RenderOptions options;
       options.width = points[i].width, options.height = points[i].height;
@@ -94,7 +94,7 @@ std::vector<ScalingCurve> measure_scaling(const ScalingTask& task, const Repetit
         options.precision = value_named<Precision>(task.precisions[precision]).value();
         measure_once(scene, options, thread_pool, collected[i][precision]);
       }
-      spent_ms[i] += wall_ms() - start;
+      spent_ms[i] += stopwatch.milliseconds();
       if (repetitions.progress)
         repetitions.progress((repetition + static_cast<double>(step) / static_cast<double>(points.size())) /
                              repetitions.least);

@@ -1,9 +1,9 @@
 #include "bench/measure/scene_bench.h"
 
-#include "bench/machine/clocks.h"
 #include "bench/measure/frame_source.h"
 #include "bench/measure/gl_worker.h"
 #include "raster/samples.h"
+#include "raster/stopwatch.h"
 
 #include <algorithm>
 #include <deque>
@@ -27,9 +27,9 @@ public:
     FrameCounts& counts = counts_.emplace_back();
     candidates_.push_back([this, &scene, options, &source, &counts] {
       thread_pool_.pin(options.threads);
-      const double wall = wall_ms(), cpu = process_cpu_ms();
+      const Stopwatch wall, cpu(TimeOf::process);
       const Frame& frame = source.draw(scene, options);
-      const FrameTimes times{wall_ms() - wall, process_cpu_ms() - cpu, frame.seconds, frame.tile_seconds};
+      const FrameTimes times{wall.milliseconds(), cpu.milliseconds(), frame.seconds, frame.tile_seconds};
       counts = frame.counts;
       return times;
     });

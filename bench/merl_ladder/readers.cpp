@@ -1,22 +1,16 @@
 #include "bench/merl_ladder/readers.h"
 
+#include "raster/stopwatch.h"
+
 #include <algorithm>
 #include <limits>
 #include <tuple>
-
-#include <time.h>
 
 namespace refraster::ladder {
 
 namespace {
 
 constexpr int passes = 9;
-
-double processor_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 /// As many pairs as there are lanes; the last one repeated where there are no more.
 template <class T>
@@ -72,9 +66,9 @@ double seconds(const MerlTable& table, MerlLookup lookup, const std::vector<Surf
   read_all<T, Stored>(table, lookup, from, to); // makes the copy of the table
   double least = std::numeric_limits<double>::infinity();
   for (int pass = 0; pass < passes; ++pass) {
-    const double start = processor_seconds();
+    const Stopwatch stopwatch(TimeOf::thread);
     read_all<T, Stored>(table, lookup, from, to);
-    least = std::min(least, processor_seconds() - start);
+    least = std::min(least, stopwatch.seconds());
   }
   return least;
 }

@@ -17,7 +17,7 @@ struct TileScene {
   Scene scene;
   Geometry geometry;
   Bins bins;
-  std::span<const SamplePosition> samples = sample_pattern(1);
+  RenderOptions options;
   TileVisibility visibility{side};
   PixelRect tile{0, 0, side, side};
 
@@ -27,15 +27,17 @@ struct TileScene {
     object.material.fragment_function = Phong{};
     scene.objects.push_back(object);
     scene.camera.position = {0, 0, 3};
-    geometry = {};
-    transform(scene, side, side, 1, geometry);
+    options.width = options.height = options.tile_size = side;
+    options.threads = 1;
+    transform(context(), geometry);
     FrameCounts counts;
-    bin_triangles(scene, geometry, TileGrid{0, 0, side, side, side}, side, side, samples, 1, bins, counts);
+    bin_triangles(context(), geometry, bins, counts);
     decide();
   }
 
   std::span<const std::uint32_t> triangles() const { return visibility.triangles(); }
-  void decide() { visibility.decide(scene, geometry, bins, 0, tile, samples); }
+  FrameContext context() const { return {{scene, options}, geometry, bins}; }
+  void decide() { visibility.decide(context(), 0, tile); }
 };
 
 /// The tile's fragments in the number of a precision.
@@ -50,15 +52,14 @@ struct TileFragments {
 
   void collect(const TileScene& on) {
     list_runs(on.visibility, on.tile, 1, runs);
-    fragments = setups.collect(on.scene, on.geometry, on.bins, on.triangles(), runs);
+    fragments = setups.collect(on.context(), on.triangles(), runs);
   }
 
   template <Triangles triangles>
   [[gnu::flatten, gnu::noinline]] void surface(const TileScene& on, const Packet<T>& packet) {
     constexpr int lanes = NumberTraits<T>::lanes;
     const UndefinedTally<T> tally(undefined, first_lanes<RealOf<T>, lanes>(packet.count));
-    auto result =
-        packet_surface(on.scene, on.geometry, on.scene.objects[0].material, PacketData<T, triangles>(packet), tally);
+    auto result = packet_surface(on.context(), on.scene.objects[0].material, PacketData<T, triangles>(packet), tally);
     benchmark::DoNotOptimize(result);
   }
   void interpolate(const TileScene& on) {
@@ -73,9 +74,9 @@ struct TileFragments {
 void add_tile(const std::string& name, const std::shared_ptr<TileScene>& on) {
   const std::size_t triangles = on->triangles().size(), samples = std::size_t{side} * side;
   add("set-up/" + name, triangles, [on] {
-    TriangleCursor cursor(on->scene, on->geometry);
+    TriangleFinder finder(on->scene, on->geometry);
     for (const std::uint32_t number : on->triangles()) {
-      auto result = set_up_snapped(window_corners(on->geometry, cursor.at(number)));
+      auto result = set_up_snapped(window_corners(on->geometry, finder.at(number)));
       benchmark::DoNotOptimize(result);
     }
   });

@@ -60,6 +60,12 @@ struct TileSeconds {
   double shading = 0;         // interpolation and fragment functions
   double resolve = 0;         // averaging samples, writing pixels
   double sum() const { return visibility + attribute_setup + shading + resolve; }
+
+  TileSeconds& operator+=(const TileSeconds& other) {
+    visibility += other.visibility, attribute_setup += other.attribute_setup;
+    shading += other.shading, resolve += other.resolve;
+    return *this;
+  }
 };
 
 /// What the mathematics leaves undefined, a fragment function defines and counts, so that a run report can say how
@@ -108,6 +114,14 @@ struct FrameCounts {
   std::uint64_t fragments = 0;  // shaded for them: one a pixel and triangle seen; the same number with 1 sample
   std::uint64_t lane_slots = 0; // lanes computed for them: fragments / lane_slots is the occupancy
   UndefinedCounts undefined;
+
+  FrameCounts& operator+=(const FrameCounts& other) {
+    triangles += other.triangles, not_finite += other.not_finite, outside += other.outside;
+    degenerate += other.degenerate, culled += other.culled, between_samples += other.between_samples;
+    clipped += other.clipped, drawn += other.drawn, pixels += other.pixels, shaded += other.shaded;
+    fragments += other.fragments, lane_slots += other.lane_slots, undefined += other.undefined;
+    return *this;
+  }
 };
 
 struct Frame {

@@ -3,6 +3,7 @@
 #include "math/elementary.h"
 #include "raster/explain/why_dark.h"
 #include "raster/explain/why_unseen.h"
+#include "raster/frame_context.h"
 
 #include <algorithm>
 #include <array>
@@ -46,8 +47,8 @@ Bounds bounds_of_radiance(float value, int samples) {
   return {radiance - off, is_largest ? std::numeric_limits<double>::infinity() : radiance + off};
 }
 
-/// Whether a pixel may be a mean of the background and of samples from black to `dark`: for a share of k / samples of
-/// such samples it is.
+/// Whether a pixel may be a mean of the background and of samples from black to `dark`: for a fraction of k / samples
+/// of such samples it is.
 bool may_be_dark(const std::array<Bounds, 3>& pixel, const Double3& background, double dark, int samples) {
   for (int k = 0; k <= samples; ++k) {
     const double fraction = static_cast<double>(k) / samples;
@@ -89,10 +90,6 @@ bool all_may_be_dark(const Scene& scene, const RenderOptions& options, const Sho
                          [&](float value) { return bounds_of_radiance(value, options.samples); });
 }
 
-PixelRect region_of(const RenderOptions& options) {
-  return options.crop.value_or(PixelRect{0, 0, options.width, options.height});
-}
-
 /// The same view in at most 2^20 pixels.
 RenderOptions options_to_look_with(const RenderOptions& options) {
   RenderOptions smaller;
@@ -105,7 +102,7 @@ RenderOptions options_to_look_with(const RenderOptions& options) {
   smaller.cancel = options.cancel;
   smaller.memory = options.memory;
   constexpr double max_pixels = 0x1p20;
-  const PixelRect region = region_of(options);
+  const PixelRect region = rendered_region(options);
   const int divisor = static_cast<int>(
       std::ceil(std::sqrt(std::max(1.0, static_cast<double>(region.width) * region.height / max_pixels))));
   smaller.width = std::max(1, options.width / divisor);
@@ -166,7 +163,7 @@ std::string explained(const Scene& scene, const RenderOptions& options, std::opt
 std::string explain_no_surface(const Scene& scene, const RenderOptions& options) {
   try {
     return std::string(options.crop ? "the crop" : "the image") +
-           " shows background only: " + why_unseen(scene, options.width, options.height, region_of(options));
+           " shows background only: " + why_unseen(scene, options.width, options.height, rendered_region(options));
   } catch (const std::bad_alloc&) {
     return {};
   }

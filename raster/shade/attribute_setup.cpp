@@ -57,15 +57,15 @@ template <class Real>
   t.row[5] = {f0[1], f1[1], f2[1], Real(0)};
 }
 
-// Everything but the lines. weight: of the corners, in their order.
+// Everything but the edge functions. weight: of the corners, in their order.
 template <class Real>
-[[gnu::always_inline]] inline void set_attributes(const Scene& scene, const Geometry& geometry, const TriangleRef& ref,
+[[gnu::always_inline]] inline void set_attributes(const FrameContext& context, const TriangleRef& ref,
                                                   const std::array<std::uint8_t, 3>& corner,
                                                   const std::array<double, 3>& weight, AttributeSetup<Real>& t) {
-  const auto world = [&](std::size_t k) { return &geometry.world[ref.vertex[corner[k]]]; };
+  const auto world = [&](std::size_t k) { return &context.geometry.world[ref.vertex[corner[k]]]; };
   set_rows<Real>({world(0), world(1), world(2)}, weight, t);
 
-  const Mesh& mesh = *scene.objects[ref.object].mesh;
+  const Mesh& mesh = *context.scene.objects[ref.object].mesh;
   const auto& indices = mesh.triangles[ref.triangle];
   const bool textured = has_uvs(mesh, indices);
   for (int c = 0; c < 2; ++c) {
@@ -91,9 +91,9 @@ LargeEdges large_edges(const Geometry& geometry, const TriangleRef& ref, const s
 } // namespace
 
 template <class Real>
-void set_up_attributes(const Scene& scene, const Geometry& geometry, const Bins& bins,
-                       std::span<const VisibleTriangle> triangles, std::span<AttributeSetup<Real>> setups,
-                       UncommonEdges& uncommon) {
+void set_up_attributes(const FrameContext& context, std::span<const VisibleTriangle> triangles,
+                       std::span<AttributeSetup<Real>> setups, UncommonEdges& uncommon) {
+  const Geometry& geometry = context.geometry;
   using Row = Native<double>;
   constexpr int lanes = NumberTraits<Row>::lanes;
   constexpr std::size_t ahead = 32; // vertices come from far: asked for long before they are needed
@@ -136,9 +136,9 @@ void set_up_attributes(const Scene& scene, const Geometry& geometry, const Bins&
       t.large = nullptr, t.projective = nullptr;
       const auto state = [&](std::size_t k) { return geometry.window.placed[ref.vertex[k]].outcode(); };
       if ((state(0) | state(1) | state(2)) & outcode::unsnapped) [[unlikely]] {
-        const ProjectiveTriangle& projective = bins.projective_triangle(number);
+        const ProjectiveTriangle& projective = context.bins.projective_triangle(number);
         t.projective = &uncommon.projective.emplace_back(projective);
-        set_attributes<Real>(scene, geometry, ref, projective.corner, {1, 1, 1}, t); // line values bring their weights
+        set_attributes<Real>(context, ref, projective.corner, {1, 1, 1}, t); // its edge functions bring their weights
         continue;
       }
       const auto corner_at = [&](std::size_t k) { return static_cast<std::uint8_t>(set_up.corner[k].submitted[lane]); };
@@ -148,27 +148,27 @@ void set_up_attributes(const Scene& scene, const Geometry& geometry, const Bins&
         t.edge[k] = {edge.a[lane], edge.b[lane], edge.c[lane]};
       }
       if (!set_up.wraps[lane]) t.large = &uncommon.large.emplace_back(large_edges(geometry, ref, corner));
-      set_attributes<Real>(scene, geometry, ref, corner, {weights[0][i], weights[1][i], weights[2][i]}, t);
+      set_attributes<Real>(context, ref, corner, {weights[0][i], weights[1][i], weights[2][i]}, t);
     }
   }
 }
 
-template void set_up_attributes(const Scene&, const Geometry&, const Bins&, std::span<const VisibleTriangle>,
+template void set_up_attributes(const FrameContext&, std::span<const VisibleTriangle>,
                                 std::span<AttributeSetup<double>>, UncommonEdges&);
-template void set_up_attributes(const Scene&, const Geometry&, const Bins&, std::span<const VisibleTriangle>,
-                                std::span<AttributeSetup<float>>, UncommonEdges&);
+template void set_up_attributes(const FrameContext&, std::span<const VisibleTriangle>, std::span<AttributeSetup<float>>,
+                                UncommonEdges&);
 
-std::array<double, 2> whole_repeats(const Scene& scene, const Geometry& geometry, std::uint32_t number) {
-  const TriangleRef ref = triangle_ref(scene, geometry, number);
-  const Mesh& mesh = *scene.objects[ref.object].mesh;
+std::array<double, 2> whole_repeats(const FrameContext& context, std::uint32_t number) {
+  const TriangleRef ref = TriangleFinder(context.scene, context.geometry).at(number);
+  const Mesh& mesh = *context.scene.objects[ref.object].mesh;
   const auto& vertices = mesh.triangles[ref.triangle];
   if (!has_uvs(mesh, vertices)) return {};
   return {uv_component(mesh, vertices, 0).whole, uv_component(mesh, vertices, 1).whole};
 }
 
-Double3 face_normal(const Scene& scene, const Geometry& geometry, std::uint32_t number) {
-  const TriangleRef ref = triangle_ref(scene, geometry, number);
-  const Mesh& mesh = *scene.objects[ref.object].mesh;
+Double3 face_normal(const FrameContext& context, std::uint32_t number) {
+  const TriangleRef ref = TriangleFinder(context.scene, context.geometry).at(number);
+  const Mesh& mesh = *context.scene.objects[ref.object].mesh;
   const auto corner = [&](std::size_t k) { return Double3(mesh.positions[mesh.triangles[ref.triangle][k]]); };
   // Of a needle the edges are nearly parallel: differences and products are carried to twice the precision, so that
   // what their difference leaves is good. Each edge is brought near unit length first: nothing overflows or vanishes.
@@ -184,7 +184,7 @@ Double3 face_normal(const Scene& scene, const Geometry& geometry, std::uint32_t 
     const DoubleDouble<double> difference = two_sum(a.hi, -b.hi);
     return difference.hi + (difference.lo + (a.lo - b.lo));
   };
-  return geometry.transforms[ref.object].world_from_normal * Double3(minor(1, 2), minor(2, 0), minor(0, 1));
+  return context.geometry.transforms[ref.object].world_from_normal * Double3(minor(1, 2), minor(2, 0), minor(0, 1));
 }
 
 } // namespace refraster

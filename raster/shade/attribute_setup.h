@@ -16,27 +16,27 @@ namespace refraster {
 /// The attributes of an AttributeSetup: each component has a row, and these are the first ones.
 enum class Attribute : std::uint8_t { position = 0, normal = 3, uv = 6 };
 
-/// a, b, c of a line modulo 2^32.
+/// a, b, c of an edge function modulo 2^32.
 struct alignas(16) WrappedEdge {
   std::int32_t a = 0, b = 0, c = 0, unused = 0;
 };
 
-/// Lines of a triangle too large for that: exact as well.
+/// Edge functions of a triangle too large for that: exact as well.
 struct LargeEdges {
   std::array<SnappedEdge, 3> edge;
 };
 
-/// The lines of those of a tile's triangles that need more room. They stay where they are.
+/// The edge functions of those of a tile's triangles that need more room. They stay where they are.
 struct UncommonEdges {
   std::deque<LargeEdges> large;
   std::deque<ProjectiveEdges> projective;
 };
 
-/// How a triangle's line values are computed. Packets of only the first kind are the quick ones.
+/// How the values of a triangle's edge functions are computed. Packets of only the first kind are the quick ones.
 enum class EdgeKind : std::uint8_t {
   wrapped,   // in 32-bit integers: nearly all
   large,     // in double, where they are exact as well
-  projective // from the lines of a ProjectiveTriangle, and rounded
+  projective // from the edge functions of a ProjectiveTriangle, and rounded
 };
 
 /// What shading needs of one visible triangle, attributes in this precision. Rows of four numbers, so that lanes
@@ -51,7 +51,7 @@ struct AttributeSetup {
   /// 2^31 comes out exact, however large the terms.
   std::array<WrappedEdge, 3> edge;
   /// Row r: the component at the anchor, its differences to the other two corners; and one number more: in rows 0 to 2
-  /// the weights of perspective, see SnappedTriangle (1 if projective); in rows 6 and 7 the least, in rows 4 and 5 the
+  /// the weights of perspective_weights (1 if projective); in rows 6 and 7 the least, in rows 4 and 5 the
   /// greatest u and v of the three corners. Without texture coordinates the anchor's is NaN, so that every one that is
   /// interpolated is, and the least is 1 and the greatest 0, so that it is known for what it is.
   std::array<std::array<Real, 4>, 8> row;
@@ -70,22 +70,21 @@ struct VisibleTriangle {
   std::uint32_t number = 0;
 };
 
-/// Sets up setups[i] for triangles[i]. What their lines need of `uncommon` is appended there.
+/// Sets up setups[i] for triangles[i]. What their edge functions need of `uncommon` is appended there.
 template <class Real>
-void set_up_attributes(const Scene& scene, const Geometry& geometry, const Bins& bins,
-                       std::span<const VisibleTriangle> triangles, std::span<AttributeSetup<Real>> setups,
-                       UncommonEdges& uncommon);
+void set_up_attributes(const FrameContext& context, std::span<const VisibleTriangle> triangles,
+                       std::span<AttributeSetup<Real>> setups, UncommonEdges& uncommon);
 
-extern template void set_up_attributes(const Scene&, const Geometry&, const Bins&, std::span<const VisibleTriangle>,
+extern template void set_up_attributes(const FrameContext&, std::span<const VisibleTriangle>,
                                        std::span<AttributeSetup<double>>, UncommonEdges&);
-extern template void set_up_attributes(const Scene&, const Geometry&, const Bins&, std::span<const VisibleTriangle>,
+extern template void set_up_attributes(const FrameContext&, std::span<const VisibleTriangle>,
                                        std::span<AttributeSetup<float>>, UncommonEdges&);
 
 /// Whole repeats that are taken off a triangle's texture coordinates before they are interpolated, so that their
 /// fractions keep their digits. 0 for a triangle without texture coordinates.
-std::array<double, 2> whole_repeats(const Scene& scene, const Geometry& geometry, std::uint32_t number);
+std::array<double, 2> whole_repeats(const FrameContext& context, std::uint32_t number);
 
 /// The triangle's own normal in world space, from its winding: for places where the mesh gives none. May be 0.
-Double3 face_normal(const Scene& scene, const Geometry& geometry, std::uint32_t number);
+Double3 face_normal(const FrameContext& context, std::uint32_t number);
 
 } // namespace refraster

@@ -10,10 +10,10 @@
 
 namespace refraster {
 
-/// Line values are 0 or lie between 1 and 2^52: from this weight on no product of the two is subnormal, so that scaling
-/// by a power of two, as in a packet that holds a projective triangle, changes no digit. A corner that is farther yet
-/// counts as this far: where the nearest one has a part, it is none to speak of; and on the edge opposite the nearest
-/// one, where that has none, something must be left.
+/// Values of edge functions are 0 or lie between 1 and 2^52: from this weight on no product of the two is subnormal, so
+/// that scaling by a power of two, as in a packet that holds a projective triangle, changes no digit. A corner that is
+/// farther yet counts as this far: where the nearest one has a part, it is none to speak of; and on the edge opposite
+/// the nearest one, where that has none, something must be left.
 template <class Real>
 inline constexpr double min_weight = sizeof(Real) == 4 ? 0x1p-70 : 0x1p-900;
 

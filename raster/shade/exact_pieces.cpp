@@ -30,7 +30,7 @@ std::vector<ExactPiece> exact_pieces(const std::array<WindowVertex, 3>& v, const
     if (determinant == 0) continue;
     ExactPiece& piece = pieces.emplace_back();
     for (std::size_t k = 0; k < 3; ++k) {
-      const ExactLine edge = edge_through(*point[(k + 1) % 3], *point[(k + 2) % 3]);
+      const ExactEdge edge = edge_through(*point[(k + 1) % 3], *point[(k + 2) % 3]);
       const Exact sign(determinant > 0 ? 1 : -1);
       piece.edge[k] = {exact(edge.a) * sign, exact(edge.b) * sign, exact(edge.c) * sign};
       // As in piece_of: the clip point of a sample is the sum of nu_k clip_k with nu_k = lambda_k times this.

@@ -1,6 +1,6 @@
 #pragma once
 // The pieces of a triangle that reaches behind the eye, without rounding: for shading in 60 digits. What is drawn is
-// decided by ProjectiveTriangle, whose lines are cut to 61 bits.
+// decided by ProjectiveTriangle, whose edge functions are cut to 61 bits.
 
 #include "math/exact.h"
 #include "raster/visibility/setup.h"
@@ -12,11 +12,12 @@ namespace refraster {
 
 /// ProjectivePiece (raster/visibility/setup.h) in 60 digits, from the vertices as the vertex stage has them.
 struct ExactPiece {
-  struct Line {
+  struct Edge {
     Exact a, b, c; // of a x + b y + c over subpixels, positive inside
   };
-  std::array<Line, 3> edge;                     // of vertex v
-  std::array<std::array<Exact, 3>, 3> factor{}; // [v][k]: times this, the line's value goes into that of corner k
+  std::array<Edge, 3> edge; // opposite vertex v
+  std::array<std::array<Exact, 3>, 3>
+      factor{}; // [v][k]: times this, the edge function's value goes into that of corner k
 };
 
 /// One or two, in the order of set_up_projective's; corners in its order too.

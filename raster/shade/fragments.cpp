@@ -47,19 +47,18 @@ void list_runs(const TileVisibility& visibility, const PixelRect& tile, int samp
 
 // Each triangle that is seen, in submission order. Triangles of one object follow one another: an object is a group.
 template <class Real>
-void TileAttributes<Real>::set_up(const Scene& scene, const Geometry& geometry, const Bins& bins,
-                                  std::span<const std::uint32_t> triangles) {
+void TileAttributes<Real>::set_up(const FrameContext& context, std::span<const std::uint32_t> triangles) {
   groups_.clear();
   next_.clear();
   visible_.clear();
-  surface_of_.resize(triangles.size());
-  TriangleCursor cursor(scene, geometry);
+  setup_of_.resize(triangles.size());
+  TriangleFinder finder(context.scene, context.geometry);
   std::uint32_t runs = 0;
   for (std::size_t slot = 0; slot < triangles.size(); ++slot) {
     const Seen seen = seen_[slot];
     if (seen.runs == 0) continue;
-    const TriangleRef ref = cursor.at(triangles[slot]);
-    surface_of_[slot] = static_cast<std::int32_t>(visible_.size());
+    const TriangleRef ref = finder.at(triangles[slot]);
+    setup_of_[slot] = static_cast<std::int32_t>(visible_.size());
     visible_.push_back({ref, triangles[slot]});
     if (groups_.empty() || groups_.back().object != ref.object) groups_.push_back({ref.object, runs, runs, 0});
     next_.push_back(runs);
@@ -70,7 +69,7 @@ void TileAttributes<Real>::set_up(const Scene& scene, const Geometry& geometry, 
 
   uncommon_edges_ = {};
   setups_.resize(visible_.size());
-  set_up_attributes<Real>(scene, geometry, bins, visible_, setups_, uncommon_edges_);
+  set_up_attributes<Real>(context, visible_, setups_, uncommon_edges_);
 }
 
 // A counting sort: runs of a triangle stay in the order in which they came.
@@ -78,10 +77,10 @@ template <class Real>
 std::uint32_t TileAttributes<Real>::sort(std::span<FragmentRun> runs) {
   sorted_.resize(runs.size());
   for (FragmentRun& run : runs) {
-    const std::int32_t surface = surface_of_[static_cast<std::size_t>(run.slot)];
-    std::uint32_t& next = next_[static_cast<std::size_t>(surface)];
+    const std::int32_t setup = setup_of_[static_cast<std::size_t>(run.slot)];
+    std::uint32_t& next = next_[static_cast<std::size_t>(setup)];
     run.first_fragment = next; // its place in sorted_, until the fragments are numbered
-    sorted_[next++] = {surface, 0, run.x, run.y, run.length, run.samples};
+    sorted_[next++] = {setup, 0, run.x, run.y, run.length, run.samples};
   }
   std::uint32_t fragments = 0;
   for (FragmentRun& run : sorted_) {
@@ -93,15 +92,15 @@ std::uint32_t TileAttributes<Real>::sort(std::span<FragmentRun> runs) {
 }
 
 template <class Real>
-std::uint32_t TileAttributes<Real>::collect(const Scene& scene, const Geometry& geometry, const Bins& bins,
-                                            std::span<const std::uint32_t> triangles, std::span<FragmentRun> runs) {
+std::uint32_t TileAttributes<Real>::collect(const FrameContext& context, std::span<const std::uint32_t> triangles,
+                                            std::span<FragmentRun> runs) {
   seen_.assign(triangles.size(), {});
   for (const FragmentRun& run : runs) {
     Seen& seen = seen_[static_cast<std::size_t>(run.slot)];
     ++seen.runs;
     seen.fragments += run.length;
   }
-  set_up(scene, geometry, bins, triangles);
+  set_up(context, triangles);
   return sort(runs);
 }
 

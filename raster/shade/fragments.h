@@ -15,7 +15,7 @@ namespace refraster {
 /// Neighbouring pixels of one row that see one triangle with the same number of samples. Each pixel of a run is one
 /// fragment: it is shaded once.
 struct FragmentRun {
-  std::int32_t slot = 0;            // of the triangle, in the tile's list; then of its surface, in TileAttributes
+  std::int32_t slot = 0; // of the triangle, in the tile's list; then of its attribute set-up, in TileAttributes
   std::uint32_t first_fragment = 0; // the run's fragments have consecutive numbers
   std::uint8_t x = 0, y = 0;        // leftmost pixel, counted from the tile's corner
   std::uint8_t length = 1;          // pixels
@@ -39,15 +39,15 @@ public:
   };
 
   /// Numbers the fragments of `runs` in the order of shading. Returns how many there are.
-  std::uint32_t collect(const Scene& scene, const Geometry& geometry, const Bins& bins,
-                        std::span<const std::uint32_t> triangles, std::span<FragmentRun> runs);
+  std::uint32_t collect(const FrameContext& context, std::span<const std::uint32_t> triangles,
+                        std::span<FragmentRun> runs);
 
   std::span<const Group> groups() const { return groups_; }
-  std::span<const FragmentRun> sorted() const { return sorted_; } // `slot` is the surface's
+  std::span<const FragmentRun> sorted() const { return sorted_; } // `slot` is the attribute set-up's
   const AttributeSetup<Real>* setups() const { return setups_.data(); }
 
 private:
-  void set_up(const Scene& scene, const Geometry& geometry, const Bins& bins, std::span<const std::uint32_t> triangles);
+  void set_up(const FrameContext& context, std::span<const std::uint32_t> triangles);
   std::uint32_t sort(std::span<FragmentRun> runs);
 
   std::vector<AttributeSetup<Real>> setups_;
@@ -56,9 +56,9 @@ private:
     std::uint32_t runs = 0, fragments = 0;
   };
   std::vector<VisibleTriangle> visible_;
-  std::vector<Seen> seen_;               // of each slot in the tile's list
-  std::vector<std::int32_t> surface_of_; // of each slot that is seen
-  std::vector<std::uint32_t> next_;      // per surface: where its next run goes in sorted_
+  std::vector<Seen> seen_;             // of each slot in the tile's list
+  std::vector<std::int32_t> setup_of_; // of each slot that is seen
+  std::vector<std::uint32_t> next_;    // per attribute set-up: where its next run goes in sorted_
   std::vector<Group> groups_;
   std::vector<FragmentRun> sorted_;
 };
@@ -77,25 +77,25 @@ struct Packet {
   using Ints = VectorOf<std::int32_t, lanes>;
 
   const AttributeSetup<Real>* setups = nullptr; // the tile's
-  Ints surface{};                               // which of them each lane sees
+  Ints setup{};                                 // which of them each lane sees
   Ints x{}, y{};                                // pixel centres, subpixels of the window
   int count = 0;                                // lanes in use; the others repeat the last one
   Triangles triangles = Triangles::one;
   EdgeKind edges = EdgeKind::wrapped; // the greatest of all lanes
 
-  const AttributeSetup<Real>& triangle(int lane) const { return setups[surface[lane]]; }
+  const AttributeSetup<Real>& triangle(int lane) const { return setups[setup[lane]]; }
 
   /// Puts `pixels` neighbours, x_first and on, into the lanes from `count` on. The lanes after them repeat the last.
   void append(std::int32_t slot, std::int32_t x_first, std::int32_t y_all, int pixels) {
     const EdgeKind kind = setups[slot].kind();
     if (count == 0) triangles = Triangles::one, edges = kind;
     else {
-      if (surface[count - 1] != slot) triangles = Triangles::many;
+      if (setup[count - 1] != slot) triangles = Triangles::many;
       edges = std::max(edges, kind);
     }
     const Ints after = lane_numbers() - count; // 0 in the first new lane
     const Ints clamped = after < pixels - 1 ? after : pixels - 1 - Ints{};
-    surface = after < 0 ? surface : slot - Ints{};
+    setup = after < 0 ? setup : slot - Ints{};
     x = after < 0 ? x : x_first + clamped * subpixels;
     y = after < 0 ? y : y_all - Ints{};
     count += pixels;

@@ -59,7 +59,7 @@ public:
       return {T(numbers[0].v), T(numbers[1].v), T(numbers[2].v), T(numbers[3].v)};
     } else return {T(place(0)[0]), T(place(0)[1]), T(place(0)[2]), T(place(0)[3])};
   }
-  /// a, b, c of a wrapped line.
+  /// a, b, c of an edge function modulo 2^32.
   std::array<Ints, 3> edge(int k) const {
     const auto place = [&](int lane) {
       return &at_[static_cast<std::size_t>(lane)]->edge[static_cast<std::size_t>(k)];
@@ -80,10 +80,10 @@ public:
   static constexpr bool may_have_texture_coordinates() { return true; }
 
   /// The triangles' own normals, of any length; 0 where a triangle has none.
-  Vec3<T> own_normals(const Scene& scene, const Geometry& geometry) const {
+  Vec3<T> own_normals(const FrameContext& context) const {
     Vec3<T> own;
     for (int lane = 0; lane < lanes; ++lane) {
-      const Double3 n = face_normal(scene, geometry, packet_.triangle(lane).number);
+      const Double3 n = face_normal(context, packet_.triangle(lane).number);
       const Double3 scaled = n * reciprocal_binade(n);
       own.x.set(lane, static_cast<Real>(scaled.x));
       own.y.set(lane, static_cast<Real>(scaled.y));
@@ -111,15 +111,15 @@ DoubleValues<D> large_values(const LargeEdges& edges, const D& x, const D& y) {
   return result;
 }
 
-/// Wrapped lines in full: c follows from a value that is exact, at (x, y).
+/// Edge functions in full from those modulo 2^32: c follows from a value that is exact, at (x, y).
 inline LargeEdges unwrapped(const std::array<WrappedEdge, 3>& edges, std::int32_t x, std::int32_t y) {
   LargeEdges result;
   for (std::size_t k = 0; k < 3; ++k) {
-    const WrappedEdge& l = edges[k];
-    const auto value = static_cast<std::int32_t>(static_cast<std::uint32_t>(l.a) * static_cast<std::uint32_t>(x) +
-                                                 static_cast<std::uint32_t>(l.b) * static_cast<std::uint32_t>(y) +
-                                                 static_cast<std::uint32_t>(l.c));
-    const std::int64_t a = l.a, b = l.b;
+    const WrappedEdge& edge = edges[k];
+    const auto value = static_cast<std::int32_t>(static_cast<std::uint32_t>(edge.a) * static_cast<std::uint32_t>(x) +
+                                                 static_cast<std::uint32_t>(edge.b) * static_cast<std::uint32_t>(y) +
+                                                 static_cast<std::uint32_t>(edge.c));
+    const std::int64_t a = edge.a, b = edge.b;
     result.edge[k] = {a, b, value - a * x - b * y};
   }
   return result;
@@ -128,8 +128,8 @@ inline LargeEdges unwrapped(const std::array<WrappedEdge, 3>& edges, std::int32_
 /// Whether changes by one pixel are asked for.
 enum class Derivatives { no, yes };
 
-/// Of the three lines: the value at the sample, exact and then rounded once; and its change by one pixel to the right
-/// and down. For a projective triangle all are times one factor: only ratios are used.
+/// Of the three edge functions: the value at the sample, exact and then rounded once; and its change by one pixel to
+/// the right and down. For a projective triangle all are times one factor: only ratios are used.
 template <class T>
 struct EdgeValues {
   std::array<T, 3> value, right, down;

@@ -1,5 +1,5 @@
 #pragma once
-// Line values of a projective triangle for many samples at once.
+// Values of the edge functions of a projective triangle for many samples at once.
 
 #include "math/elementary/double_double.h"
 #include "raster/visibility/setup.h"
@@ -25,8 +25,9 @@ struct SplitEdge {
   SplitEdge() = default;
   explicit SplitEdge(const ProjectiveEdge& edge);
 
-  /// The line's value, rounded to double; its sign is exact. |x|, |y| <= 2^22: then each piece's products are below
-  /// 2^51 (a, b < 2^29 in the lower pieces, < 2^3 in the highest one), and c < 2^29, or < 2^52 in the highest one.
+  /// The edge function's value, rounded to double; its sign is exact. |x|, |y| <= 2^22: then each piece's products are
+  /// below 2^51 (a, b < 2^29 in the lower pieces, < 2^3 in the highest one), and c < 2^29, or < 2^52 in the highest
+  /// one.
   template <Lanes D>
   D at(const D& x, const D& y) const {
     const DoubleDouble<D> lower = two_sum(middle.at(x, y) * D(0x1p29), low.at(x, y));
@@ -35,7 +36,8 @@ struct SplitEdge {
   }
 };
 
-/// What line values of a ProjectiveTriangle are made from, by way of the vertices of its pieces to its corners.
+/// What values of the edge functions of a ProjectiveTriangle are made from, by way of the vertices of its pieces to its
+/// corners.
 struct ProjectiveEdges {
   struct Piece {
     std::array<SplitEdge, 3> edge;                 // of vertex v
@@ -49,8 +51,8 @@ struct ProjectiveEdges {
   explicit ProjectiveEdges(const ProjectiveTriangle& triangle);
 };
 
-/// Of a sample or lanes of them, in double: the values of three lines, and their change by a pixel to the right and
-/// down.
+/// Of a sample or lanes of them, in double: the values of three edge functions, and their change by a pixel to the
+/// right and down.
 template <class D>
 struct DoubleValues {
   std::array<D, 3> value, right, down;

@@ -123,7 +123,7 @@ private:
 
   // One colour for each pixel that any run touches: the first colour plus the mean difference to it, so that equal
   // colours give that colour, bit for bit. Each difference is weighted before it is added: their sum then is no larger
-  // than the largest, which may be the largest number there is. Shares are exact, samples being a power of two.
+  // than the largest, which may be the largest number there is. Weights are exact, samples being a power of two.
   void average(const FrameContext& context, std::span<const FragmentRun> runs, const FragmentColours<T>& colours) {
     const Rgb<Real> background = finite_background(context);
     const int samples = context.options.samples;

@@ -8,6 +8,7 @@
 #include "raster/shade/corner_values.h"
 #include "raster/shade/exact_pieces.h"
 #include "raster/shade/interpolate.h"
+#include "raster/visibility/snapped_setup.h"
 
 #include <algorithm>
 #include <array>
@@ -52,15 +53,6 @@ struct SampleCorners {
   std::array<T, 3> inverse_w;              // of corners on the lattice
 };
 
-/// Where in a frame a triangle is.
-struct TrianglePlace {
-  const Scene& scene;
-  const Geometry& geometry;
-  const Bins& bins;
-  ImageShape shape;
-  std::uint32_t number; // in the frame
-};
-
 template <Number T>
 class SampleData {
 public:
@@ -68,11 +60,12 @@ public:
   using Edge = EdgeArithmetic<T>;
   using EdgeValue = typename Edge::Value;
 
-  explicit SampleData(const TrianglePlace& place)
-      : place_(place), ref_(triangle_ref(place.scene, place.geometry, place.number)) {
-    const std::array<WindowVertex, 3> window = window_corners(place.geometry, ref_);
+  /// Of the triangle of that number in the frame.
+  SampleData(const FrameContext& context, std::uint32_t number)
+      : context_(context), ref_(TriangleFinder(context.scene, context.geometry).at(number)) {
+    const std::array<WindowVertex, 3> window = window_corners(context.geometry, ref_);
     if ((window[0].outcode | window[1].outcode | window[2].outcode) & outcode::unsnapped) {
-      projective_ = &place.bins.projective_triangle(place.number);
+      projective_ = &context.bins.projective_triangle(number);
       corner_ = projective_->corner;
       set_up_pieces(window);
     } else {
@@ -109,36 +102,36 @@ public:
   }
 
   bool may_have_texture_coordinates() const {
-    const Mesh& mesh = *place_.scene.objects[ref_.object].mesh;
+    const Mesh& mesh = *context_.scene.objects[ref_.object].mesh;
     return has_uvs(mesh, mesh.triangles[ref_.triangle]);
   }
 
   /// The triangle's own normal, of any length; 0 where it has none.
-  Vec3<T> own_normals(const Scene& scene, const Geometry& geometry) const {
-    const Mesh& mesh = *scene.objects[ref_.object].mesh;
+  Vec3<T> own_normals(const FrameContext&) const {
+    const Mesh& mesh = *context_.scene.objects[ref_.object].mesh;
     const auto corner = [&](std::size_t k) { return as<T>(Double3(mesh.positions[mesh.triangles[ref_.triangle][k]])); };
     const Vec3<T> n = cross(corner(1) - corner(0), corner(2) - corner(0));
-    const Double3x3& m = geometry.transforms[ref_.object].world_from_normal;
+    const Double3x3& m = context_.geometry.transforms[ref_.object].world_from_normal;
     return as<T>(m[0]) * n.x + as<T>(m[1]) * n.y + as<T>(m[2]) * n.z;
   }
 
 private:
   struct Piece {
-    std::array<EdgeValue, 3> value, a, b;           // of the line of vertex v, at the sample; its slopes
+    std::array<EdgeValue, 3> value, a, b;           // of the edge function opposite vertex v, at the sample; its slopes
     std::array<std::array<EdgeValue, 3>, 3> factor; // [v][k]
   };
 
-  template <class Line>
-  void at(const Line& edge, EdgeValue& value, EdgeValue& a, EdgeValue& b) const {
+  template <class SomeEdge>
+  void at(const SomeEdge& edge, EdgeValue& value, EdgeValue& a, EdgeValue& b) const {
     a = Edge::whole(edge.a), b = Edge::whole(edge.b);
     value = Edge::whole(edge.at(x_, y_)) + a * dx_ + b * dy_;
   }
 
   SampleCorners<T> corners(const std::array<WindowVertex, 3>& window) const {
     SampleCorners<T> result;
-    const Mesh& mesh = *place_.scene.objects[ref_.object].mesh;
+    const Mesh& mesh = *context_.scene.objects[ref_.object].mesh;
     std::array<WorldVertex, 3> world;
-    for (std::size_t k = 0; k < 3; ++k) world[k] = place_.geometry.world[ref_.vertex[corner_[k]]];
+    for (std::size_t k = 0; k < 3; ++k) world[k] = context_.geometry.world[ref_.vertex[corner_[k]]];
     const double scale = normal_scale(world[0], world[1], world[2]);
     for (std::size_t k = 0; k < 3; ++k) {
       result.position[k] = as<T>(world[k].position);
@@ -171,10 +164,11 @@ private:
       row_[static_cast<std::size_t>(min_uv_row + c)][3] = min(uv[0][c], min(uv[1][c], uv[2][c]));
       row_[static_cast<std::size_t>(max_uv_row + c)][3] = max(uv[0][c], max(uv[1][c], uv[2][c]));
     }
-    // perspective_weights; of projective triangles, edges() bring their weights.
-    const T nearest = max(corner.inverse_w[0], max(corner.inverse_w[1], corner.inverse_w[2]));
+    // Of projective triangles, edges() bring their weights.
+    const std::array<T, 3> weight =
+        snapped_ ? perspective_weights(corner.inverse_w) : std::array<T, 3>{T(1), T(1), T(1)};
     for (std::size_t k = 0; k < 3; ++k) {
-      row_[k][3] = snapped_ ? corner.inverse_w[k] / nearest : T(1);
+      row_[k][3] = weight[k];
       // Lanes take no weight below this (attribute_setup.cpp): bounds hold it either way.
       if constexpr (!NumberTraits<T>::decides) {
         constexpr bool is_single = NumberTraits<T>::largest < std::numeric_limits<double>::max();
@@ -185,12 +179,12 @@ private:
 
   void set_up_pieces(const std::array<WindowVertex, 3>& window) {
     if constexpr (std::same_as<T, Exact>) {
-      const Mesh& mesh = *place_.scene.objects[ref_.object].mesh;
+      const Mesh& mesh = *context_.scene.objects[ref_.object].mesh;
       std::array<Double4, 3> clip;
       for (std::size_t k = 0; k < 3; ++k)
         clip[k] =
-            clip_position(place_.geometry.transforms[ref_.object], mesh.positions[mesh.triangles[ref_.triangle][k]]);
-      exact_ = exact_pieces(window, clip, place_.shape);
+            clip_position(context_.geometry.transforms[ref_.object], mesh.positions[mesh.triangles[ref_.triangle][k]]);
+      exact_ = exact_pieces(window, clip, image_shape(context_));
     }
   }
 
@@ -199,7 +193,7 @@ private:
     if constexpr (std::same_as<T, Exact>) {
       const EdgeValue x = EdgeValue(x_) + dx_, y = EdgeValue(y_) + dy_;
       for (std::size_t v = 0; v < 3; ++v) {
-        const ExactPiece::Line& edge = exact_[p].edge[v];
+        const ExactPiece::Edge& edge = exact_[p].edge[v];
         result.a[v] = edge.a, result.b[v] = edge.b;
         result.value[v] = edge.a * x + edge.b * y + edge.c;
         result.factor[v] = exact_[p].factor[v];
@@ -248,7 +242,7 @@ private:
     }
   }
 
-  TrianglePlace place_;
+  const FrameContext& context_;
   TriangleRef ref_;
   std::optional<SnappedTriangle> snapped_;
   const ProjectiveTriangle* projective_ = nullptr;

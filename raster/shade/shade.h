@@ -1,8 +1,7 @@
 #pragma once
 // From what a tile sees to its pixels, in the number of a precision.
 
-#include <refraster/render.h>
-
+#include "raster/frame_context.h"
 #include "raster/shade/fragments.h"
 
 #include <cstdint>
@@ -12,15 +11,6 @@
 #include <vector>
 
 namespace refraster {
-
-/// Everything that stays the same through a frame.
-struct FrameContext {
-  const Scene& scene;
-  const Geometry& geometry;
-  const Bins& bins;
-  const RenderOptions& options;
-  PixelRect region; // pixels of the full image that the frame's images hold
-};
 
 /// What is known of a tile once visibility is decided.
 struct VisibleTile {
@@ -60,12 +50,10 @@ std::unique_ptr<TileShading> make_exact_shading();
 using MakeShading = std::function<std::unique_ptr<TileShading>()>;
 void render_with(const Scene& scene, const RenderOptions& options, const MakeShading& make_shading, Frame& frame);
 
-/// The pixels that a frame's images hold: those of the crop, or all.
-PixelRect rendered_region(const RenderOptions& options);
-
-/// Writes the tile's part of an image of `aov`. Computed in double whatever the precision: of the first of each pixel's
-/// `runs`.
-void write_aov(const FrameContext& context, const VisibleTile& visible, std::span<const FragmentRun> runs, Aov aov,
-               Image<float>& image);
+/// Writes the tile's part of the images of all AOVs that are asked for, in one pass over its surfaces. Computed in
+/// double whatever the precision: of the first of each pixel's `runs`. `shaded` is what shading has set up for these
+/// runs, if that is double and no pixel has more than one run; else null.
+void write_aovs(const FrameContext& context, const VisibleTile& visible, std::span<const FragmentRun> runs,
+                const TileAttributes<double>* shaded, std::span<Image<float>> images);
 
 } // namespace refraster

@@ -9,13 +9,13 @@ namespace refraster {
 
 /// The interpolated normal at unit length; where that is 0, the triangle's own; where that is 0 too, 0.
 template <class Data, class T = typename Data::Number>
-Vec3<T> shading_normal(const Scene& scene, const Geometry& geometry, const Data& data, const Vec3<T>& interpolated,
+Vec3<T> shading_normal(const FrameContext& context, const Data& data, const Vec3<T>& interpolated,
                        const UndefinedTally<T>& tally) {
   const auto is_zero = [](const Vec3<T>& n) { return max(abs(n.x), max(abs(n.y), abs(n.z))) <= T(0); };
   const MaskOf<T> zero = is_zero(interpolated);
   if (!any(zero)) return normalize(interpolated);
   tally.note(Undefined::zero_normal, zero);
-  const Vec3<T> own = data.own_normals(scene, geometry);
+  const Vec3<T> own = data.own_normals(context);
   tally.note(Undefined::no_normal, zero & is_zero(own));
   return normalize(select<T>(zero, own, interpolated));
 }
@@ -47,15 +47,15 @@ Rgb<T> texture_colour(const Material& material, const Data& data, const PacketBa
 }
 
 template <class Data, class T = typename Data::Number>
-PacketSurface<T> packet_surface(const Scene& scene, const Geometry& geometry, const Material& material,
-                                const Data& data, const UndefinedTally<T>& tally) {
+PacketSurface<T> packet_surface(const FrameContext& context, const Material& material, const Data& data,
+                                const UndefinedTally<T>& tally) {
   const bool derivatives = material.texture && material.texture_filter == TextureFilter::trilinear;
   const PacketBarycentrics<T> at =
       derivatives ? barycentrics<Derivatives::yes>(data) : barycentrics<Derivatives::no>(data);
   PacketSurface<T> surface;
   surface.position = interpolated3(data, Attribute::position, at.at);
-  surface.normal = shading_normal(scene, geometry, data, interpolated3(data, Attribute::normal, at.at), tally);
-  surface.to_eye = normalize(as<T>(scene.camera.position) - surface.position);
+  surface.normal = shading_normal(context, data, interpolated3(data, Attribute::normal, at.at), tally);
+  surface.to_eye = normalize(as<T>(context.scene.camera.position) - surface.position);
   tally.note(Undefined::eye_at_surface, dot(surface.to_eye, surface.to_eye) <= T(0));
   const bool shows_texture = material.texture && data.may_have_texture_coordinates();
   surface.texture = shows_texture ? texture_colour(material, data, at, tally) : Rgb<T>(T(1));

@@ -7,9 +7,9 @@
 #include "raster/shade/shade.h"
 #include "raster/shade/shade_packet.h"
 #include "raster/shade/user_shading.h"
+#include "raster/stopwatch.h"
 #include "shading/fragment_functions.h"
 
-#include <chrono>
 #include <functional>
 #include <utility>
 #include <variant>
@@ -54,16 +54,11 @@ public:
   void shade(const FrameContext& context, const VisibleTile& visible, Frame& frame,
              const TileMeasures& measures) override {
     FrameCounts& counts = measures.counts;
-    auto now = std::chrono::steady_clock::now();
-    const auto lap = [&now](double& sum) {
-      const auto before = std::exchange(now, std::chrono::steady_clock::now());
-      sum += std::chrono::duration<double>(now - before).count();
-    };
+    Stopwatch stopwatch;
     list_runs(visible.visibility, visible.tile, context.options.samples, runs_);
     if constexpr (!has_lanes) keep_wanted(visible.tile);
-    const std::uint32_t fragments =
-        setups_.collect(context.scene, context.geometry, context.bins, visible.triangles, runs_);
-    lap(measures.seconds.attribute_setup);
+    const std::uint32_t fragments = setups_.collect(context, visible.triangles, runs_);
+    measures.seconds.attribute_setup += stopwatch.lap();
     colours_.resize(fragments);
     for (const auto& group : setups_.groups()) {
       const Material& material = context.scene.objects[group.object].material;
@@ -75,19 +70,17 @@ public:
       counts.lane_slots += (group.fragments + lanes - 1) / lanes * lanes;
     }
     counts.fragments += fragments;
-    lap(measures.seconds.shading);
+    measures.seconds.shading += stopwatch.lap();
     resolver_.resolve(context, visible.tile, runs_, colours_, frame, counts);
     if constexpr (!has_lanes)
       if (request_.take && !cancelled(context)) resolver_.for_each_pixel(visible.tile, request_.take);
-    for (std::size_t i = 0; i < context.options.aovs.size(); ++i)
-      write_aov(context, visible, runs_, context.options.aovs[i], frame.aovs[i]);
-    lap(measures.seconds.resolve);
+    write_aovs(context, visible, runs_, setups_for_aovs(context), frame.aovs);
+    measures.seconds.resolve += stopwatch.lap();
   }
 
 private:
   using Real = RealOf<T>;
-  using Surfaces = TileAttributes<Real>;
-  using Group = typename Surfaces::Group;
+  using Group = typename TileAttributes<Real>::Group;
   static constexpr std::uint32_t lanes = NumberTraits<T>::lanes;
 
   template <class SomeFunction>
@@ -111,7 +104,7 @@ private:
       const auto at = static_cast<std::size_t>(batch_.packets++);
       batch_.in_use[at] = in_use;
       surface_of(UndefinedTally<T>(undefined, batch_.in_use[at]), batch_.surface[at]);
-      if (batch_.packets == batch_.most) shade_batch();
+      if (batch_.packets == batch_.capacity) shade_batch();
     };
     if constexpr (has_lanes) {
       for_each_packet<T>(setups_, group, tile, [&](const Packet<T>& packet, std::uint32_t first) {
@@ -123,9 +116,8 @@ private:
       });
     } else {
       for_each_sample(context, group, tile, [&](const SampleData<T>& data, std::uint32_t number) {
-        add(number, T(0) <= T(0), [&](const auto& tally, auto& surface) {
-          surface = packet_surface(context.scene, context.geometry, material, data, tally);
-        });
+        add(number, T(0) <= T(0),
+            [&](const auto& tally, auto& surface) { surface = packet_surface(context, material, data, tally); });
       });
     }
     if (batch_.packets > 0) shade_batch();
@@ -135,10 +127,9 @@ private:
   /// tile may take seconds in 60 digits: it ends early where the frame is given up.
   template <class Body>
   void for_each_sample(const FrameContext& context, const Group& group, const PixelRect& tile, const Body& body) const {
-    const ImageShape shape{context.options.width, context.options.height, context.scene.camera.near};
     for (std::size_t i = group.begin_run; i < group.end_run; ++i) {
       const FragmentRun& run = setups_.sorted()[i];
-      SampleData<T> data({context.scene, context.geometry, context.bins, shape, setups_.setups()[run.slot].number});
+      SampleData<T> data(context, setups_.setups()[run.slot].number);
       for (int k = 0; k < run.length; ++k) {
         if (cancelled(context)) return;
         data.move_to((tile.x + run.x + k) * subpixels + subpixels / 2, (tile.y + run.y) * subpixels + subpixels / 2,
@@ -146,6 +137,11 @@ private:
         body(data, run.first_fragment + static_cast<std::uint32_t>(k));
       }
     }
+  }
+
+  const TileAttributes<double>* setups_for_aovs(const FrameContext& context) const {
+    if constexpr (std::same_as<Real, double>) return context.options.samples == 1 ? &setups_ : nullptr;
+    else return nullptr;
   }
 
   static bool cancelled(const FrameContext& context) {
@@ -168,12 +164,12 @@ private:
   [[gnu::flatten, gnu::noinline]] static void interpolate(const FrameContext& context, const Material& material,
                                                           const PacketData<T, triangles>& data,
                                                           const UndefinedTally<T>& tally, PacketSurface<T>& surface) {
-    surface = packet_surface(context.scene, context.geometry, material, data, tally);
+    surface = packet_surface(context, material, data, tally);
   }
 
   [[no_unique_address]] Request request_;
   std::vector<FragmentRun> runs_;
-  Surfaces setups_;
+  TileAttributes<Real> setups_;
   PacketBatch<T> batch_;
   UserShading<T> user_shading_;
   FragmentColours<T> colours_;

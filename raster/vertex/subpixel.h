@@ -1,5 +1,5 @@
 #pragma once
-// Window coordinates as exact integers, and the lines between them.
+// Window coordinates as exact integers, and the edge functions of the lines between them.
 //
 // A window coordinate is counted in subpixels, 256 to a pixel, y down, (0, 0) at the top left corner of the image.
 // The centre of pixel (px, py) is the sample (256 px + 128, 256 py + 128). A vertex is snapped to this lattice before
@@ -30,7 +30,7 @@ struct EdgeFunction {
 
   /// The top-left rule, y down: a sample exactly on the line belongs to the triangle for which the line is a left edge
   /// (the inside is to the right) or a top edge (level, the inside is below). Of the two triangles at a shared edge,
-  /// for which the line has opposite signs, this names exactly one.
+  /// for which the edge function has opposite signs, this names exactly one.
   bool owns_ties() const { return a > 0 || (a == 0 && b > 0); }
 
   bool covers(std::int32_t x, std::int32_t y) const {
@@ -39,7 +39,7 @@ struct EdgeFunction {
   }
 
   /// The greatest value over the rectangle [x0, x1] x [y0, y1].
-  Value most(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1) const {
+  Value max_over(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1) const {
     return at(a > 0 ? x1 : x0, b > 0 ? y1 : y0);
   }
 };

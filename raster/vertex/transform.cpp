@@ -2,6 +2,7 @@
 
 #include "math/elementary.h"
 #include "math/precisions.h"
+#include "raster/lanes.h"
 #include "raster/parallel.h"
 #include "raster/vertex/vertex_stage.h"
 
@@ -43,10 +44,10 @@ Double3x3 normal_matrix(const Double3x3& m) {
   const Double3 u0 = m[0] * size(0), u1 = m[1] * size(1), u2 = m[2] * size(2);
   const Double3x3 cofactors(cross(u1, u2) * size(0), cross(u2, u0) * size(1), cross(u0, u1) * size(2));
   const double sign = dot(u0, cofactors[0]) < 0 ? -1 : 1;
-  double most = 0;
+  double largest = 0;
   for (int column = 0; column < 3; ++column)
-    for (int row = 0; row < 3; ++row) most = max(abs(cofactors[column][row]), most);
-  return cofactors * (sign * reciprocal_binade(most));
+    for (int row = 0; row < 3; ++row) largest = max(abs(cofactors[column][row]), largest);
+  return cofactors * (sign * reciprocal_binade(largest));
 }
 
 } // namespace
@@ -120,23 +121,16 @@ T component(const Float3* at, int c) {
 template <class T>
 void store_pairs(double* at, std::size_t stride, const T& a, const T& b) {
   if constexpr (NumberTraits<T>::lanes == 1) {
-    std::memcpy(at, &a, sizeof a); // at may stand for other members than numbers
-    std::memcpy(at + 1, &b, sizeof b);
+    store_lanes(at, a); // at may stand for other members than numbers
+    store_lanes(at + 1, b);
   } else {
     constexpr int lanes = NumberTraits<T>::lanes;
     [&]<int... lane>(std::integer_sequence<int, lane...>) {
-      const auto store = [&](std::size_t k, VectorOf<double, 2> pair) {
-        std::memcpy(at + stride * k, &pair, sizeof pair);
-      };
+      const auto store = [&](std::size_t k, VectorOf<double, 2> pair) { store_lanes(at + stride * k, pair); };
       (store(lane, __builtin_shufflevector(a.v, b.v, lane, lane + lanes)), ...);
     }
     (std::make_integer_sequence<int, lanes>{});
   }
-}
-
-template <class T>
-void store_lanes(double* at, const T& x) {
-  std::memcpy(at, &x, sizeof x);
 }
 
 // Matrices as T has them, and the image: what an object's vertices have in common.
@@ -197,7 +191,9 @@ void transform_vertices(const Mesh& mesh, const ObjectTransform& matrices, int w
 
 } // namespace
 
-void transform(const Scene& scene, int width, int height, int threads, Geometry& geometry) {
+void transform(const FrameInput& input, Geometry& geometry) {
+  const Scene& scene = input.scene;
+  const int width = input.options.width, height = input.options.height;
   const Double4x4 view_projection = clip_from_world(scene.camera, static_cast<double>(width) / height);
   geometry.transforms.clear();
   geometry.first_vertex.assign(1, 0);
@@ -216,7 +212,7 @@ void transform(const Scene& scene, int width, int height, int threads, Geometry&
   geometry.world.resize_uninitialized(vertices);
   // Pieces of all vertices, whatever the objects are: there may be thousands of these, or one.
   constexpr std::size_t piece = 2048;
-  parallel_for(threads, (vertices + piece - 1) / piece, [&](std::size_t index, int) {
+  parallel_for(input.threads, (vertices + piece - 1) / piece, [&](std::size_t index, int) {
     const std::size_t begin = index * piece, end = std::min(vertices, begin + piece);
     const auto after = std::upper_bound(geometry.first_vertex.begin(), geometry.first_vertex.end(), begin);
     for (auto o = static_cast<std::size_t>(after - geometry.first_vertex.begin()) - 1;
@@ -226,10 +222,6 @@ void transform(const Scene& scene, int width, int height, int threads, Geometry&
                          std::min(end, last) - first, first, geometry);
     }
   });
-}
-
-TriangleRef triangle_ref(const Scene& scene, const Geometry& geometry, std::uint32_t triangle) {
-  return TriangleFinder(scene, geometry).at(triangle);
 }
 
 void TriangleFinder::find(std::uint32_t triangle) {

@@ -4,6 +4,7 @@
 #include <refraster/scene.h>
 
 #include "raster/buffer.h"
+#include "raster/frame_context.h"
 #include "raster/vertex/subpixel.h"
 
 #include <array>
@@ -106,35 +107,15 @@ struct Geometry {
 
 /// Transforms each unique vertex once. The scene may have up to 2^31 - 1 vertices and as many triangles in all
 /// (assert). `geometry` may be that of another frame: its memory is used again.
-void transform(const Scene& scene, int width, int height, int threads, Geometry& geometry);
+void transform(const FrameInput& input, Geometry& geometry);
 
 /// A triangle by its number in the frame: object, corner indices into Geometry's arrays and into the mesh.
 struct TriangleRef {
   std::uint32_t object = 0, triangle = 0; // triangle: in the object's mesh
   std::uint32_t vertex[3] = {};           // in Geometry::window and ::world
 };
-TriangleRef triangle_ref(const Scene& scene, const Geometry& geometry, std::uint32_t triangle);
 
-/// The same for triangles asked for in rising order of their numbers: it walks along the objects instead of searching.
-class TriangleCursor {
-public:
-  TriangleCursor(const Scene& scene, const Geometry& geometry) : scene_(scene), geometry_(geometry) {}
-
-  TriangleRef at(std::uint32_t triangle) {
-    while (triangle >= geometry_.first_triangle[object_ + 1]) ++object_;
-    const std::uint32_t first_vertex = geometry_.first_vertex[object_];
-    const std::uint32_t in_mesh = triangle - geometry_.first_triangle[object_];
-    const std::array<std::uint32_t, 3>& corners = scene_.objects[object_].mesh->triangles[in_mesh];
-    return {object_, in_mesh, {first_vertex + corners[0], first_vertex + corners[1], first_vertex + corners[2]}};
-  }
-
-private:
-  const Scene& scene_;
-  const Geometry& geometry_;
-  std::uint32_t object_ = 0;
-};
-
-/// The same for triangles asked for in any order, neighbours mostly of one object.
+/// Finds triangles by their numbers, in any order: quickest where neighbours are of one object.
 class TriangleFinder {
 public:
   TriangleFinder(const Scene& scene, const Geometry& geometry) : scene_(scene), geometry_(geometry) {}

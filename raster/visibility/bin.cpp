@@ -17,6 +17,11 @@ PixelRect TileGrid::tile(std::size_t index) const {
   return {left, top, std::min(tile_size, x + width - left), std::min(tile_size, y + height - top)};
 }
 
+TileGrid tile_grid(const FrameInput& input) {
+  const PixelRect& region = input.region;
+  return {region.x, region.y, region.width, region.height, input.options.tile_size};
+}
+
 const ProjectiveTriangle& Bins::projective_triangle(std::uint32_t number) const {
   const auto at = std::lower_bound(projective.begin(), projective.end(), number,
                                    [](const NumberedProjective& p, std::uint32_t n) { return p.triangle < n; });
@@ -73,10 +78,10 @@ struct BoxLanes {
 
 class Binner {
 public:
-  Binner(const Scene& scene, const Geometry& geometry, const TileGrid& grid, int image_width, int image_height,
-         std::span<const SamplePosition> samples)
-      : scene_(scene), geometry_(geometry), grid_(grid), image_width_(image_width), image_height_(image_height),
-        samples_(static_cast<int>(samples.size())), columns_(grid.columns()) {
+  Binner(const FrameInput& input, const Geometry& geometry, const TileGrid& grid)
+      : scene_(input.scene), geometry_(geometry), grid_(grid), shape_(image_shape(input)),
+        samples_(input.options.samples), columns_(grid.columns()) {
+    const std::span<const SamplePosition> samples = input.samples;
     const auto [x_low, x_high] =
         std::minmax_element(samples.begin(), samples.end(), [](auto& p, auto& q) { return p.x < q.x; });
     const auto [y_low, y_high] =
@@ -201,7 +206,7 @@ private:
     const auto sample = [](const Ints& pixel, int corner, int offset) {
       return numbers<lanes>((pixel + corner) * subpixels + offset);
     };
-    const auto coverage = cover_small(set_up_lanes(window.corner[0], window.corner[1], window.corner[2]),
+    const auto coverage = cover_small(set_up_snapped(window.corner[0], window.corner[1], window.corner[2]),
                                       sample(box.left, grid_.x, first_x_), sample(box.top, grid_.y, first_y_));
     // Beyond the box, which the grid may have cut, there is nothing.
     const LaneSet two_wide = set_where(box.left < box.right), two_high = set_where(box.top < box.bottom);
@@ -258,8 +263,8 @@ private:
   struct Box {
     int left, top, right, bottom; // pixels of the grid
   };
-  // Lists a triangle with each tile that it may touch. Where the bounding box holds many tiles, its lines rule out
-  // those beside a long thin triangle.
+  // Lists a triangle with each tile that it may touch. Where the bounding box holds many tiles, its edge functions rule
+  // out those beside a long thin triangle.
   void add_box(std::uint32_t number, const Box& box, double z_min, TileLists::Run& lists) const {
     const int left = box.left >> tile_shift_, right = box.right >> tile_shift_;
     const int top = box.top >> tile_shift_, bottom = box.bottom >> tile_shift_;
@@ -272,21 +277,20 @@ private:
     if (left == right && top == bottom) return add(left, top);
     const bool many = (right - left) * (bottom - top) >= 2;
     const auto set_up =
-        many ? set_up_snapped(window_corners(geometry_, triangle_ref(scene_, geometry_, number))) : std::nullopt;
+        many ? set_up_snapped(window_corners(geometry_, TriangleFinder(scene_, geometry_).at(number))) : std::nullopt;
     for (int row = top; row <= bottom; ++row)
       for (int column = left; column <= right; ++column)
-        if (!many || lines_touch(set_up->edge, index(column, row))) add(column, row);
+        if (!many || edges_touch(set_up->edge, index(column, row))) add(column, row);
   }
 
   void add_projective(const Batch& batch, std::uint32_t number, const Output& output) const {
     const Object& object = scene_.objects[batch.object];
-    const TriangleRef ref = triangle_ref(scene_, geometry_, number);
+    const TriangleRef ref = TriangleFinder(scene_, geometry_).at(number);
     std::array<Double4, 3> clip;
     const auto& corners = object.mesh->triangles[ref.triangle];
     for (std::size_t k = 0; k < 3; ++k)
       clip[k] = clip_position(geometry_.transforms[batch.object], object.mesh->positions[corners[k]]);
-    const auto set_up =
-        set_up_projective(window_corners(geometry_, ref), clip, {image_width_, image_height_, scene_.camera.near});
+    const auto set_up = set_up_projective(window_corners(geometry_, ref), clip, shape_);
     if (!set_up) {
       ++output.counts.degenerate;
     } else if (object.cull == Cull::back && set_up->facing == Facing::back) {
@@ -295,19 +299,19 @@ private:
       ++output.counts.drawn, ++output.counts.clipped;
       output.projective.push_back({number, *set_up});
       for (std::size_t tile = 0; tile < grid_.tiles(); ++tile)
-        if (lines_touch(set_up->piece[0].edge, tile) ||
-            (set_up->pieces == 2 && lines_touch(set_up->piece[1].edge, tile)))
+        if (edges_touch(set_up->piece[0].edge, tile) ||
+            (set_up->pieces == 2 && edges_touch(set_up->piece[1].edge, tile)))
           output.lists.add(tile, TileEntry::projective(number));
     }
   }
 
-  template <class Lines>
-  bool lines_touch(const Lines& edges, std::size_t tile) const {
+  template <class Edges>
+  bool edges_touch(const Edges& edges, std::size_t tile) const {
     const PixelRect c = grid_.tile(tile);
     const std::int32_t x0 = c.x * subpixels + first_x_, x1 = (c.x + c.width - 1) * subpixels + last_x_;
     const std::int32_t y0 = c.y * subpixels + first_y_, y1 = (c.y + c.height - 1) * subpixels + last_y_;
-    return edges[0].most(x0, y0, x1, y1) >= 0 && edges[1].most(x0, y0, x1, y1) >= 0 &&
-           edges[2].most(x0, y0, x1, y1) >= 0;
+    return edges[0].max_over(x0, y0, x1, y1) >= 0 && edges[1].max_over(x0, y0, x1, y1) >= 0 &&
+           edges[2].max_over(x0, y0, x1, y1) >= 0;
   }
   std::size_t index(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
@@ -316,27 +320,18 @@ private:
   const Scene& scene_;
   const Geometry& geometry_;
   const TileGrid& grid_;
-  int image_width_, image_height_, samples_, columns_;
+  ImageShape shape_;
+  int samples_, columns_;
   int tile_shift_ = 0;                                               // tile_size is a power of two
   std::int32_t first_x_ = 0, last_x_ = 0, first_y_ = 0, last_y_ = 0; // the sample pattern's extent in a pixel
 };
 
-void add(FrameCounts& sum, const FrameCounts& part) {
-  sum.not_finite += part.not_finite;
-  sum.outside += part.outside;
-  sum.degenerate += part.degenerate;
-  sum.culled += part.culled;
-  sum.between_samples += part.between_samples;
-  sum.clipped += part.clipped;
-  sum.drawn += part.drawn;
-}
-
 } // namespace
 
-void bin_triangles(const Scene& scene, const Geometry& geometry, const TileGrid& grid, int image_width,
-                   int image_height, std::span<const SamplePosition> samples, int threads, Bins& bins,
-                   FrameCounts& counts) {
-  const Binner binner(scene, geometry, grid, image_width, image_height, samples);
+void bin_triangles(const FrameInput& input, const Geometry& geometry, Bins& bins, FrameCounts& counts) {
+  const TileGrid grid = tile_grid(input);
+  const Binner binner(input, geometry, grid);
+  const int threads = input.threads;
   const std::uint32_t triangles = geometry.triangles();
   counts.triangles = triangles;
 
@@ -356,7 +351,7 @@ void bin_triangles(const Scene& scene, const Geometry& geometry, const TileGrid&
 
   bins.projective.clear();
   for (std::size_t run = 0; run < runs; ++run) {
-    add(counts, run_counts[run]);
+    counts += run_counts[run];
     bins.projective.insert(bins.projective.end(), projective[run].begin(), projective[run].end());
   }
 }

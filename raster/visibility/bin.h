@@ -1,14 +1,11 @@
 #pragma once
 // Which triangles each tile has to test, in submission order.
 
-#include <refraster/render.h>
-
-#include "raster/samples.h"
+#include "raster/frame_context.h"
 #include "raster/visibility/setup.h"
 #include "raster/visibility/tile_list.h"
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace refraster {
@@ -23,6 +20,7 @@ struct TileGrid {
   std::size_t tiles() const { return static_cast<std::size_t>(columns()) * static_cast<std::size_t>(rows()); }
   PixelRect tile(std::size_t index) const;
 };
+TileGrid tile_grid(const FrameInput& input);
 
 /// A triangle that needs projective set-up, with its number in the frame.
 struct NumberedProjective {
@@ -41,8 +39,6 @@ struct Bins {
 /// list may hold triangles that cover none of its samples; it misses none that does. Of triangles that are so small
 /// that it is quicker to find the samples they cover at once, it holds those samples. Memory: 16 bytes a list entry.
 /// `bins` may be those of another frame: their memory is used again.
-void bin_triangles(const Scene& scene, const Geometry& geometry, const TileGrid& grid, int image_width,
-                   int image_height, std::span<const SamplePosition> samples, int threads, Bins& bins,
-                   FrameCounts& counts);
+void bin_triangles(const FrameInput& input, const Geometry& geometry, Bins& bins, FrameCounts& counts);
 
 } // namespace refraster

@@ -21,11 +21,11 @@ void DepthTile::refresh_bounds() {
   bounded_ = true;
   for (int top = 0; top < height_; top += block)
     for (std::size_t x = 0; x < stride_; x += lanes) {
-      Row most(-1.0);
+      Row deepest(-1.0);
       for (std::size_t s = 0; s < samples_; ++s)
         for (int y = top; y < std::min(top + block, height_); ++y)
-          most = max(most, load_lanes<Row>(&depth_[at(static_cast<int>(s), 0, y) + x]));
-      store_lanes(&bound_[static_cast<std::size_t>(top / block) * stride_ + x], most);
+          deepest = max(deepest, load_lanes<Row>(&depth_[at(static_cast<int>(s), 0, y) + x]));
+      store_lanes(&bound_[static_cast<std::size_t>(top / block) * stride_ + x], deepest);
     }
 }
 

@@ -10,9 +10,9 @@ namespace {
 using Row = DepthTile::Row;
 constexpr int lanes = DepthTile::lanes;
 
-// Along a row a line's value is V + x A, x in pixels, with V and A integers of up to 110 bits; ProjectivePiece rounds
-// it to double. Here it is the sum of two doubles: `high`, a multiple of u = 2^e, which is exact, and `low`, which is
-// not.
+// Along a row an edge function's value is V + x A, x in pixels, with V and A integers of up to 110 bits;
+// ProjectivePiece rounds it to double. Here it is the sum of two doubles: `high`, a multiple of u = 2^e, which is
+// exact, and `low`, which is not.
 //
 // u is chosen so that values in the tile are under 2^51 u; so high, off by the rest of V and x <= 136 times that of A,
 // is a multiple of u under 2^52 u. The rests are at most u / 2, low is at most 69 u, and each of the roundings that it
@@ -25,14 +25,15 @@ struct EdgeRow {
 struct TileEdge {
   ProjectiveEdge edge;
   int e = 0;
-  double u = 1, doubt = 0, least = 0; // covered where the value is greater than `least`; values are whole numbers
+  double u = 1, doubt = 0,
+         threshold = 0;               // covered where the value is greater than `threshold`; values are whole numbers
   double high_step = 0, low_step = 0; // by a pixel
 
   // x, y: the first sample; x_end, y_end: beyond the last one.
   TileEdge(const ProjectiveEdge& of, std::int32_t x, std::int32_t y, std::int32_t x_end, std::int32_t y_end)
-      : edge(of), least(of.owns_ties() ? -0.5 : 0.0) {
-    const Int128 most = std::max(edge.most(x, y, x_end, y_end), (-edge).most(x, y, x_end, y_end));
-    while ((most >> e) >= Int128{1} << 51) ++e;
+      : edge(of), threshold(of.owns_ties() ? -0.5 : 0.0) {
+    const Int128 largest = std::max(edge.max_over(x, y, x_end, y_end), (-edge).max_over(x, y, x_end, y_end));
+    while ((largest >> e) >= Int128{1} << 51) ++e;
     u = static_cast<double>(Int128{1} << e);
     doubt = e == 0 ? 0 : u * 0x1p-43;
     const EdgeRow step = split(static_cast<Int128>(edge.a) * subpixels);
@@ -68,11 +69,12 @@ void draw_piece(const ProjectivePiece& piece, std::int32_t slot, const PixelRect
       std::array<Row, 3> value;
       auto covered = pixel < Row(static_cast<double>(tile.width)), sure = covered;
       for (std::size_t k = 0; k < 3; ++k) {
-        const TileEdge& l = edges[k];
-        const Row high = Row(row[k].high) + pixel * Row(l.high_step), low = Row(row[k].low) + pixel * Row(l.low_step);
-        value[k] = high + (low + Row(l.doubt));
-        sure = sure & (value[k] == high + (low - Row(l.doubt)));
-        covered = covered & (value[k] > Row(l.least));
+        const TileEdge& tile_edge = edges[k];
+        const Row high = Row(row[k].high) + pixel * Row(tile_edge.high_step),
+                  low = Row(row[k].low) + pixel * Row(tile_edge.low_step);
+        value[k] = high + (low + Row(tile_edge.doubt));
+        sure = sure & (value[k] == high + (low - Row(tile_edge.doubt)));
+        covered = covered & (value[k] > Row(tile_edge.threshold));
       }
       const std::uint32_t unsure = lane_set(pixel < Row(static_cast<double>(tile.width))) & ~lane_set(sure);
       if (any(covered & sure)) {

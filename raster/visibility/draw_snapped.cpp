@@ -18,18 +18,17 @@ double sum(const Row& x, std::size_t count) {
   return result;
 }
 
-// A triangle's lines and depth along a row, a register of samples wide, step by step to the right. Values are integers
-// under 2^53, exact in double however they are added up: see subpixel.h.
+// A triangle's edge functions and depth along a row, a register of samples wide, step by step to the right. Values are
+// integers under 2^53, exact in double however they are added up: see subpixel.h.
 struct RowWalk {
-  std::array<Row, 3> e, step, least;
-  Row z0, slope1, slope2, z_min, z_max;
+  std::array<Row, 3> e, step, threshold;
+  DepthPlane<Row> depth;
 
   // Draws the register, and goes on to the next.
   template <class Clip>
   void draw(const DepthTile::Samples& samples, std::int32_t slot, const Clip& clip) {
-    // The same operations as SnappedTriangle::depth.
-    const Row z = min(max(z0 + e[1] * slope1 + e[2] * slope2, z_min), z_max);
-    const auto covered = (e[0] > least[0]) & (e[1] > least[1]) & (e[2] > least[2]);
+    const Row z = depth.at(e[1], e[2]);
+    const auto covered = (e[0] > threshold[0]) & (e[1] > threshold[1]) & (e[2] > threshold[2]);
     samples.depth_test_and_write(z, clip(covered, z), slot);
     for (std::size_t k = 0; k < 3; ++k) e[k] += step[k];
   }
@@ -47,19 +46,21 @@ struct RowWalk {
     });
   };
   const CornerLanes<lanes> v0 = corner(0), v1 = corner(1), v2 = corner(2);
-  const SnappedLanes<lanes> t = set_up_lanes(v0, v1, v2);
+  const SnappedSetup<Row, 1> t = set_up_snapped(v0, v1, v2);
+  const DepthPlane<Row> depth = depth_plane(t);
+  const std::array<Row, 3> threshold = t.thresholds();
   for (std::size_t lane = 0; lane < count; ++lane) ready_.slot[lane] = triangles[lane].slot;
   const Row pixel(double{subpixels});
-  const std::array<Row, 3> right_step{t.a0() * pixel, t.a1 * pixel, t.a2 * pixel};
-  const std::array<Row, 3> down_step{t.b0() * pixel, t.b1 * pixel, t.b2 * pixel};
+  const std::array<Row, 3> right_step{t.a[0] * pixel, t.a[1] * pixel, t.a[2] * pixel};
+  const std::array<Row, 3> down_step{t.b[0] * pixel, t.b[1] * pixel, t.b[2] * pixel};
   for (std::size_t k = 0; k < 3; ++k) {
     store_lanes(ready_.right_step[k].data(), right_step[k]);
     store_lanes(ready_.down_step[k].data(), down_step[k]);
-    store_lanes(ready_.least[k].data(), t.least[k]);
+    store_lanes(ready_.threshold[k].data(), threshold[k]);
   }
-  store_lanes(ready_.z0.data(), t.z0), store_lanes(ready_.slope1.data(), t.slope1),
-      store_lanes(ready_.slope2.data(), t.slope2);
-  store_lanes(ready_.z_min.data(), t.z_min), store_lanes(ready_.z_max.data(), t.z_max);
+  store_lanes(ready_.z0.data(), depth.z0);
+  store_lanes(ready_.slope1.data(), depth.slope1), store_lanes(ready_.slope2.data(), depth.slope2);
+  store_lanes(ready_.z_min.data(), depth.z_min), store_lanes(ready_.z_max.data(), depth.z_max);
 
   const Ints x_min = lesser(v0.x_subpixel, lesser(v1.x_subpixel, v2.x_subpixel));
   const Ints y_min = lesser(v0.y_subpixel, lesser(v1.y_subpixel, v2.y_subpixel));
@@ -80,8 +81,9 @@ struct RowWalk {
     const auto subpixel = [](const Ints& p, int begin, int offset) {
       return numbers<lanes>((p + begin) * subpixels + offset);
     };
-    const Row dx = subpixel(left, tile.x, sample.x) - t.x0, dy = subpixel(top, tile.y, sample.y) - t.y0;
-    const Row e1 = t.a1 * dx + t.b1 * dy, e2 = t.a2 * dx + t.b2 * dy;
+    const Row dx = subpixel(left, tile.x, sample.x) - t.corner[0].x,
+              dy = subpixel(top, tile.y, sample.y) - t.corner[0].y;
+    const Row e1 = t.a[1] * dx + t.b[1] * dy, e2 = t.a[2] * dx + t.b[2] * dy;
     const std::array<Row, 3> start{t.size - e1 - e2, e1, e2};
     for (std::size_t k = 0; k < 3; ++k) store_lanes(ready_.start[k].data(), start[k]);
     store_lanes(ready_.left.data(), left), store_lanes(ready_.right.data(), right), store_lanes(ready_.top.data(), top),
@@ -113,10 +115,10 @@ void SnappedRasterizer::draw_one(std::size_t lane, int s, DepthTile& depths) {
   for (std::size_t k = 0; k < 3; ++k) {
     in_register[k] = lane_numbers<double, lanes>() * Row(ready_.right_step[k][lane]);
     walk.step[k] = Row(ready_.right_step[k][lane] * lanes);
-    walk.least[k] = Row(ready_.least[k][lane]);
+    walk.threshold[k] = Row(ready_.threshold[k][lane]);
   }
-  walk.z0 = Row(ready_.z0[lane]), walk.slope1 = Row(ready_.slope1[lane]), walk.slope2 = Row(ready_.slope2[lane]);
-  walk.z_min = Row(ready_.z_min[lane]), walk.z_max = Row(ready_.z_max[lane]);
+  walk.depth = {Row(ready_.z0[lane]), Row(ready_.slope1[lane]), Row(ready_.slope2[lane]), Row(ready_.z_min[lane]),
+                Row(ready_.z_max[lane])};
   const std::int32_t slot = ready_.slot[lane];
   const int left = ready_.left[lane], top = ready_.top[lane];
   const int width = ready_.right[lane] - left + 1, rows = ready_.bottom[lane] - top + 1;

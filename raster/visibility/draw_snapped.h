@@ -3,9 +3,9 @@
 // samples at a time.
 
 #include "raster/samples.h"
-#include "raster/vertex/snapped_lanes.h"
 #include "raster/visibility/depth_tile.h"
 #include "raster/visibility/row_spans.h"
+#include "raster/visibility/snapped_setup.h"
 
 #include <array>
 #include <cstdint>
@@ -34,8 +34,8 @@ private:
   template <class Number>
   using Each = std::array<Number, lanes>;
   struct Prepared {
-    Each<std::int32_t> slot, left, top, right, bottom;               // pixels of the tile
-    std::array<Each<double>, 3> start, right_step, down_step, least; // of the three lines; by a pixel
+    Each<std::int32_t> slot, left, top, right, bottom;                   // pixels of the tile
+    std::array<Each<double>, 3> start, right_step, down_step, threshold; // of the three edge functions; by a pixel
     Each<double> z0, slope1, slope2, z_min, z_max;
     std::array<Each<double>, 4> edge, slope; // see SpanEdges: two to the left, two to the right
   };

@@ -43,7 +43,7 @@ inline int bit_length(const Integer& x) {
   return x == 0 ? 0 : static_cast<int>(msb(abs(x))) + 1;
 }
 
-/// x / 2^shift toward zero, so that a line and its negative are cut alike.
+/// x / 2^shift toward zero, so that an edge function and its negative are cut alike.
 template <class Target>
 Target cut(const Integer& x, int shift) {
   const Integer magnitude = abs(x) >> shift;
@@ -96,11 +96,11 @@ inline Vertex window_point(const ExactClip& clip, int width, int height) {
   return vertex;
 }
 
-/// The line through two points, without rounding: (a, b, c), up to a positive factor.
-struct ExactLine {
+/// The edge function of the line through two points, without rounding: (a, b, c), up to a positive factor.
+struct ExactEdge {
   Integer a, b, c;
 };
-inline ExactLine edge_through(const Vertex& p, const Vertex& q) {
+inline ExactEdge edge_through(const Vertex& p, const Vertex& q) {
   return {p.y * q.w - p.w * q.y, p.w * q.x - p.x * q.w, p.x * q.y - p.y * q.x};
 }
 
@@ -145,7 +145,7 @@ private:
     const ExactClip a = exact_[front].aligned(exponent), b = exact_[back].aligned(exponent);
     const Integer w = std::min<Integer>(near_plane.aligned(exponent).w, a.w) / 2;
     const Integer a_part = w - b.w, b_part = a.w - w; // both positive: the point is a_part a + b_part b
-    const int bits = std::max(bit_length(a_part), bit_length(b_part)); // shares are brought below 1
+    const int bits = std::max(bit_length(a_part), bit_length(b_part)); // fractions are brought below 1
     const ExactClip point{a_part * a.x + b_part * b.x, a_part * a.y + b_part * b.y, a_part * a.z + b_part * b.z,
                           a_part * a.w + b_part * b.w, exponent - bits};
     Vertex result = window_point(point, shape_.width, shape_.height);

@@ -2,8 +2,9 @@
 // Where a triangle begins and ends in each row of its bounding box, found for a register of rows at once.
 //
 // Spans are a little too wide at times, never too narrow, and so they need no exactness: who owns a sample is tested
-// again. At the pixel `x` of row `r` a line's value is start + x right + r down. With right > 0 its triangle lies where
-// x >= edge + r slope, with edge = -start / right and slope = -down / right; with right < 0 where x is not greater.
+// again. At the pixel `x` of row `r` an edge function's value is start + x right + r down. With right > 0 its triangle
+// lies where x >= edge + r slope, with edge = -start / right and slope = -down / right; with right < 0 where x is not
+// greater.
 //
 // How far off edge + r slope may be: |start| < 2^52 and |right| >= 2^8, so |edge| < 2^44; |r slope| < 2^7 2^25. Three
 // roundings to 2^-53 of each, and one of the sum, are less than 5 2^-53 2^44 < 2^-6 = `slack`.
@@ -54,12 +55,12 @@ struct SpanBounds {
   std::array<Edge, 2> left, right;
 };
 
-/// The spans of one triangle, and its lines' values at their first pixels.
+/// The spans of one triangle, and the values of its edge functions at their first pixels.
 class RowSpans {
 public:
   static constexpr int max_rows = 128;
 
-  /// `rows` rows of `width` pixels. The lines' values are exact.
+  /// `rows` rows of `width` pixels. The values of edge functions are exact.
   template <int N>
   void find(const SpanBounds& bounds, int rows, int width, const std::array<double, 3>& start,
             const std::array<double, 3>& right, const std::array<double, 3>& down) {

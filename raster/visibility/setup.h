@@ -1,11 +1,11 @@
 #pragma once
-// Triangle set-up: three canonical points become three lines, a depth and the weights of perspective interpolation.
-// Nothing is clipped to the view: a triangle's values are those of the whole triangle, whatever plane it crosses.
+// Triangle set-up: three canonical points become three edge functions, a depth and the weights of perspective
+// interpolation. Nothing is clipped to the view: a triangle's values are those of the whole triangle, whatever plane it
+// crosses.
 
 #include "raster/vertex/subpixel.h"
 #include "raster/vertex/transform.h"
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -14,31 +14,11 @@ namespace refraster {
 
 enum class Facing { front, back }; // front: its corners run counter-clockwise in the image
 
-/// A triangle whose three vertices lie on the lattice: nearly all of them.
-///
-/// The corners are taken in an order that depends on their places only, so that the same triangle submitted with its
-/// vertices rotated or reversed has the same depth and the same attributes at every sample, bit for bit.
+/// A triangle whose three vertices lie on the lattice, nearly all of them, as integers: SnappedSetup of it alone.
 struct SnappedTriangle {
   std::array<SnappedEdge, 3> edge;      // edge[k] is opposite corner[k], positive inside
   std::array<std::uint8_t, 3> corner{}; // which submitted vertex stands at each place
-  Facing facing = Facing::front;
-  // z / w at a sample = z0 + edge[1].at(sample) slope1 + edge[2].at(sample) slope2, kept within [z_min, z_max].
-  double z0 = 0, slope1 = 0, slope2 = 0, z_min = 0, z_max = 0;
-  std::int32_t x_min = 0, x_max = 0, y_min = 0, y_max = 0; // bounding box, subpixels
-
-  double depth(std::int32_t x, std::int32_t y) const {
-    const double z =
-        z0 + static_cast<double>(edge[1].at(x, y)) * slope1 + static_cast<double>(edge[2].at(x, y)) * slope2;
-    return z < z_min ? z_min : z > z_max ? z_max : z;
-  }
 };
-
-/// The weights of perspective interpolation, from 1 / w > 0 of the corners: attribute f at a sample = sum of mu_k f_k /
-/// sum of mu_k with mu_k = edge[k].at(sample) weight[k]. 0 < weight <= 1.
-inline std::array<double, 3> perspective_weights(const std::array<double, 3>& inverse_w) {
-  const double nearest = std::max(inverse_w[0], std::max(inverse_w[1], inverse_w[2]));
-  return {inverse_w[0] / nearest, inverse_w[1] / nearest, inverse_w[2] / nearest};
-}
 
 /// Part of a triangle with a corner at or behind the eye plane, or beyond the guard band: a triangle all of whose
 /// vertices have w > 0. A vertex is a homogeneous window point (X : Y : W), and an edge the line through two of them,
@@ -78,6 +58,8 @@ struct ImageShape {
   int width = 0, height = 0;
   double near = 0;
 };
+
+ImageShape image_shape(const FrameInput& input);
 
 /// Nothing if the triangle has no area on the lattice.
 std::optional<SnappedTriangle> set_up_snapped(const std::array<WindowVertex, 3>& v);

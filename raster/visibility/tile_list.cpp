@@ -24,8 +24,8 @@ TileEntry* TileLists::Run::allocate(std::size_t entries) {
 }
 
 void TileLists::Run::grow(List& list) {
-  constexpr std::uint32_t least = 8, most = 256; // with the chunk's own head
-  const std::uint32_t size = list.last ? std::min(2 * (list.last->capacity + 1), most) : least;
+  constexpr std::uint32_t min_size = 8, max_size = 256; // with the chunk's own head
+  const std::uint32_t size = list.last ? std::min(2 * (list.last->capacity + 1), max_size) : min_size;
   auto* const chunk = new (allocate(size)) Chunk{nullptr, size - 1};
   (list.last ? list.last->next : list.first) = chunk;
   list.last = chunk;

@@ -8,14 +8,13 @@
 
 namespace refraster {
 
-void TileVisibility::decide(const Scene& scene, const Geometry& geometry, const Bins& bins, std::size_t index,
-                            const PixelRect& tile, std::span<const SamplePosition> samples) {
+void TileVisibility::decide(const FrameContext& context, std::size_t index, const PixelRect& tile) {
   tile_ = tile;
-  samples_ = samples;
-  depths_.clear(tile, samples.size());
-  read(bins, index);
+  samples_ = context.samples;
+  depths_.clear(tile, samples_.size());
+  read(context.bins, index);
   if (boxed_.size() > 1) sort_boxed();
-  draw_boxed(scene, geometry);
+  draw_boxed(context);
 }
 
 // Draws what is simple, and notes what is not.
@@ -64,16 +63,16 @@ void TileVisibility::sort_boxed() {
   boxed_.swap(sorted_);
 }
 
-void TileVisibility::draw_boxed(const Scene& scene, const Geometry& geometry) {
+void TileVisibility::draw_boxed(const FrameContext& context) {
   std::array<PlacedTriangle, SnappedRasterizer::lanes> together;
   std::size_t count = 0;
   // Once as much has been drawn as covers the tile, it is worth while to look how deep it is everywhere: before large
   // triangles wait for each other.
   const double enough = 0.875 * tile_.width * tile_.height;
   double drawn = 0, waiting = 0; // pixels: covered, about; in the boxes of triangles that wait
-  TriangleFinder finder(scene, geometry);
+  TriangleFinder finder(context.scene, context.geometry);
   const auto draw_together = [&] {
-    drawn += rasterizer_.draw({together.data(), count}, geometry, tile_, samples_, depths_);
+    drawn += rasterizer_.draw({together.data(), count}, context.geometry, tile_, samples_, depths_);
     count = 0;
     waiting = 0;
     if (drawn < enough) return;

@@ -17,8 +17,7 @@ public:
 
   /// Decides every sample of a tile: number `index` of the grid that was binned, with the pixels `tile`. Depth test
   /// LESS: of equal depths the first submitted stays. Depth outside [-1, 1] is not drawn; both ends are.
-  void decide(const Scene& scene, const Geometry& geometry, const Bins& bins, std::size_t index, const PixelRect& tile,
-              std::span<const SamplePosition> samples);
+  void decide(const FrameContext& context, std::size_t index, const PixelRect& tile);
 
   /// The numbers of the triangles that samples may refer to, in submission order.
   std::span<const std::uint32_t> triangles() const { return triangles_; }
@@ -43,7 +42,7 @@ private:
   }
   void read(const Bins& bins, std::size_t index);
   void sort_boxed();
-  void draw_boxed(const Scene& scene, const Geometry& geometry);
+  void draw_boxed(const FrameContext& context);
 
   DepthTile depths_;
   SnappedRasterizer rasterizer_;

@@ -1,3 +1,4 @@
+
 #include <refraster/mesh.h>
 
 #include "tests/long/fuzz/dirty_memory.h"

@@ -33,7 +33,9 @@ struct ColourBound::Setup {
 
 ColourBound::ColourBound(const Scene& scene, int width, int height, const DriverTolerances& driver)
     : scene_(scene), width_(width), height_(height), driver_(driver) {
-  transform(scene, width, height, 1, geometry_);
+  RenderOptions options;
+  options.width = width, options.height = height, options.threads = 1;
+  transform({scene, options}, geometry_);
 }
 
 ColourBound::Setup ColourBound::set_up(std::size_t object, std::uint32_t triangle) const {

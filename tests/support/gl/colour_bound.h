@@ -93,7 +93,7 @@ public:
 
   const Geometry& geometry() const { return geometry_; }
   TriangleRef ref(std::size_t object, std::uint32_t triangle) const {
-    return triangle_ref(scene_, geometry_, geometry_.first_triangle[object] + triangle);
+    return TriangleFinder(scene_, geometry_).at(geometry_.first_triangle[object] + triangle);
   }
 
 private:

@@ -3,6 +3,7 @@
 
 #include "raster/visibility/setup.h"
 #include "raster/visibility/visibility.h"
+#include "tests/support/raster/scalar_triangle.h"
 
 #include <array>
 #include <memory>
@@ -22,11 +23,12 @@ inline WindowVertex lattice_vertex(std::int32_t x, std::int32_t y, double z = 0,
 /// Either kind of set-up, chosen as the pipeline does.
 struct AnyTriangle {
   std::variant<SnappedTriangle, ProjectiveTriangle> set_up;
+  ScalarTriangle scalar{}; // the same as a SnappedTriangle, which has edges only
 
   /// body(lines, facing) for each of the triangles that are drawn for this one.
   template <class Body>
   void for_each_part(Body&& body) const {
-    if (const auto* snapped = std::get_if<SnappedTriangle>(&set_up)) return body(snapped->edge, snapped->facing);
+    if (const auto* snapped = std::get_if<SnappedTriangle>(&set_up)) return body(snapped->edge, scalar.facing);
     const auto& projective = std::get<ProjectiveTriangle>(set_up);
     for (std::size_t i = 0; i < static_cast<std::size_t>(projective.pieces); ++i)
       body(projective.piece[i].edge, projective.piece[i].facing);
@@ -39,12 +41,18 @@ struct AnyTriangle {
     return covered;
   }
   double depth(std::int32_t x, std::int32_t y) const {
-    if (const auto* snapped = std::get_if<SnappedTriangle>(&set_up)) return snapped->depth(x, y);
+    if (std::holds_alternative<SnappedTriangle>(set_up)) return scalar.depth(x, y);
     const auto& projective = std::get<ProjectiveTriangle>(set_up);
     const bool first = projective.pieces == 1 || projective.piece[0].edge[1].covers(x, y); // edge[1] is between the two
     return projective.piece[first ? 0 : 1].depth(x, y);
   }
 };
+
+/// All corners on the lattice.
+inline std::optional<AnyTriangle> set_up_on_lattice(const std::array<WindowVertex, 3>& v) {
+  if (const auto t = set_up_snapped(v)) return AnyTriangle{*t, set_up_scalar(v).value()};
+  return std::nullopt;
+}
 
 /// Nothing is cut off in front of `near`: by default, nothing that any test looks at.
 inline std::optional<AnyTriangle> set_up(const std::array<Double4, 3>& clip, int width, int height,
@@ -57,8 +65,7 @@ inline std::optional<AnyTriangle> set_up(const std::array<Double4, 3>& clip, int
     if (auto t = set_up_projective(v, clip, {width, height, near})) return AnyTriangle{*t};
     return std::nullopt;
   }
-  if (auto t = set_up_snapped(v)) return AnyTriangle{*t};
-  return std::nullopt;
+  return set_up_on_lattice(v);
 }
 
 /// A frame of lattice triangles that never saw a camera: for driving binning and TileVisibility directly.
@@ -80,12 +87,18 @@ struct LatticeFrame {
   }
 
   /// Bins the triangles for a grid of one tile, and decides that tile. `tile` is square, with a power of two of pixels.
-  void decide(const PixelRect& tile, std::span<const SamplePosition> samples, TileVisibility& visibility) const {
+  void decide(const PixelRect& tile, int samples, TileVisibility& visibility) const {
+    RenderOptions options;
+    options.width = options.height = max_image_side;
+    options.crop = {tile};
+    options.samples = samples;
+    options.threads = 1;
+    options.tile_size = tile.width;
     Bins bins;
     FrameCounts counts;
-    const TileGrid grid{tile.x, tile.y, tile.width, tile.height, tile.width};
-    bin_triangles(scene, geometry, grid, max_image_side, max_image_side, samples, 1, bins, counts);
-    visibility.decide(scene, geometry, bins, 0, tile, samples);
+    const FrameContext context{{scene, options}, geometry, bins};
+    bin_triangles(context, geometry, bins, counts);
+    visibility.decide(context, 0, tile);
   }
 };
 

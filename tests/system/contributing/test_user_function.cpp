@@ -1,11 +1,11 @@
 // A fragment function of one's own is shaded as one of the library is: bit for bit.
 
+#include <refraster/fragment_kit.h>
 #include <refraster/mesh.h>
 #include <refraster/render.h>
 
 #include "raster/render_in.h"
 #include "shading/fragment_functions.h"
-#include <refraster/fragment_kit.h>
 
 #include <doctest/doctest.h>
 

@@ -21,8 +21,7 @@ std::optional<AnyTriangle> on_lattice(const Corners& c) {
   const auto vertex = [](LatticePoint p) {
     return lattice_vertex(static_cast<std::int32_t>(p.x), static_cast<std::int32_t>(p.y));
   };
-  const auto t = set_up_snapped({vertex(c[0]), vertex(c[1]), vertex(c[2])});
-  return t ? std::optional(AnyTriangle{*t}) : std::nullopt;
+  return set_up_on_lattice({vertex(c[0]), vertex(c[1]), vertex(c[2])});
 }
 
 bool covers(const Corners& c, int x, int y) {

@@ -297,8 +297,12 @@ TEST_CASE("N7: the normal of a needle is good to the last bits") {
     const ExactVec3 exactly = cross(edge(1), edge(2));
     if (length(exactly) == 0) return;
     Geometry geometry;
-    transform(scene, 8, 8, 1, geometry);
-    const Double3 normal = face_normal(scene, geometry, 0);
+    RenderOptions options;
+    options.width = options.height = 8, options.threads = 1;
+    Bins bins;
+    const FrameContext context{{scene, options}, geometry, bins};
+    transform(context, geometry);
+    const Double3 normal = face_normal(context, 0);
     const double error = sine_between(exact_vector(normal), exactly);
     worst = std::max(worst, error);
     CHECK(error <= 4 * 0x1p-53); // the direction of three components, each rounded once, times a unit matrix

@@ -236,7 +236,11 @@ std::vector<std::optional<Seen>> seen_at(const Scene& scene, int width, int heig
                                          Vertices vertices) {
   const Viewer viewer(scene.camera, width, height);
   Geometry geometry;
-  if (vertices == Vertices::of_the_renderer) transform(scene, width, height, 1, geometry);
+  if (vertices == Vertices::of_the_renderer) {
+    RenderOptions options;
+    options.width = width, options.height = height, options.threads = 1;
+    transform({scene, options}, geometry);
+  }
   std::vector<Candidate> candidates(pixels.size());
   for (std::size_t index = 0; index < scene.objects.size(); ++index) {
     const Object& object = scene.objects[index];

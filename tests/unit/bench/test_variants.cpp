@@ -1,3 +1,4 @@
+
 #include <refraster/mesh.h>
 
 #include "bench/measure/scene_bench.h"

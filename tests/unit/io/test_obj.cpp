@@ -1,3 +1,4 @@
+
 #include <refraster/mesh.h>
 
 #include "io/file/input_error.h"

@@ -29,7 +29,7 @@ bool has_area(const Corners& c) {
 template <int bits>
 int mismatches(const Corners& corners, int n, TileVisibility& visibility) {
   const LatticeFrame frame({window(corners)});
-  frame.decide({0, 0, n, n}, sample_pattern(1), visibility);
+  frame.decide({0, 0, n, n}, 1, visibility);
   int wrong = 0;
   for (int y = 0; y < n; ++y)
     for (int x = 0; x < n; ++x) {
@@ -149,12 +149,12 @@ TEST_CASE("64-bit and projective set-up name the same samples") {
   for (int trial = 0; trial < 2000; ++trial) {
     const Corners corners = random_triangle(random);
     const auto v = window(corners);
-    const auto narrow = set_up_snapped(v);
+    const auto narrow = set_up_on_lattice(v);
     const auto wide = set_up_projective(v, {}, {16, 16, 1}); // clip coordinates matter to unsnapped vertices only
     REQUIRE(narrow.has_value() == wide.has_value());
     if (!narrow) continue;
-    CHECK(narrow->facing == wide->facing);
-    const AnyTriangle a{*narrow}, b{*wide};
+    CHECK(narrow->scalar.facing == wide->facing);
+    const AnyTriangle &a = *narrow, b{*wide};
     for (int y = 128; y < 4096; y += 256)
       for (int x = 128; x < 4096; x += 256) REQUIRE(a.covers(x, y) == b.covers(x, y));
   }

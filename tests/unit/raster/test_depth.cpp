@@ -21,7 +21,7 @@ Corners backdrop(double z) {
 /// At how many samples the triangle numbered `which` is the nearest.
 int seen(const std::vector<Corners>& triangles, std::uint32_t which, TileVisibility& visibility) {
   const LatticeFrame frame(triangles);
-  frame.decide({0, 0, side, side}, sample_pattern(1), visibility);
+  frame.decide({0, 0, side, side}, 1, visibility);
   int count = 0;
   for (int y = 0; y < side; ++y)
     for (int x = 0; x < side; ++x) count += seen_triangle(visibility, 0, x, y) == which;

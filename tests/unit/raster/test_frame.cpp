@@ -8,6 +8,8 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -218,6 +220,20 @@ TEST_CASE("triangles are counted by what became of them") {
   CHECK(two.drawn == 2);
   CHECK(two.shaded == 28); // however many surfaces lie behind
   CHECK(two.fragments == 28);
+}
+
+TEST_CASE("counts of parts add up member by member, none forgotten") {
+  using Members = std::array<std::uint64_t, sizeof(FrameCounts) / sizeof(std::uint64_t)>;
+  Members one, other;
+  for (std::size_t i = 0; i < one.size(); ++i) one[i] = i + 1, other[i] = 1000 * (i + 1);
+  auto sum = std::bit_cast<FrameCounts>(one);
+  sum += std::bit_cast<FrameCounts>(other);
+  const auto members = std::bit_cast<Members>(sum);
+  for (std::size_t i = 0; i < one.size(); ++i) CHECK(members[i] == one[i] + other[i]);
+
+  TileSeconds seconds{1, 2, 3, 4};
+  seconds += {10, 20, 30, 40};
+  CHECK(std::bit_cast<std::array<double, 4>>(seconds) == std::array<double, 4>{11, 22, 33, 44});
 }
 
 TEST_CASE("a pixel of one sample shows its surface where its centre's ray meets it") {

@@ -144,7 +144,9 @@ TEST_CASE("every vertex of a frame is transformed, whatever the sizes of its mes
   const Double4x4 camera = clip_from_world(scene.camera, 640.0 / 360);
   Geometry geometry;
   for (const int threads : {1, 2, 5}) {
-    transform(scene, 640, 360, threads, geometry);
+    RenderOptions options;
+    options.width = 640, options.height = 360, options.threads = threads;
+    transform({scene, options}, geometry);
     long wrong = 0;
     for (std::size_t o = 0; o < scene.objects.size(); ++o) {
       const Mesh& mesh = *scene.objects[o].mesh;

@@ -42,23 +42,27 @@ Seen nearest_of(std::size_t triangles, std::int32_t x, std::int32_t y, const Cov
 template <class Expected>
 long wrong_samples(const Scene& scene, const Geometry& geometry, const PixelRect& region, int image_side, int tile_size,
                    int sample_count, int threads, const Expected& expected) {
-  const std::span<const SamplePosition> samples = sample_pattern(sample_count);
-  const TileGrid grid{region.x, region.y, region.width, region.height, tile_size};
+  RenderOptions options;
+  options.width = options.height = image_side;
+  options.crop = {region};
+  options.samples = sample_count, options.threads = threads, options.tile_size = tile_size;
   Bins bins;
   FrameCounts counts;
-  bin_triangles(scene, geometry, grid, image_side, image_side, samples, threads, bins, counts);
+  const FrameContext context{{scene, options}, geometry, bins};
+  bin_triangles(context, geometry, bins, counts);
+  const TileGrid grid = tile_grid(context);
   TileVisibility visibility(tile_size);
   long wrong = 0;
   for (std::size_t i = 0; i < grid.tiles(); ++i) {
     const PixelRect tile = grid.tile(i);
-    visibility.decide(scene, geometry, bins, i, tile, samples);
+    visibility.decide(context, i, tile);
     for (int s = 0; s < sample_count; ++s)
       for (int y = 0; y < tile.height; ++y)
         for (int x = 0; x < tile.width; ++x) {
           const auto place = static_cast<std::size_t>(s);
           const Seen got{seen_triangle(visibility, s, x, y), visibility.depth(s, x, y)};
-          wrong += !(got == expected((tile.x + x) * subpixels + samples[place].x,
-                                     (tile.y + y) * subpixels + samples[place].y));
+          wrong += !(got == expected((tile.x + x) * subpixels + context.samples[place].x,
+                                     (tile.y + y) * subpixels + context.samples[place].y));
         }
     const auto listed = visibility.triangles();
     wrong += std::adjacent_find(listed.begin(), listed.end(), std::greater_equal<>()) != listed.end();
@@ -98,10 +102,10 @@ void mixed_frame(std::uint64_t seed, int triangles) {
   Random random(seed);
   const auto vertices = mixed_triangles(random, triangles);
   const LatticeFrame frame(vertices);
-  std::vector<std::optional<SnappedTriangle>> set_up;
+  std::vector<std::optional<ScalarTriangle>> set_up;
   std::vector<std::array<LatticePoint, 3>> corners;
   for (const auto& v : vertices) {
-    set_up.push_back(set_up_snapped(v));
+    set_up.push_back(set_up_scalar(v));
     corners.push_back({LatticePoint{v[0].x, v[0].y}, {v[1].x, v[1].y}, {v[2].x, v[2].y}});
   }
   const auto covers = [&](std::size_t t, std::int32_t x, std::int32_t y) {
@@ -156,7 +160,9 @@ TEST_CASE("triangles that reach behind the eye see and are seen as one sample at
       if (random.below(3) == 0) window.add({b, c, a});
     }
     Geometry geometry;
-    transform(window.scene, side, side, 1, geometry);
+    RenderOptions options;
+    options.width = options.height = side, options.threads = 1;
+    transform({window.scene, options}, geometry);
     std::vector<std::optional<AnyTriangle>> set_up;
     for (const Object& object : window.scene.objects) {
       const auto& p = object.mesh->positions;
@@ -187,7 +193,7 @@ TEST_CASE("a triangle is not hidden by what is as near and drawn before it, but 
       {lattice_vertex(start, start, 0), lattice_vertex(start, start + length, 0),
        lattice_vertex(start + length, start, 0.5)}};
   TileVisibility visibility(side);
-  LatticeFrame(triangles).decide({0, 0, side, side}, sample_pattern(1), visibility);
+  LatticeFrame(triangles).decide({0, 0, side, side}, 1, visibility);
   for (int y = 0; y < side; ++y)
     for (int x = 0; x < side; ++x) {
       CAPTURE(x);

@@ -1,3 +1,4 @@
+
 #include <refraster/mesh.h>
 
 #include "tests/support/raster/oracle.h"
@@ -28,8 +29,8 @@ struct SignedCoverage {
           const auto place = [&](int pixel, int offset) { return pixel * subpixels + offset; };
           bool misses = false;
           for (const auto& line : lines)
-            misses |= line.most(place(tx, sample.x), place(ty, sample.y), place(tx + tile - 1, sample.x),
-                                place(ty + tile - 1, sample.y)) < 0;
+            misses |= line.max_over(place(tx, sample.x), place(ty, sample.y), place(tx + tile - 1, sample.x),
+                                    place(ty + tile - 1, sample.y)) < 0;
           if (misses) continue;
           for (int y = ty; y < ty + tile; ++y)
             for (int x = tx; x < tx + tile; ++x) {
@@ -142,8 +143,7 @@ TEST_CASE("the triangles of a fan own each sample once, also one at the hub") {
             const auto vertex = [](LatticePoint p) {
               return lattice_vertex(static_cast<std::int32_t>(p.x), static_cast<std::int32_t>(p.y));
             };
-            if (const auto t = set_up_snapped({vertex(c[0]), vertex(c[1]), vertex(c[2])}))
-              owners += AnyTriangle{*t}.covers(x, y);
+            if (const auto t = set_up_on_lattice({vertex(c[0]), vertex(c[1]), vertex(c[2])})) owners += t->covers(x, y);
             inside ^= oracle_covers<Int128, 14>(c, {x, y}); // a polygon's parity is the sum of its triangles'
           }
           REQUIRE(owners == (inside ? 1 : 0));

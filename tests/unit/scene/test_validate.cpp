@@ -1,3 +1,4 @@
+
 #include <refraster/mesh.h>
 #include <refraster/scene.h>
 

@@ -1,0 +1,15 @@
+#include "raster/frame_context.h"
+
+#include <omp.h>
+
+namespace refraster {
+
+PixelRect rendered_region(const RenderOptions& options) {
+  return options.crop.value_or(PixelRect{0, 0, options.width, options.height});
+}
+
+int thread_count(const RenderOptions& options) {
+  return options.threads > 0 ? options.threads : omp_get_num_procs();
+}
+
+} // namespace refraster

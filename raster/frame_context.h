@@ -1,0 +1,37 @@
+#pragma once
+// What the stages of a frame have in common.
+
+#include <refraster/render.h>
+#include <refraster/scene.h>
+
+#include "raster/samples.h"
+
+#include <span>
+
+namespace refraster {
+
+struct Geometry; // raster/vertex/transform.h
+struct Bins;     // raster/visibility/bin.h
+
+/// The pixels that a frame's images hold: those of the crop, or all.
+PixelRect rendered_region(const RenderOptions& options);
+
+/// How many threads render a frame: as many as asked for, or as the machine has processors.
+int thread_count(const RenderOptions& options);
+
+/// What a frame is made from. Whoever makes one names scene and options, from which the rest follows.
+struct FrameInput {
+  const Scene& scene;
+  const RenderOptions& options;
+  PixelRect region = rendered_region(options); // pixels of the full image that the frame's images hold
+  std::span<const SamplePosition> samples = sample_pattern(options.samples); // of each pixel
+  int threads = thread_count(options);
+};
+
+/// The same, with what the first two stages made of it: everything that stays the same from tile to tile.
+struct FrameContext : FrameInput {
+  const Geometry& geometry;
+  const Bins& bins;
+};
+
+} // namespace refraster
