@@ -106,8 +106,8 @@ private:
               ' ');
   }
 
-  /// '\r' alone ends a line. A backslash at the end of a line that is no comment continues the
-  /// line: both become blanks, and where the line ended is remembered for messages.
+  /// '\r' alone ends a line. A backslash at the end of a line that is no comment continues the line:
+  /// both become blanks, and where the line ended is remembered for messages.
   void mend_line_ends() {
     for (std::size_t at = text_.find('\r'); at != std::string::npos; at = text_.find('\r', at + 1))
       if (at + 1 == text_.size() || text_[at + 1] != '\n') text_[at] = '\n';
