@@ -68,22 +68,19 @@ void write_text(const std::string& path, const std::string& text) {
   else write_file(path, text);
 }
 
-std::optional<ImageFormat> image_format(const std::string& path) {
-  const std::string ending = extension(path);
-  if (ending == "png") return ImageFormat::png;
-  if (ending == "hdr") return ImageFormat::hdr;
-  if (ending == "pfm") return ImageFormat::pfm;
-  if (ending == "exr") return ImageFormat::exr;
-  return std::nullopt;
+void check_extension(const std::string& option, const std::string& path, std::initializer_list<ImageContent> contents) {
+  if (!format_to_write(path, contents))
+    throw CLI::ValidationError(option,
+                               "found \"" + path + "\", expected a name ending in " + writable_extensions(contents));
 }
 
 void write_values(const std::string& path, const Image<float>& image) {
-  if (image.channels != 2) return write_float_image(path, image);
-  if (image_format(path) == ImageFormat::exr) return write_float_image(path, image, {"U", "V"});
+  if (image.channels != 2) return write_image(path, image);
+  if (format_to_write(path, {{ImageValues::floats, 2}})) return write_image(path, image, {"U", "V"});
   Image<float> padded(image.width, image.height, 3);
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x) std::copy_n(image.at(x, y), 2, padded.at(x, y));
-  write_float_image(path, padded);
+  write_image(path, padded);
 }
 
 std::string stem(const std::string& path) {

@@ -3,7 +3,9 @@
 
 #include <refraster/image.h>
 
-#include <optional>
+#include "io/image/image_formats.h"
+
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -31,12 +33,10 @@ void prepare_folder(const std::string& folder);
 /// Writes a text file as a whole or not at all; or to standard output. Throws OutputError.
 void write_text(const std::string& path, const std::string& text);
 
-enum class ImageFormat { png, hdr, pfm, exr };
+/// Throws CLI::ValidationError unless the extension of this path is one of a format that can hold any of `contents`.
+void check_extension(const std::string& option, const std::string& path, std::initializer_list<ImageContent> contents);
 
-/// By extension, in any case; nothing for one that is not written.
-std::optional<ImageFormat> image_format(const std::string& path);
-
-/// Writes .hdr, .pfm or .exr. A file format that has no images of two channels gets a third one of zeros.
+/// Writes an image of floats, format by extension; one that has no images of two channels gets a third one of zeros.
 void write_values(const std::string& path, const Image<float>& image);
 
 /// "scenes/ball.json" gives "ball".

@@ -9,6 +9,5 @@ find_package(JPEG REQUIRED) # libjpeg-turbo
 find_package(PkgConfig REQUIRED)
 find_package(ZLIB REQUIRED) # what OpenEXR unpacks, counted before
 pkg_check_modules(OpenEXR REQUIRED IMPORTED_TARGET OpenEXR)
-find_path(TINYOBJLOADER_INCLUDE_DIR tiny_obj_loader.h REQUIRED)
 find_path(STB_INCLUDE_DIR stb_image.h PATH_SUFFIXES stb REQUIRED)
 find_package(CLI11 REQUIRED CONFIG)

@@ -127,9 +127,9 @@ template <class F>
 inline constexpr int fraction_bits = std::numeric_limits<F>::digits - 1;
 
 /// A power of two s with s |x| in [1, 2) for normal |x| up to 2^(max_exponent - 2).
-/// For zero, subnormal, huge and non-finite x: the nearest power of two that is itself normal, so that
-/// s x never overflows and s x == 0 exactly when x == 0. Multiplying by s is exact: lengths are scaled with it
-/// before they are squared, so that (1e30, 0, 0) and (1e-30, 0, 0) have a length in every precision.
+/// For zero, subnormal, huge and non-finite x: the nearest power of two that is itself normal, so that s x never
+/// overflows and s x == 0 exactly when x == 0. Multiplying by s is exact: lengths are scaled with it before they are
+/// squared, so that (1e30, 0, 0) and (1e-30, 0, 0) have a length in every precision.
 template <std::floating_point F>
 constexpr F reciprocal_binade(F x) {
   using B = BitsOf<F>;

@@ -191,10 +191,10 @@ struct MerlReader {
     const Rgb<T> smooth(sum.x, sum.y, sum.z);
     const MaskOf<T> incomplete = measured < T(1);
     if (!any(incomplete)) return {smooth, incomplete};
+    // A number that does not decide is in this cell, not in all.
     const auto plain_value = [&] {
       if constexpr (NumberTraits<T>::decides) return trilinear(at, 0.5);
-      else
-        return trilinear(Cells{second_of(cell[0]), second_of(cell[1]), second_of(cell[2])}); // in this cell, not in all
+      else return trilinear(Cells{second_of(cell[0]), second_of(cell[1]), second_of(cell[2])});
     };
     const MerlValue<T> plain = plain_value();
     return {select<T>(incomplete, plain.f, smooth), static_cast<MaskOf<T>>(incomplete & plain.unmeasured)};

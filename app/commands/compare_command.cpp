@@ -141,7 +141,7 @@ ExitCode run(const CompareArguments& arguments) {
     std::optional<double> asked = arguments.heat_max;
     if (asked) *asked *= full_range(unit) / 255;
     const double end = heat_ramp_end(report.found, asked);
-    write_png(arguments.diff, with_legend(heat_image(images.a, images.b, scale, end), report.found, end));
+    write_image(arguments.diff, with_legend(heat_image(images.a, images.b, scale, end), report.found, end));
   }
   line.reset(); // before anything is printed
   print_file_notes(images.notes, arguments.diagnostics);
@@ -157,7 +157,7 @@ void add_compare(CLI::App& program, Action& chosen) {
   CLI::App& command = add_sub_command(program, "compare", "How far two images are apart, and where");
   const auto arguments = std::make_shared<CompareArguments>();
   CompareArguments& a = *arguments;
-  command.add_option("a", a.a, "image, .png .hdr .pfm or .exr")->required()->type_name("A");
+  command.add_option("a", a.a, "image: " + readable_formats())->required()->type_name("A");
   command.add_option("b", a.b, "image of the same size; differences are b - a")->required()->type_name("B");
   command
       .add_option("--diff", a.diff,
@@ -212,8 +212,7 @@ void add_compare(CLI::App& program, Action& chosen) {
                  "Without a limit, all values must be the same. NaN equals nothing.\n"
                  "Exit code 0: the same within the limits, 1: not, 3: not comparable.");
   command.final_callback([&chosen, arguments] {
-    if (!arguments->diff.empty() && image_format(arguments->diff) != ImageFormat::png)
-      throw CLI::ValidationError("--diff", "found \"" + arguments->diff + "\", expected a name ending in .png");
+    if (!arguments->diff.empty()) check_extension("--diff", arguments->diff, {rgb8_image});
     if (arguments->heat_max && arguments->diff.empty())
       throw CLI::ValidationError("--heat-max", "found no --diff, whose ramp it ends");
     if (!arguments->premultiplied.empty())

@@ -51,9 +51,9 @@ void add_choice(CLI::App& command, const std::string& option, Enum& chosen, cons
 }
 
 void write_outputs(const GlArguments& a, const GlOptions& options, const GlFrame& frame) {
-  if (!a.output.empty()) write_png(a.output, frame.rgb8);
-  if (!a.radiance.empty()) write_float_image(a.radiance, frame.radiance);
-  if (!a.depth.empty()) write_float_image(a.depth, frame.depth);
+  if (!a.output.empty()) write_image(a.output, frame.rgb8);
+  if (!a.radiance.empty()) write_image(a.radiance, frame.radiance);
+  if (!a.depth.empty()) write_image(a.depth, frame.depth);
   if (!a.json.empty()) write_text(a.json, gl_report_json(a.scene, options, frame));
 }
 
@@ -111,17 +111,9 @@ ExitCode run(const GlArguments& a) {
 /// What one option alone does not show; and the default output.
 void check_together(GlArguments& a) {
   if (a.output.empty() && a.radiance.empty() && a.depth.empty() && a.json.empty()) a.output = stem(a.scene) + ".gl.png";
-  if (!a.output.empty() && image_format(a.output) != ImageFormat::png)
-    throw CLI::ValidationError("--output",
-                               "found \"" + a.output + "\", expected a name ending in .png; --float writes the others");
-  const auto check_float = [](const char* option, const std::string& path, bool hdr) {
-    const auto format = path.empty() ? ImageFormat::exr : image_format(path);
-    if (!format || format == ImageFormat::png || (format == ImageFormat::hdr && !hdr))
-      throw CLI::ValidationError(option, "found \"" + path + "\", expected a name ending in .pfm" +
-                                             (hdr ? ", .hdr or .exr" : " or .exr"));
-  };
-  check_float("--float", a.radiance, true);
-  check_float("--depth", a.depth, false);
+  if (!a.output.empty()) check_extension("--output", a.output, {rgb8_image});
+  if (!a.radiance.empty()) check_extension("--float", a.radiance, {float_rgb_image});
+  if (!a.depth.empty()) check_extension("--depth", a.depth, {float_grey_image});
 }
 
 } // namespace
@@ -136,9 +128,12 @@ void add_gl(CLI::App& program, Action& chosen) {
       ->default_str("SCENE.gl.png in the current directory, if no other file is asked for");
   command
       .add_option("--float", a.radiance,
-                  "unclamped image to write, read back from an RGBA32F target: .hdr, .pfm or .exr")
+                  "unclamped image to write, read back from an RGBA32F target: " +
+                      writable_extensions({float_rgb_image}))
       ->type_name("FILE");
-  command.add_option("--depth", a.depth, "window depth to write, 1 where nothing was drawn: .pfm or .exr")
+  command
+      .add_option("--depth", a.depth,
+                  "window depth to write, 1 where nothing was drawn: " + writable_extensions({float_grey_image}))
       ->type_name("FILE");
   add_parsed_option(command, "--size", a.size, size_from, "WxH",
                     "WIDTHxHEIGHT, each 1 to " + std::to_string(largest_side), "pixels of the image")

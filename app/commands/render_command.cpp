@@ -46,11 +46,16 @@ private:
   Clock::time_point start_ = Clock::now();
 };
 
+/// Whether the image holds radiance, and not what of it can be shown.
+bool writes_floats(const RenderArguments& arguments) {
+  return format_to_write(arguments.output, {float_rgb_image}) != nullptr;
+}
+
 /// Next to "ball.png" stands "ball.depth.pfm", next to "ball.exr" "ball.depth.exr".
 std::string aov_path(const std::string& output, Aov aov) {
   const std::size_t dot = output.rfind('.');
-  const char* ending = image_format(output) == ImageFormat::exr ? ".exr" : ".pfm";
-  return output.substr(0, dot) + "." + std::string(aov_names[static_cast<std::size_t>(aov)]) + ending;
+  return output.substr(0, dot) + "." + std::string(aov_names[static_cast<std::size_t>(aov)]) +
+         float_extension_beside(output);
 }
 
 /// What one option alone does not show.
@@ -63,11 +68,10 @@ void check_together(const RenderArguments& arguments) {
   const PixelRect part =
       arguments.crop.empty() ? PixelRect{0, 0, arguments.size.width, arguments.size.height} : arguments.crop.back();
   check_frame_samples(part.width, part.height, arguments.samples);
-  if (!image_format(arguments.output))
-    throw CLI::ValidationError("--output", "found \"" + arguments.output +
-                                               "\", expected a name ending in .png, .hdr, .pfm or .exr");
-  if (arguments.transfer == Transfer::srgb && image_format(arguments.output) != ImageFormat::png)
-    throw CLI::ValidationError("--srgb", "is for .png; float images hold linear values");
+  check_extension("--output", arguments.output, {rgb8_image, float_rgb_image});
+  if (arguments.transfer == Transfer::srgb && writes_floats(arguments))
+    throw CLI::ValidationError("--srgb",
+                               "is for " + writable_extensions({rgb8_image}) + "; float images hold linear values");
 }
 
 RenderOptions options_from(const RenderArguments& arguments) {
@@ -79,8 +83,8 @@ RenderOptions options_from(const RenderArguments& arguments) {
   options.samples = arguments.samples;
   options.threads = arguments.threads;
   options.tile_size = arguments.tile_size;
-  options.want_rgb8 = image_format(arguments.output) == ImageFormat::png;
-  options.want_radiance = !options.want_rgb8;
+  options.want_radiance = writes_floats(arguments);
+  options.want_rgb8 = !options.want_radiance;
   options.transfer = arguments.transfer;
   options.aovs = arguments.aovs;
   options.cancel = &interrupted();
@@ -122,7 +126,7 @@ std::vector<std::string> write_images(const Frame& frame, const RenderArguments&
   const auto line = progress_line(arguments.diagnostics, "writing " + arguments.output);
   std::vector<std::string> paths = {arguments.output};
   arguments.reading.memory.need(frame.rgb8.values.size(), arguments.output); // PNG is made in memory
-  if (frame.radiance.empty()) write_png(arguments.output, frame.rgb8);
+  if (frame.radiance.empty()) write_image(arguments.output, frame.rgb8);
   else write_values(arguments.output, frame.radiance);
   for (std::size_t i = 0; i < arguments.aovs.size(); ++i) {
     paths.push_back(aov_path(arguments.output, arguments.aovs[i]));
@@ -194,8 +198,9 @@ void add_render(CLI::App& program, Action& chosen) {
   command.add_option("scene", a.scene, "scene file; docs/scene-format.md")->required()->type_name("SCENE");
   command
       .add_option("-o,--output", a.output,
-                  "image to write: .png (8 bit), .hdr, .pfm or .exr (float, unclamped); by default the scene's name "
-                  "with .png, in the current directory")
+                  "image to write: " + writable_extensions({rgb8_image}) + " (8 bit), " +
+                      writable_extensions({float_rgb_image}) +
+                      " (float, unclamped); by default the scene's name with .png, in the current directory")
       ->type_name("FILE");
   add_parsed_option(command, "--size", a.size, size_from, "WxH",
                     "WIDTHxHEIGHT, each 1 to " + std::to_string(largest_side), "pixels of the image")

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace refraster {
 
@@ -19,6 +20,9 @@ std::string as_utf8(std::string_view text);
 
 /// "1 number", "2 numbers".
 std::string counted(std::size_t count, std::string_view noun);
+
+/// "a", "a or b", "a, b or c": what may stand somewhere. "" for none.
+std::string alternatives(const std::vector<std::string>& choices);
 
 /// A place in a text, counted from 1; columns are characters of UTF-8, not bytes.
 struct TextPlace {

@@ -1,7 +1,7 @@
 #pragma once
 // What a camera says of how it was held.
 
-#include "io/image/image_formats.h"
+#include "io/image/image_reading.h"
 
 namespace refraster {
 

@@ -1,5 +1,5 @@
 #include "io/image/exr_header.h"
-#include "io/image/image_formats.h"
+#include "io/image/image_reading.h"
 
 #include <zlib.h>
 

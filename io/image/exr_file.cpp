@@ -1,5 +1,6 @@
 #include "io/file/atomic_file.h"
 #include "io/file/text.h"
+#include "io/image/exr_header.h"
 #include "io/image/image_formats.h"
 
 #include <algorithm>

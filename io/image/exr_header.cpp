@@ -1,7 +1,7 @@
 #include "io/image/exr_header.h"
 
 #include "io/file/text.h"
-#include "io/image/image_formats.h"
+#include "io/image/image_reading.h"
 
 #include <algorithm>
 #include <bit>

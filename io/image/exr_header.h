@@ -1,7 +1,7 @@
 #pragma once
 // The header of an OpenEXR file.
 
-#include "io/image/image_formats.h"
+#include "io/image/image_reading.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -27,5 +27,9 @@ struct ExrHeader {
 /// cannot hold, channels that are not of the image's size, rows or tiles packed together that are much larger than the
 /// image.
 ExrHeader read_exr_header(const std::string& path, std::string_view bytes, const ImageRequest& request);
+
+/// What OpenEXR must not see: see read_exr_header; and a file that lacks rows or tiles, or in which one of them does
+/// not fill its place: OpenEXR 3.1 takes the rest of it from memory. Throws InputError.
+void check_before_exr(const std::string& path, std::string_view bytes, const ImageRequest& request);
 
 } // namespace refraster

@@ -2,6 +2,7 @@
 
 #include "io/file/input_error.h"
 #include "io/file/input_file.h"
+#include "io/file/text.h"
 #include "io/image/image_formats.h"
 
 namespace refraster {
@@ -48,10 +49,10 @@ std::vector<std::string> default_channels(int count) {
 namespace {
 ImageFile read_image(const std::string& path, const ImageRequest& request) {
   if (auto fault = file_fault(path, "an image", limit::image_bytes.value)) throw InputError(std::move(*fault));
-  image_reader(path, read_prefix(path, 1024)); // before the whole is read, however large it is
+  format_of_content(path, read_prefix(path, 1024)); // before the whole is read, however large it is
   request.memory.need(file_size_bytes(path), path);
   const std::string bytes = read_file(path, "an image", limit::image_bytes.value);
-  return image_reader(path, bytes)(path, bytes, request);
+  return format_of_content(path, bytes).read(path, bytes, request);
 }
 } // namespace
 
@@ -80,24 +81,32 @@ Texture read_texture(const std::string& path, const MemoryBudget& memory, NoteLi
   return texture;
 }
 
-void write_float_image(const std::string& path, const Image<float>& image, std::vector<std::string> channels) {
-  const std::string format = extension(path);
-  const auto need = [&](bool possible, const char* expected) {
-    if (!possible) throw InputError(InputFault{path, 0, 0, "", std::to_string(image.channels) + " channels", expected});
-  };
-  if (format == "hdr") {
-    need(image.channels == 3, "3 channels in an .hdr file");
-    write_hdr(path, image);
-  } else if (format == "pfm") {
-    need(image.channels == 1 || image.channels == 3, "1 or 3 channels in a .pfm file");
-    write_pfm(path, image);
-  } else if (format == "exr") {
-    if (channels.empty()) channels = default_channels(image.channels);
-    need(static_cast<int>(channels.size()) == image.channels, "a name for every channel");
-    write_exr(path, image, channels);
-  } else {
-    throw InputError(InputFault{path, 0, 0, "", "the extension \"." + format + "\"", ".hdr, .pfm or .exr"});
-  }
+namespace {
+/// The format to write this in. Throws InputError.
+const ImageFormat& format_to_write(const std::string& path, const ImageContent& content) {
+  const ImageFormat* const format = format_of_name(path);
+  const std::string ending = "." + extension(path);
+  if (!format || format->values != content.values || format->writes == ChannelCounts{})
+    refuse_image(path, "", "the extension \"" + ending + "\"", writable_extensions({content}));
+  if (format->writes.contains(content.channels)) return *format;
+  std::vector<std::string> counts;
+  for (const int count : format->writes.counts)
+    if (count > 0) counts.push_back(std::to_string(count));
+  refuse_image(path, "", std::to_string(content.channels) + " channels",
+               alternatives(counts) + " channels in " + "a file ending in " + ending);
+}
+} // namespace
+
+void write_image(const std::string& path, const Image<std::uint8_t>& image) {
+  format_to_write(path, {ImageValues::integers, image.channels}).write_integers(path, image);
+}
+
+void write_image(const std::string& path, const Image<float>& image, std::vector<std::string> channels) {
+  const ImageFormat& format = format_to_write(path, {ImageValues::floats, image.channels});
+  if (channels.empty()) channels = default_channels(image.channels);
+  if (static_cast<int>(channels.size()) != image.channels)
+    refuse_image(path, "", std::to_string(image.channels) + " channels", "a name for every channel");
+  format.write_floats(path, image, channels);
 }
 
 } // namespace refraster

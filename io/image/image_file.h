@@ -25,22 +25,22 @@ struct ImageFile {
   NoteList notes;                    // what was read otherwise than it is stored
 };
 
-/// Reads PNG, JPEG, TGA, BMP (8 or 16 bits), Radiance HDR, PFM, OpenEXR (float). What it is, is seen from its content;
-/// docs/image-formats.md says what is read of each. Values are as stored: no gamma, no colour profile and no EXIF
-/// orientation is applied. Throws InputError. The size it declares is checked against the limits (io/file/limits.h),
-/// and against the size of the file, before any memory is taken.
+/// Reads any of the formats of io/image/image_formats.h: PNG, JPEG, TGA, BMP (8 or 16 bits), Radiance HDR, PFM, OpenEXR
+/// (float). What it is, is seen from its content; docs/image-formats.md says what is read of each. Values are as
+/// stored: no gamma, no colour profile and no EXIF orientation is applied. Throws InputError. The size it declares is
+/// checked against the limits (io/file/limits.h), and against the size of the file, before any memory is taken.
 ImageFile read_image(const std::string& path, const MemoryBudget& memory = {});
 
 /// Reads an image of 8 or 16 bits, within limit::texture_side, as a texture with level 0 only: one channel becomes
 /// grey, alpha is dropped. Else as read_image; its notes go to `notes`, if not null.
 Texture read_texture(const std::string& path, const MemoryBudget& memory = {}, NoteList* notes = nullptr);
 
-/// Writes 8-bit grey (1 channel) or RGB (3) as PNG, with no colour profile. Throws OutputError.
-void write_png(const std::string& path, const Image<std::uint8_t>& image);
+/// Writes whole numbers of 8 bits, with no colour profile, in the format that the path's extension says, in any case:
+/// `.png`, 1 channel (grey) or 3 (RGB). Throws OutputError; InputError for another extension or number of channels.
+void write_image(const std::string& path, const Image<std::uint8_t>& image);
 
-/// Writes float values, format by extension: `.hdr` (3 channels, 8-bit mantissas: lossy), `.pfm` (1 or 3 channels),
-/// `.exr` (any channels, 32-bit float). Throws OutputError; InputError for another extension or number of channels.
-/// `channels` names those of an EXR file; by default R G B, or Y for a single one.
-void write_float_image(const std::string& path, const Image<float>& image, std::vector<std::string> channels = {});
+/// Writes float values likewise: `.hdr` (3 channels, 8-bit mantissas: lossy), `.pfm` (1 or 3 channels), `.exr` (any
+/// channels, 32-bit float). `channels` names those of a file that has names; by default R G B, or Y for a single one.
+void write_image(const std::string& path, const Image<float>& image, std::vector<std::string> channels = {});
 
 } // namespace refraster

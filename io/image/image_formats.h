@@ -1,43 +1,31 @@
 #pragma once
-// One file format each, for image_file.cpp.
+// The image formats: one closed list. Reading, writing, what file names may end in, messages, help texts, the
+// extensions of AOVs and the table of docs/image-formats.md follow from it.
+// To add a format: a reader, and a writer if there is to be one, in a file of their own; declared and listed here; that
+// file's name in CMakeLists.txt. Tests (tests/unit/io/test_image_formats.cpp) name what else it needs.
 
-#include "io/file/input_error.h"
-#include "io/file/limits.h"
-#include "io/image/image_file.h"
+#include "io/image/image_reading.h"
 
-#include <memory>
+#include <algorithm>
+#include <array>
+#include <initializer_list>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace refraster {
 
-/// What an image is read for.
-struct ImageRequest {
-  const MemoryBudget& memory;
-  const Limit& side = limit::image_side;
-};
-
-/// Asks for what an image of so many pixels takes as floats, and beside them as a decoder gives it.
-void need_image(const ImageRequest& request, const std::string& path, std::uint64_t pixels, int channels,
-                std::uint64_t decoded_bytes);
-
-/// Throws InputError if the declared size is 0, beyond the limits, or more than so many file bytes can hold.
-void check_image_size(const std::string& path, std::uint64_t width, std::uint64_t height, std::uint64_t file_bytes,
-                      std::uint64_t max_pixels_per_byte, const ImageRequest& request);
-
-/// The names of 1 to 4 channels.
-std::vector<std::string> default_channels(int count);
-
-/// What is said of a file that ends before its image does.
-InputError truncated_image(const std::string& path);
-
-/// Throws InputError with one fault: at `place` of the file, "" for the file as a whole.
-[[noreturn]] void refuse_image(const std::string& path, std::string place, std::string found, std::string expected);
+/// What the values of an image file are: whole numbers up to 255 or 65535, or floating-point numbers.
+enum class ImageValues { integers, floats };
 
 /// Each reads the bytes of a whole file; InputError says what is wrong with them.
 using ImageReader = ImageFile (*)(const std::string& path, std::string_view bytes, const ImageRequest& request);
-
-/// The reader of files that begin like this, as far as 1024 bytes of them tell. Throws InputError for an unknown type.
-ImageReader image_reader(const std::string& path, std::string_view prefix);
+/// Writes a file of 8 bits a channel as a whole or not at all. Throws OutputError.
+using IntegerWriter = void (*)(const std::string& path, const Image<std::uint8_t>& image);
+/// Writes a file of floats as a whole or not at all; a format that names its channels uses `channels`, as many as the
+/// image has. Throws OutputError.
+using FloatWriter = void (*)(const std::string& path, const Image<float>& image,
+                             const std::vector<std::string>& channels);
 
 ImageFile read_png(const std::string& path, std::string_view bytes, const ImageRequest& request);
 ImageFile read_jpeg(const std::string& path, std::string_view bytes, const ImageRequest& request);
@@ -50,22 +38,107 @@ ImageFile read_exr(const std::string& path, std::string_view bytes, const ImageR
 /// Whether a file that begins like this can be a TGA, which has no signature.
 bool may_be_tga(std::string_view prefix);
 
-/// 1 to 4 channels of 8 bits as stb_image gives them: row 0 at the top, channels interleaved.
-struct StbPixels {
-  std::unique_ptr<std::uint8_t, void (*)(void*)> values;
-  int width, height, channels;
+void write_png(const std::string& path, const Image<std::uint8_t>& image);
+void write_hdr(const std::string& path, const Image<float>& image, const std::vector<std::string>& channels);
+void write_pfm(const std::string& path, const Image<float>& image, const std::vector<std::string>& channels);
+void write_exr(const std::string& path, const Image<float>& image, const std::vector<std::string>& channels);
+
+/// Numbers of channels that a format can write.
+struct ChannelCounts {
+  std::array<int, 3> counts; // 0: no further one
+
+  static constexpr int any = -1;
+
+  bool operator==(const ChannelCounts&) const = default;
+  constexpr bool contains(int channels) const {
+    return std::any_of(counts.begin(), counts.end(),
+                       [=](int count) { return count == any || (count != 0 && count == channels); });
+  }
 };
 
-/// Decodes a BMP or TGA of which `header` is all that stands before the pixels. stb_image must agree with it; the
-/// callers make headers of the plainest kind. Throws InputError if pixels are missing; std::bad_alloc.
-StbPixels decode_stb(const std::string& path, std::string_view header, std::string_view pixels);
+struct ImageFormat {
+  std::string_view name;                           // in messages
+  ImageValues values;                              // that it stores
+  std::array<std::string_view, 2> extensions;      // of file names, in lower case; the first is the usual one
+  std::array<std::string_view, 2> signatures = {}; // a file begins with one of them; none: `may_be` says it
+  bool (*may_be)(std::string_view prefix) = {};    // asked where no signature of any format, read or not, is found
+  ImageReader read;
+  IntegerWriter write_integers = {}; // null: none are written
+  FloatWriter write_floats = {};     // null: none are written
+  ChannelCounts writes = {};         // empty: it is not written
+};
 
-/// What OpenEXR must not see: see read_exr_header; and a file that lacks rows or tiles, or in which one of them does
-/// not fill its place: OpenEXR 3.1 takes the rest of it from memory. Throws InputError.
-void check_before_exr(const std::string& path, std::string_view bytes, const ImageRequest& request);
+/// In the order in which messages list them.
+inline constexpr ImageFormat image_formats[] = {
+    {.name = "PNG",
+     .values = ImageValues::integers,
+     .extensions = {"png"},
+     .signatures = {"\x89PNG\r\n\x1a\n"},
+     .read = read_png,
+     .write_integers = write_png,
+     .writes = {1, 3}},
+    {.name = "JPEG",
+     .values = ImageValues::integers,
+     .extensions = {"jpg", "jpeg"},
+     .signatures = {"\xff\xd8"},
+     .read = read_jpeg},
+    {.name = "BMP", .values = ImageValues::integers, .extensions = {"bmp"}, .signatures = {"BM"}, .read = read_bmp},
+    {.name = "TGA", .values = ImageValues::integers, .extensions = {"tga"}, .may_be = may_be_tga, .read = read_tga},
+    {.name = "Radiance HDR",
+     .values = ImageValues::floats,
+     .extensions = {"hdr"},
+     .signatures = {"#?RADIANCE\n", "#?RGBE\n"},
+     .read = read_hdr,
+     .write_floats = write_hdr,
+     .writes = {3}},
+    {.name = "PFM",
+     .values = ImageValues::floats,
+     .extensions = {"pfm"},
+     .signatures = {"PF", "Pf"},
+     .read = read_pfm,
+     .write_floats = write_pfm,
+     .writes = {1, 3}},
+    {.name = "OpenEXR",
+     .values = ImageValues::floats,
+     .extensions = {"exr"},
+     .signatures = {"\x76\x2f\x31\x01"},
+     .read = read_exr,
+     .write_floats = write_exr,
+     .writes = {ChannelCounts::any}},
+};
 
-void write_hdr(const std::string& path, const Image<float>& image);
-void write_pfm(const std::string& path, const Image<float>& image);
-void write_exr(const std::string& path, const Image<float>& image, const std::vector<std::string>& channels);
+/// The format whose signature these bytes begin with, or null.
+const ImageFormat* format_with_signature(std::string_view prefix);
+
+/// The format of a file that begins like this, as far as 1024 bytes of it tell. Throws InputError for an unknown one.
+const ImageFormat& format_of_content(const std::string& path, std::string_view prefix);
+
+/// The format that a file name says by its extension, in any case, whether it can be written or not; or null.
+const ImageFormat* format_of_name(const std::string& path);
+
+/// What an image to be written consists of.
+struct ImageContent {
+  ImageValues values;
+  int channels;
+};
+inline constexpr ImageContent rgb8_image{ImageValues::integers, 3}, float_rgb_image{ImageValues::floats, 3},
+    float_grey_image{ImageValues::floats, 1};
+
+constexpr bool can_write(const ImageFormat& format, const ImageContent& content) {
+  return format.values == content.values && format.writes.contains(content.channels);
+}
+
+/// The format that a file of this name is written in by its extension; null if that one cannot hold any of `contents`.
+const ImageFormat* format_to_write(const std::string& path, std::initializer_list<ImageContent> contents);
+
+/// ".png, .hdr, .pfm or .exr": the extensions of the formats that can hold any of `contents`.
+std::string writable_extensions(std::initializer_list<ImageContent> contents);
+
+/// "PNG, JPEG, BMP, TGA, Radiance HDR, PFM or OpenEXR": the formats that are read.
+std::string readable_formats();
+
+/// ".pfm": the extension of the images of floats, of 1 and of 3 channels, that stand beside an image of this name: its
+/// own where its format can hold both, else that of the first format that can.
+std::string float_extension_beside(const std::string& path);
 
 } // namespace refraster

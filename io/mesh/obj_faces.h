@@ -1,5 +1,5 @@
 #pragma once
-// The faces of an OBJ file, and what the file leaves to the reader: normals and triangles.
+// What an OBJ file leaves to the reader: normals and triangles.
 
 #include "io/mesh/mesh_normals.h"
 #include "io/mesh/obj_text.h"
@@ -10,22 +10,6 @@
 #include <vector>
 
 namespace refraster {
-
-/// Indices from 0; -1: not given.
-struct ObjCorner {
-  std::int32_t v, vt, vn;
-};
-
-struct ObjFaces {
-  std::vector<ObjCorner> corners;   // of all faces, one after the other
-  std::vector<std::uint32_t> begin; // of each face its first corner; then the number of corners
-
-  std::size_t count() const { return begin.size() - 1; }
-  std::span<ObjCorner> face(std::size_t i) { return std::span(corners).subspan(begin[i], begin[i + 1] - begin[i]); }
-  std::span<const ObjCorner> face(std::size_t i) const {
-    return std::span(corners).subspan(begin[i], begin[i + 1] - begin[i]);
-  }
-};
 
 /// The normal of a polygon, by Newell's sum of its corners' cross products.
 struct FaceNormal {
@@ -56,8 +40,7 @@ SharedNormals shared_by_crease(const ObjFaces& faces, std::span<const FaceNormal
 
 /// Gives a normal to every corner without one, or, unless they are to come from the file, to every corner: appended to
 /// obj.vn, zero where the faces around have none or cancel. See read_obj. False if shared_by_crease ran out of steps.
-[[nodiscard]] bool add_missing_normals(ObjText& obj, ObjFaces& faces, const MeshNormals& wanted,
-                                       std::uint64_t& steps_left);
+[[nodiscard]] bool add_missing_normals(ObjText& obj, const MeshNormals& wanted, std::uint64_t& steps_left);
 
 /// Cuts a polygon of n >= 3 corners into n - 2 triangles of its winding, indices into `polygon`: ears are clipped, in
 /// the plane of two axes that it covers most. A convex polygon becomes the fan of its first corner. Every corner is a

@@ -5,63 +5,15 @@
 #include "io/mesh/obj_faces.h"
 #include "io/mesh/triple_index.h"
 
-#include <tiny_obj_loader.h>
-
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <iomanip>
-#include <istream>
 #include <limits>
 #include <locale>
 #include <sstream>
-#include <streambuf>
 
 namespace refraster {
 namespace {
-
-/// A string as a stream, without a copy of it.
-class StringBuffer : public std::streambuf {
-public:
-  explicit StringBuffer(std::string& text) { setg(text.data(), text.data(), text.data() + text.size()); }
-};
-
-/// What tinyobjloader meets, face by face: with its callbacks it keeps nothing itself, and a face may have any size.
-struct FaceCollector {
-  ObjFaces faces{{}, {0}};
-  std::int32_t v = 0, vt = 0, vn = 0; // given so far
-
-  /// From 1 or negative, counted back from the last one given, to an index from 0; 0, which means none, becomes -1.
-  static std::int32_t from_zero(int index, std::int32_t given) { return index < 0 ? given + index : index - 1; }
-
-  static FaceCollector& of(void* user) { return *static_cast<FaceCollector*>(user); }
-
-  static void face(void* user, tinyobj::index_t* indices, int count) {
-    FaceCollector& self = of(user);
-    for (const tinyobj::index_t& index : std::span(indices, static_cast<std::size_t>(count)))
-      self.faces.corners.push_back({from_zero(index.vertex_index, self.v), from_zero(index.texcoord_index, self.vt),
-                                    from_zero(index.normal_index, self.vn)});
-    self.faces.begin.push_back(static_cast<std::uint32_t>(self.faces.corners.size()));
-  }
-};
-
-ObjFaces parse_faces(ObjText& obj) {
-  tinyobj::callback_t calls;
-  calls.vertex_cb = [](void* user, tinyobj::real_t, tinyobj::real_t, tinyobj::real_t, tinyobj::real_t) {
-    ++FaceCollector::of(user).v;
-  };
-  calls.texcoord_cb = [](void* user, tinyobj::real_t, tinyobj::real_t, tinyobj::real_t) {
-    ++FaceCollector::of(user).vt;
-  };
-  calls.normal_cb = [](void* user, tinyobj::real_t, tinyobj::real_t, tinyobj::real_t) { ++FaceCollector::of(user).vn; };
-  calls.index_cb = FaceCollector::face;
-  FaceCollector collector;
-  StringBuffer buffer(obj.text);
-  std::istream stream(&buffer);
-  tinyobj::LoadObjWithCallback(stream, calls, &collector);
-  assert(collector.faces.count() == obj.smoothing.size());
-  return std::move(collector.faces);
-}
 
 /// Steps that all polygons of a file together may take to be cut, and all its edges to be smoothed, beyond what is in
 /// proportion to the file: some five seconds. Any polygon of 10,000 corners keeps within them.
@@ -81,9 +33,9 @@ bool is_finite(const Float2& a) {
 }
 
 /// A vn or vt that is not finite stands for none; and a face has a vt at all corners, or at none.
-void drop_what_is_missing(const ObjText& obj, ObjFaces& faces) {
-  for (std::size_t f = 0; f < faces.count(); ++f) {
-    const auto corners = faces.face(f);
+void drop_what_is_missing(ObjText& obj) {
+  for (std::size_t f = 0; f < obj.faces.count(); ++f) {
+    const auto corners = obj.faces.face(f);
     const auto has_vt = [&](const ObjCorner& corner) {
       return corner.vt >= 0 && is_finite(obj.vt[static_cast<std::size_t>(corner.vt)]);
     };
@@ -103,11 +55,11 @@ std::string three_digits(double x) {
 }
 
 /// Survey coordinates: the mesh is small, and far from the origin.
-void note_rounding(const std::string& path, const ObjText& obj, const ObjFaces& faces, NoteList& notes) {
+void note_rounding(const std::string& path, const ObjText& obj, NoteList& notes) {
   if (obj.moved.empty()) return;
   std::vector<char> used(obj.v.size());
   Float3 low(std::numeric_limits<float>::infinity()), high = -low;
-  for (const ObjCorner& corner : faces.corners) {
+  for (const ObjCorner& corner : obj.faces.corners) {
     const auto v = static_cast<std::size_t>(corner.v);
     used[v] = 1;
     low = glm::min(low, obj.v[v]), high = glm::max(high, obj.v[v]);
@@ -126,15 +78,15 @@ void note_rounding(const std::string& path, const ObjText& obj, const ObjFaces& 
 }
 
 /// Triangles of all faces, and a vertex for each different (v, vt, vn), in the order in which they appear.
-std::vector<std::array<std::uint32_t, 3>> cut(const std::string& path, const ObjText& obj, const ObjFaces& faces,
-                                              TripleIndex& vertices, std::uint64_t& steps_left) {
+std::vector<std::array<std::uint32_t, 3>> cut(const std::string& path, const ObjText& obj, TripleIndex& vertices,
+                                              std::uint64_t& steps_left) {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<Float3> polygon;
   std::vector<std::uint32_t> names;
-  for (std::size_t f = 0; f < faces.count(); ++f) {
+  for (std::size_t f = 0; f < obj.faces.count(); ++f) {
     polygon.clear();
     names.clear();
-    for (const ObjCorner& corner : faces.face(f)) {
+    for (const ObjCorner& corner : obj.faces.face(f)) {
       polygon.push_back(obj.v[static_cast<std::size_t>(corner.v)]);
       names.push_back(static_cast<std::uint32_t>(vertices({corner.v, corner.vt, corner.vn})));
     }
@@ -171,22 +123,21 @@ Mesh read_obj(const std::string& path, const ObjOptions& options) {
 
 Mesh mesh_of_obj(const std::string& path, std::string text, const ObjOptions& options) {
   NoteList notes;
-  ObjText obj = check_obj(path, std::move(text), notes);
-  ObjFaces faces = parse_faces(obj);
-  obj.text = {};
+  ObjText obj = parse_obj(path, std::move(text), notes);
   // Before the triangles are made: a polygon of n corners becomes n - 2. There are no more vertices than corners.
-  if (const std::uint64_t triangles = faces.corners.size() - 2 * faces.count(); triangles > limit::triangles.value)
+  if (const std::uint64_t triangles = obj.faces.corners.size() - 2 * obj.faces.count();
+      triangles > limit::triangles.value)
     throw InputError(InputFault{path, 0, 0, "", found_of(limit::triangles, triangles), at_most(limit::triangles)});
-  drop_what_is_missing(obj, faces);
-  note_rounding(path, obj, faces, notes);
+  drop_what_is_missing(obj);
+  note_rounding(path, obj, notes);
   std::uint64_t steps_left = max_steps;
-  if (!add_missing_normals(obj, faces, options.normals, steps_left))
+  if (!add_missing_normals(obj, options.normals, steps_left))
     throw InputError(InputFault{path, 0, 0, "", "edges that so many faces share that smoothing takes too long",
                                 "smoothing groups, or normals (vn)"});
 
-  TripleIndex index(faces.corners.size());
+  TripleIndex index(obj.faces.corners.size());
   Mesh mesh;
-  mesh.triangles = cut(path, obj, faces, index, steps_left);
+  mesh.triangles = cut(path, obj, index, steps_left);
   std::vector<TripleIndex::Triple> vertices = index.take_triples();
   put_textured_first(vertices, mesh.triangles);
   mesh.positions.reserve(vertices.size());

@@ -160,7 +160,8 @@ private:
 
 } // namespace
 
-bool add_missing_normals(ObjText& obj, ObjFaces& faces, const MeshNormals& wanted, std::uint64_t& steps_left) {
+bool add_missing_normals(ObjText& obj, const MeshNormals& wanted, std::uint64_t& steps_left) {
+  ObjFaces& faces = obj.faces;
   if (wanted.from != NormalsFrom::file) {
     for (ObjCorner& corner : faces.corners) corner.vn = -1;
     obj.vn.clear();

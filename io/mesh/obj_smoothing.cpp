@@ -148,8 +148,8 @@ private:
   std::uint64_t steps_ = 0; // of those at this vertex, what is left
   Sets sets_;
   std::vector<std::uint32_t> face_of_;
-  std::vector<std::pair<std::int32_t, std::uint32_t>>
-      edges_; // the vertex at the other end, and the face's first corner at this one
+  /// The vertex at the other end, and the face's first corner at this one.
+  std::vector<std::pair<std::int32_t, std::uint32_t>> edges_;
 };
 
 } // namespace

@@ -50,9 +50,9 @@ std::size_t comment_in(std::string_view line) {
   return line.size();
 }
 
-class ObjChecker {
+class ObjParser {
 public:
-  ObjChecker(const std::string& file, ObjText& obj) : file_(file), obj_(obj), text_(obj.text) {}
+  ObjParser(const std::string& file, std::string text, ObjText& obj) : file_(file), obj_(obj), text_(std::move(text)) {}
 
   void run() {
     const TextKind kind = text_kind(text_);
@@ -65,8 +65,8 @@ public:
     mend_line_ends();
     for (std::size_t begin = 0, end = 0; begin < text_.size(); begin = end + 1) {
       end = std::min(text_.find('\n', begin), text_.size());
-      blank(begin + comment_in(std::string_view(text_).substr(begin, end - begin)), end);
-      if (!statement(std::string_view(text_).substr(begin, end - begin))) blank(begin, end);
+      const std::string_view line = std::string_view(text_).substr(begin, end - begin);
+      statement(line.substr(0, comment_in(line)));
     }
     for (const Forward& index : forward_) {
       if (index.value > count(index.list)) no_such_index(index.word, index.list);
@@ -106,8 +106,8 @@ private:
               ' ');
   }
 
-  /// '\r' alone ends a line, as tinyobjloader has it. A backslash at the end of a line that is no comment continues the
-  /// line: both become blanks, and where the line ended is remembered for messages.
+  /// '\r' alone ends a line. A backslash at the end of a line that is no comment continues the line:
+  /// both become blanks, and where the line ended is remembered for messages.
   void mend_line_ends() {
     for (std::size_t at = text_.find('\r'); at != std::string::npos; at = text_.find('\r', at + 1))
       if (at + 1 == text_.size() || text_[at + 1] != '\n') text_[at] = '\n';
@@ -124,8 +124,7 @@ private:
     }
   }
 
-  /// False if it says nothing about the shape.
-  bool statement(std::string_view line) {
+  void statement(std::string_view line) {
     const std::string_view all = line, keyword = take_word(line);
     if (keyword == "v") numbers(List::v, obj_.v, line, all, 3, 7); // then may follow a weight, or a colour, or both
     else if (keyword == "vn") numbers(List::vn, obj_.vn, line, all, 3, 3);
@@ -133,14 +132,9 @@ private:
     else if (keyword == "f") face(line, all);
     else if (keyword == "fo") {
       remark(ObjRemark::face_outline, all, [] { return "fo"; });
-      text_[offset_of(keyword) + 1] = ' '; // tinyobjloader knows f only
       face(line, all);
-    } else {
-      if (keyword == "s") smoothing(take_word(line), all);
-      else if (!keyword.empty()) skip(keyword, all);
-      return false;
-    }
-    return true;
+    } else if (keyword == "s") smoothing(take_word(line), all);
+    else if (!keyword.empty()) skip(keyword, all);
   }
 
   /// A statement that says nothing about the shape, or is not read.
@@ -182,7 +176,6 @@ private:
   template <glm::length_t N>
   void numbers(List which, std::vector<glm::vec<N, float, glm::defaultp>>& list, std::string_view rest,
                std::string_view all, std::size_t least, std::size_t most) {
-    const std::string_view digits = rest;
     glm::vec<N, float, glm::defaultp> point(0.0f);
     std::array<std::string_view, static_cast<std::size_t>(N)> words;
     std::size_t count = 0;
@@ -208,7 +201,6 @@ private:
     if (which == List::v && count >= 6)
       remark(ObjRemark::vertex_colour, all, [&] { return "a v with " + counted(count, "number"); });
     list.push_back(point);
-    blank(offset_of(digits), offset_of(digits) + digits.size()); // tinyobjloader need only count it
   }
 
   /// A coordinate of the next point of a list is not finite.
@@ -263,52 +255,54 @@ private:
   void face(std::string_view rest, std::string_view all) {
     std::size_t corners = 0, with_vt = 0, with_vn = 0;
     for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest), ++corners) {
-      const CornerForm form = corner(word);
-      with_vt += form.vt, with_vn += form.vn;
+      const ObjCorner read = corner(word);
+      with_vt += read.vt >= 0, with_vn += read.vn >= 0;
+      obj_.faces.corners.push_back(read);
     }
     if (corners < 3) fault(all, "a face with " + counted(corners, "corner"), "at least 3 corners");
     if ((with_vt > 0 && with_vt < corners) || (with_vn > 0 && with_vn < corners))
       remark(ObjRemark::mixed_corners, all, [] { return "a face whose corners are of several forms"; });
+    obj_.faces.begin.push_back(static_cast<std::uint32_t>(obj_.faces.corners.size()));
     obj_.smoothing.push_back(smoothing_);
   }
 
-  /// What a corner has beside v.
-  struct CornerForm {
-    bool vt = false, vn = false;
-  };
-
   /// v, v/vt, v//vn or v/vt/vn; also with nothing behind the last slash.
-  CornerForm corner(std::string_view word) {
+  ObjCorner corner(std::string_view word) {
     std::string_view rest = word;
     const auto slash = [&] {
       if (!rest.starts_with('/')) return false;
       rest.remove_prefix(1);
       return true;
     };
-    CornerForm form;
-    bool sound = index(rest, List::v);
+    ObjCorner result{-1, -1, -1};
+    bool sound = index(rest, List::v, result.v);
     if (sound && slash()) {
-      if (!rest.empty() && !rest.starts_with('/')) sound = form.vt = index(rest, List::vt);
-      if (sound && slash() && !rest.empty()) sound = form.vn = index(rest, List::vn);
+      if (!rest.empty() && !rest.starts_with('/')) sound = index(rest, List::vt, result.vt);
+      if (sound && slash() && !rest.empty()) sound = index(rest, List::vn, result.vn);
     }
     if (!sound || !rest.empty()) fault(word, in_quotes(word), "v, v/vt, v//vn or v/vt/vn");
-    else if (word.ends_with('/')) {
-      remark(ObjRemark::empty_slot, word, [&] { return "the corner " + in_quotes(word); });
-      for (std::size_t at = offset_of(word) + word.size(); text_[at - 1] == '/'; --at) text_[at - 1] = ' ';
-    }
-    return form;
+    else if (word.ends_with('/')) remark(ObjRemark::empty_slot, word, [&] { return "the corner " + in_quotes(word); });
+    return result;
   }
 
-  /// Takes an integer off the front; false if there is none. One that points nowhere is a fault of its own.
-  bool index(std::string_view& rest, List list) {
+  /// Takes an index off the front, from 1 or counted back from the last point given, and makes it one from 0. False if
+  /// there is no integer. One that points nowhere is a fault of its own; one to a point that may still be given, the
+  /// end of the file decides on.
+  bool index(std::string_view& rest, List list, std::int32_t& from_zero) {
     long long value = 0;
     const auto [stop, error] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
     if (error == std::errc::invalid_argument) return false;
     const std::string_view word = rest.substr(0, static_cast<std::size_t>(stop - rest.data()));
     rest.remove_prefix(word.size());
-    if (error == std::errc::result_out_of_range || value == 0 || value < -count(list)) no_such_index(word, list);
-    else if (value > count(list)) forward_.push_back({word, value, list});
-    else if (list == List::v) use(value < 0 ? count(list) + value : value - 1);
+    const long long given = count(list), at = value < 0 ? given + value : value - 1;
+    from_zero = 0; // of no use where it points nowhere
+    if (error == std::errc::result_out_of_range || value == 0 || at < 0) {
+      no_such_index(word, list);
+      return true;
+    }
+    if (at <= std::numeric_limits<std::int32_t>::max()) from_zero = static_cast<std::int32_t>(at);
+    if (at >= given) forward_.push_back({word, value, list});
+    else if (list == List::v) use(at);
     return true;
   }
 
@@ -361,7 +355,7 @@ private:
 
   const std::string& file_;
   ObjText& obj_;
-  std::string& text_; // characters change, the size does not: views into it stay valid
+  std::string text_; // characters change, the size does not: views into it stay valid
   FaultList faults_;
   std::vector<Forward> forward_;
   std::vector<std::size_t> joints_;
@@ -374,12 +368,11 @@ private:
 
 } // namespace
 
-ObjText check_obj(const std::string& file, std::string text, NoteList& notes) {
+ObjText parse_obj(const std::string& file, std::string text, NoteList& notes) {
   ObjText result;
-  result.text = std::move(text);
-  ObjChecker checker(file, result);
-  checker.run();
-  checker.notes().append_to(notes, file);
+  ObjParser parser(file, std::move(text), result);
+  parser.run();
+  parser.notes().append_to(notes, file);
   return result;
 }
 

@@ -1,11 +1,11 @@
 #pragma once
-// The text of an OBJ file, checked line by line, and its numbers. tinyobjloader tells no lines, takes a word that is no
-// number for 0 and an index out of range for none, and rounds a decimal number several times.
+// The text of an OBJ file, read line by line, each fault with its line and column: points, faces, smoothing groups.
 
 #include "io/file/notes.h"
 #include "math/vec.h"
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,20 +21,35 @@ struct MovedVertex {
   float by;       // the largest of its coordinates
 };
 
+/// Indices from 0; -1: not given.
+struct ObjCorner {
+  std::int32_t v, vt, vn;
+};
+
+struct ObjFaces {
+  std::vector<ObjCorner> corners;         // of all faces, one after the other
+  std::vector<std::uint32_t> begin = {0}; // of each face its first corner; then the number of corners
+
+  std::size_t count() const { return begin.size() - 1; }
+  std::span<ObjCorner> face(std::size_t i) { return std::span(corners).subspan(begin[i], begin[i + 1] - begin[i]); }
+  std::span<const ObjCorner> face(std::size_t i) const {
+    return std::span(corners).subspan(begin[i], begin[i + 1] - begin[i]);
+  }
+};
+
 struct ObjText {
   std::vector<Float3> v, vn; // a v that a face uses is finite; a vn or vt that is not stands for none
   std::vector<Float2> vt;
+  ObjFaces faces;                      // each index is one of a point that is there, or -1
   std::vector<std::int32_t> smoothing; // of each face
   bool has_smoothing = false;          // whether there is any `s`
   bool has_not_finite = false;         // whether any vn or vt is not finite
   /// Those of which rounding_may_matter (obj_numbers.h) says that it may.
   std::vector<MovedVertex> moved;
-  std::string text; // the file with blanks for comments, for broken lines' ends, and for all statements but
-                    // v, vt, vn and f: sound, and all that tinyobjloader need see
 };
 
 /// Throws InputError with all faults of the text, each with line and column. `file` only names it in messages. What is
 /// unusual but read, or not read, goes to `notes`.
-ObjText check_obj(const std::string& file, std::string text, NoteList& notes);
+ObjText parse_obj(const std::string& file, std::string text, NoteList& notes);
 
 } // namespace refraster

@@ -3,6 +3,7 @@
 #include "io/file/input_file.h"
 #include "io/file/text.h"
 #include "io/file/text_kind.h"
+#include "io/image/image_formats.h"
 #include "io/scene/example_scene.h"
 
 #include <algorithm>
@@ -37,31 +38,19 @@ constexpr Kind obj{"an OBJ file", Use::obj}, stl{"an STL file", Use::other_mesh}
 
 /// Bytes that files of a kind begin with.
 constexpr std::pair<std::string_view, Kind> beginnings[] = {
-    {"\x89PNG\r\n"sv, image},
-    {"\xff\xd8\xff"sv, image},
-    {"v/1\x01"sv, image},
-    {"#?RADIANCE"sv, image},
-    {"#?RGBE"sv, image},
-    {"PF\n"sv, image},
-    {"Pf\n"sv, image},
-    {"glTF"sv, gltf},
-    {"Kaydara FBX Binary"sv, fbx},
-    {"; FBX"sv, fbx},
-    {"ply\n"sv, ply},
-    {"ply\r"sv, ply},
-    {"BLENDER"sv, blender},
-    {"PXR-USDC"sv, usd},
-    {"#usda"sv, usd},
-    {"#version"sv, glsl},
-    {"\x5a\0\0\0\x5a\0\0\0\xb4\0\0\0"sv, table}, // 90, 90, 180
+    {"glTF"sv, gltf},     {"Kaydara FBX Binary"sv, fbx},
+    {"; FBX"sv, fbx},     {"ply\n"sv, ply},
+    {"ply\r"sv, ply},     {"BLENDER"sv, blender},
+    {"PXR-USDC"sv, usd},  {"#usda"sv, usd},
+    {"#version"sv, glsl}, {"\x5a\0\0\0\x5a\0\0\0\xb4\0\0\0"sv, table}, // 90, 90, 180
 };
 
+/// Of file names; those of images are in the list of image formats.
 constexpr std::pair<std::string_view, Kind> extensions[] = {
-    {"obj", obj},     {"stl", stl},    {"ply", ply},       {"gltf", gltf}, {"glb", gltf},     {"fbx", fbx},
-    {"dae", collada}, {"3ds", studio}, {"blend", blender}, {"usd", usd},   {"usda", usd},     {"usdc", usd},
-    {"usdz", usd},    {"mtl", mtl},    {"png", image},     {"jpg", image}, {"jpeg", image},   {"tga", image},
-    {"bmp", image},   {"hdr", image},  {"exr", image},     {"pfm", image}, {"binary", table}, {"glsl", glsl},
-    {"vert", glsl},   {"frag", glsl},  {"vs", glsl},       {"fs", glsl},
+    {"obj", obj},   {"stl", stl},     {"ply", ply},    {"gltf", gltf},     {"glb", gltf},
+    {"fbx", fbx},   {"dae", collada}, {"3ds", studio}, {"blend", blender}, {"usd", usd},
+    {"usda", usd},  {"usdc", usd},    {"usdz", usd},   {"mtl", mtl},       {"binary", table},
+    {"glsl", glsl}, {"vert", glsl},   {"frag", glsl},  {"vs", glsl},       {"fs", glsl},
 };
 
 /// The statements that a line of an OBJ file begins with.
@@ -102,6 +91,7 @@ bool may_be_json(std::string_view text) {
 }
 
 std::optional<Kind> kind_of(const std::string& path, std::string_view prefix, std::uint64_t size_bytes) {
+  if (format_with_signature(prefix)) return image;
   for (const auto& [beginning, kind] : beginnings)
     if (prefix.starts_with(beginning)) return kind;
   if (const TextKind text = text_kind(prefix); text == TextKind::utf_16 || text == TextKind::utf_32)
@@ -114,6 +104,7 @@ std::optional<Kind> kind_of(const std::string& path, std::string_view prefix, st
   }
   if (may_be_json(prefix)) return std::nullopt;
   const std::string ending = extension(path);
+  if (format_of_name(path)) return image;
   for (const auto& [listed, kind] : extensions)
     if (ending == listed) return kind;
   if (is_binary) return binary;

@@ -17,8 +17,8 @@ namespace refraster {
 struct ObjectTransform {
   Double4x4 clip_from_object;  // projection . view . model
   Double4x4 world_from_object; // model = T . Rx . Ry . Rz . S
-  Double3x3
-      world_from_normal; // cofactors of the model's 3x3 part, times the sign of its determinant, times a power of two
+  /// Cofactors of the model's 3x3 part, times the sign of its determinant, times a power of two.
+  Double3x3 world_from_normal;
 };
 
 /// The camera's own space: x to the right, y up, z toward the viewer.

@@ -28,8 +28,8 @@ struct SnappedTriangle {
 struct ProjectivePiece {
   std::array<ProjectiveEdge, 3> edge; // edge[k] is opposite vertex k, positive inside
   Facing facing = Facing::front;
-  std::array<double, 3>
-      weight{}; // nu_k = edge[k].at(sample) weight[k]: the sample's clip point is the sum of nu_k vertex_k
+  /// nu_k = edge[k].at(sample) weight[k]: the sample's clip point is the sum of nu_k vertex_k.
+  std::array<double, 3> weight{};
   std::array<double, 3> z{}, w{};                  // clip coordinates of the vertices
   std::array<std::array<double, 3>, 3> fraction{}; // vertex k is the sum of fraction[k][c] corner_c; none is negative
 

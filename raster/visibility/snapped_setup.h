@@ -2,9 +2,8 @@
 // Set-up of triangles on the lattice: one, or as many at once as a register has lanes. Edge functions, areas and sums
 // of them are integers under 2^53, and so exact in double; see subpixel.h.
 
-#include "math/lanes/wide.h"
+#include "math/lanes/lane_bits.h"
 #include "raster/lanes.h"
-#include "math/lanes/wide.h"
 #include "raster/vertex/transform.h"
 
 #include <array>

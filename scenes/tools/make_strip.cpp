@@ -40,7 +40,7 @@ int main(int argc, char** argv) {
   try {
     std::vector<refraster::Image<float>> images;
     for (int i = 2; i < argc; ++i) images.push_back(refraster::read_image(argv[i]).values);
-    refraster::write_png(argv[1], refraster::strip(images));
+    refraster::write_image(argv[1], refraster::strip(images));
     std::cout << argv[1] << "\n";
   } catch (const std::exception& error) {
     std::cerr << "make_strip: " << error.what() << "\n";

@@ -41,7 +41,7 @@ void write_texture(const std::string& path, int width, int height, ColourAt&& co
       for (int c = 0; c < 3; ++c)
         image.at(x, y)[c] = static_cast<std::uint8_t>(std::floor(std::clamp(colour[c], 0.0, 255.0) + 0.5));
     }
-  write_png(path, image);
+  write_image(path, image);
   std::cout << path << "\n";
 }
 

@@ -1,6 +1,6 @@
 #include "verify/compare/compare_report.h"
 
-#include "io/json/json_writer.h"
+#include "io/json/report_parts.h"
 
 #include <algorithm>
 #include <array>
@@ -90,18 +90,17 @@ void write_transformation(JsonWriter& json, const ComparisonReport& report) {
   if (!report.transformation) return json.null();
   const FoundTransformation& t = *report.transformation;
   const double in_unit = full_range(report.found.unit) / 255;
-  json.begin_object();
-  json.member("name", known(t.which).name);
-  json.member("text", transformation_text(t, report.found.unit));
-  json.member("factor", t.factor);
-  json.key("shift");
-  json.value(std::vector<int>{t.x, t.y});
-  json.member("pixels", t.pixels);
-  json.member("within", t.within);
-  json.member("equal_within", t.equal_within * in_unit);
-  json.member("max", t.max * in_unit);
-  json.member("rms", t.rms * in_unit);
-  json.end_object();
+  json.object([&] {
+    json.member("name", known(t.which).name);
+    json.member("text", transformation_text(t, report.found.unit));
+    json.member("factor", t.factor);
+    json.member("shift", std::vector<int>{t.x, t.y});
+    json.member("pixels", t.pixels);
+    json.member("within", t.within);
+    json.member("equal_within", t.equal_within * in_unit);
+    json.member("max", t.max * in_unit);
+    json.member("rms", t.rms * in_unit);
+  });
 }
 
 std::string verdict(const ComparisonReport& report) {
@@ -148,25 +147,16 @@ std::string clusters_table(const Comparison& found) {
 
 void write_clusters(JsonWriter& json, const Comparison& found) {
   json.member("cluster_count", found.cluster_count);
-  json.key("clusters");
-  json.begin_array();
-  for (const Cluster& c : found.clusters) {
-    json.begin_object();
-    json.key("box");
-    json.value(std::vector<int>{c.x, c.y, c.width, c.height});
-    json.member("pixels", c.pixels);
-    json.member("largest", c.largest);
-    json.key("worst");
-    json.value(std::vector<int>{c.worst_x, c.worst_y});
-    json.end_object();
-  }
-  json.end_array();
-}
-
-void write_optional(JsonWriter& json, std::string_view name, const auto& value) {
-  json.key(name);
-  if (value) json.value(*value);
-  else json.null();
+  json.array("clusters", [&] {
+    for (const Cluster& c : found.clusters) {
+      json.object([&] {
+        json.member("box", std::vector<int>{c.x, c.y, c.width, c.height});
+        json.member("pixels", c.pixels);
+        json.member("largest", c.largest);
+        json.member("worst", std::vector<int>{c.worst_x, c.worst_y});
+      });
+    }
+  });
 }
 
 } // namespace
@@ -204,56 +194,52 @@ std::string comparison_text(const ComparisonReport& report) {
 std::string comparison_json(const ComparisonReport& report) {
   const Comparison& found = report.found;
   JsonWriter json;
-  json.begin_object();
-  json.member("a", report.file_a);
-  json.member("b", report.file_b);
-  json.member("same", found.same);
-  json.member("unit", unit_name(found.unit));
-  json.member("size", std::vector<int>{found.width, found.height});
-  json.member("channels", found.channels);
-  json.key("limits");
-  json.begin_object();
-  write_optional(json, "max_abs", report.limits.max_abs);
-  write_optional(json, "max_rms", report.limits.max_rms);
-  write_optional(json, "max_count", report.limits.max_count);
-  json.end_object();
-  json.key("pixels");
-  json.begin_object();
-  json.member("all", found.pixels());
-  json.member("incomparable", found.incomparable_pixels);
-  json.member("nan_in_a", found.nan_pixels_a);
-  json.member("nan_in_b", found.nan_pixels_b);
-  json.member("equal", found.equal_pixels);
-  json.member("differ_in_sign_of_zero", found.zero_sign_pixels);
-  json.member("over_max_abs", found.pixels_over);
-  json.end_object();
-  json.member("max", found.max);
-  json.member("rms", found.rms);
-  json.member("psnr_db", found.psnr_db);
-  json.member("mean", found.mean);
-  write_optional(json, "mean_flip", report.mean_flip);
-  json.key("worst");
-  json.begin_array();
-  for (const PixelDifference& pixel : found.worst) {
-    json.begin_object();
-    json.member("x", pixel.x);
-    json.member("y", pixel.y);
-    json.member("difference", pixel.difference);
-    json.member("a", pixel.a);
-    json.member("b", pixel.b);
-    json.end_object();
-  }
-  json.end_array();
-  write_clusters(json, found);
-  write_transformation(json, report);
-  json.key("compressed");
-  if (report.compressed == Compressed::none) json.null();
-  else json.value(report.compressed == Compressed::a ? "a" : "b");
-  json.key("notes");
-  json.begin_array();
-  for (const Note& note : report.notes.notes()) json.value(note.text());
-  json.end_array();
-  json.end_object();
+  json.object([&] {
+    json.member("a", report.file_a);
+    json.member("b", report.file_b);
+    json.member("same", found.same);
+    json.member("unit", unit_name(found.unit));
+    write_size(json, found.width, found.height);
+    json.member("channels", found.channels);
+    json.object("limits", [&] {
+      json.member("max_abs", report.limits.max_abs);
+      json.member("max_rms", report.limits.max_rms);
+      json.member("max_count", report.limits.max_count);
+    });
+    json.object("pixels", [&] {
+      json.member("all", found.pixels());
+      json.member("incomparable", found.incomparable_pixels);
+      json.member("nan_in_a", found.nan_pixels_a);
+      json.member("nan_in_b", found.nan_pixels_b);
+      json.member("equal", found.equal_pixels);
+      json.member("differ_in_sign_of_zero", found.zero_sign_pixels);
+      json.member("over_max_abs", found.pixels_over);
+    });
+    json.member("max", found.max);
+    json.member("rms", found.rms);
+    json.member("psnr_db", found.psnr_db);
+    json.member("mean", found.mean);
+    json.member("mean_flip", report.mean_flip);
+    json.array("worst", [&] {
+      for (const PixelDifference& pixel : found.worst) {
+        json.object([&] {
+          json.member("x", pixel.x);
+          json.member("y", pixel.y);
+          json.member("difference", pixel.difference);
+          json.member("a", pixel.a);
+          json.member("b", pixel.b);
+        });
+      }
+    });
+    write_clusters(json, found);
+    write_transformation(json, report);
+    json.key("compressed");
+    if (report.compressed == Compressed::none) json.null();
+    else json.value(report.compressed == Compressed::a ? "a" : "b");
+    json.array("notes", [&] {
+      for (const Note& note : report.notes.notes()) json.value(note.text());
+    });
+  });
   return json.text();
 }
 

@@ -82,8 +82,8 @@ void read_float_image_bytes(Bytes bytes) {
   if (!image || image->bits != 32 || image->values.values.size() > 1 << 16) return;
   if (image->values.channels != 1 && image->values.channels != 3) return;
   const std::string copy = file_of("copy.pfm", {});
-  write_float_image(copy, image->values);
-  require(same_bits(*image, read_image(copy)), "what write_float_image wrote is read back");
+  write_image(copy, image->values);
+  require(same_bits(*image, read_image(copy)), "what write_image wrote is read back");
 }
 
 } // namespace refraster::fuzz

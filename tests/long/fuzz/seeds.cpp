@@ -5,7 +5,7 @@
 #include <refraster/mesh.h>
 
 #include "io/brdf/merl_file.h"
-#include "io/image/image_file.h"
+#include "io/image/image_formats.h"
 #include "io/mesh/obj_file.h"
 #include "tests/support/files/image_clauses.h"
 #include "tests/support/files/malformed_inputs.h"
@@ -119,8 +119,11 @@ void add_meshes(Seeds& seeds) {
 
 void add_images(Seeds& seeds) {
   int number = 0;
-  for (const test::ImageClause& clause : test::all_image_clauses())
-    seeds.add("image", "clause_" + std::to_string(number++), clause.bytes);
+  for (const test::ImageClause& clause : test::all_image_clauses()) {
+    const ImageFormat* const format = format_with_signature(clause.bytes);
+    seeds.add(format && format->values == ImageValues::floats ? "float_image" : "image",
+              "clause_" + std::to_string(number++), clause.bytes);
+  }
   for (int channels = 1; channels <= 4; ++channels)
     for (const int bits : {8, 16}) {
       std::vector<std::uint16_t> samples;
@@ -128,18 +131,16 @@ void add_images(Seeds& seeds) {
       seeds.add("image", "png_" + std::to_string(channels) + "_" + std::to_string(bits),
                 test::png_bytes(5, 3, channels, bits, samples));
     }
-  Image<std::uint8_t> levels(9, 7, 3);
-  for (std::size_t i = 0; i < levels.values.size(); ++i) levels.values[i] = static_cast<std::uint8_t>(i * i);
-  write_png(seeds.path_of("image", "own.png"), levels);
   for (const int channels : {1, 3}) {
-    Image<float> values(9, 2, channels);
-    for (std::size_t i = 0; i < values.values.size(); ++i) values.values[i] = 0.3f * static_cast<float>(i);
-    for (const char* const format : {"hdr", "pfm", "exr"}) {
-      const std::string name = "own_" + std::to_string(channels) + "." + format;
-      if (channels == 3 || std::string_view(format) != "hdr") {
-        const std::string path = seeds.path_of("float_image", name);
-        write_float_image(path, values);
-      }
+    Image<std::uint8_t> integers(9, 7, channels);
+    for (std::size_t i = 0; i < integers.values.size(); ++i) integers.values[i] = static_cast<std::uint8_t>(i * i);
+    Image<float> floats(9, 2, channels);
+    for (std::size_t i = 0; i < floats.values.size(); ++i) floats.values[i] = 0.3f * static_cast<float>(i);
+    for (const ImageFormat& format : image_formats) {
+      if (!format.writes.contains(channels)) continue;
+      const std::string name = "own_" + std::to_string(channels) + "." + std::string(format.extensions[0]);
+      if (format.values == ImageValues::integers) write_image(seeds.path_of("image", name), integers);
+      else write_image(seeds.path_of("float_image", name), floats);
     }
   }
 }

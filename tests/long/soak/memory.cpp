@@ -38,8 +38,8 @@ void round_of(int i, const test::TemporaryFolder& folder) {
 
   const Scene scene = read_scene(folder / "s.json");
   const Frame frame = render(scene, options);
-  write_png(folder / "o.png", frame.rgb8);
-  write_float_image(folder / "o.exr", frame.radiance);
+  write_image(folder / "o.png", frame.rgb8);
+  write_image(folder / "o.exr", frame.radiance);
   read_image(folder / "o.png");
   read_image(folder / "o.exr");
   try {

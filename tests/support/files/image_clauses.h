@@ -1,5 +1,5 @@
 #pragma once
-// What each clause of the specifications of PNG, JPEG, BMP and TGA makes of a small file: its values, or what is said.
+// What each clause of the specification of a format makes of a small file: its values, or what is said.
 
 #include <string>
 #include <vector>
@@ -24,6 +24,12 @@ std::vector<ImageClause> jpeg_clauses();
 std::vector<ImageClause> bmp_clauses();
 /// Truevision TGA File Format Specification, version 2.0.
 std::vector<ImageClause> tga_clauses();
+/// Ward, Radiance File Formats.
+std::vector<ImageClause> hdr_clauses();
+/// Debevec, PFM Portable FloatMap Image Format.
+std::vector<ImageClause> pfm_clauses();
+/// OpenEXR File Layout.
+std::vector<ImageClause> exr_clauses();
 
 std::vector<ImageClause> all_image_clauses();
 

@@ -1,5 +1,6 @@
 #include "tests/support/files/malformed_images.h"
 
+#include "tests/support/files/jpeg_bytes.h"
 #include "tests/support/files/png_bytes.h"
 
 #include <cstring>
@@ -26,6 +27,15 @@ void add_png(List& list) {
   png[49] = '\x40'; // a sample
   add(list, "a PNG of which a byte has changed", "i.png", png,
       "chunk IDAT: found a checksum that does not fit the pixels, expected their Adler-32: the file is damaged");
+}
+
+void add_jpeg(List& list) {
+  JpegBytes jpeg;
+  add(list, "a JPEG without its end", "i.jpg", flat_jpeg(jpeg, {1}).substr(0, 100), truncated);
+  jpeg.width = jpeg.height = 16000;
+  const std::string large = flat_jpeg(jpeg, {1});
+  add(list, "a JPEG larger than its file", "i.jpg", large,
+      "found 16000 x 16000 pixels, expected as many as a file of " + std::to_string(large.size()) + " bytes can hold");
 }
 
 void add_bmp(List& list) {
@@ -146,7 +156,7 @@ std::string exr_bytes(std::int32_t width, char compression, const std::vector<st
 
 std::vector<MalformedInput> malformed_images() {
   List list;
-  for (const auto add_some : {add_png, add_bmp, add_tga, add_hdr, add_exr}) add_some(list);
+  for (const auto add_some : {add_png, add_jpeg, add_bmp, add_tga, add_hdr, add_exr}) add_some(list);
   return list;
 }
 

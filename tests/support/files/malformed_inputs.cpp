@@ -1,6 +1,7 @@
 #include "tests/support/files/malformed_inputs.h"
 
 #include "io/brdf/merl_file.h"
+#include "io/image/image_formats.h"
 #include "io/json/json.h"
 #include "tests/support/files/malformed_images.h"
 #include "tests/support/files/png_bytes.h"
@@ -278,7 +279,7 @@ void add_images(List& list) {
     list.push_back({name, Reader::image, input, {{input, bytes}}, expected});
   };
   add("a text for an image", "i.png", "not an image\n",
-      "i.png: found an unknown image type, expected PNG, JPEG, BMP, TGA, Radiance HDR, PFM or OpenEXR");
+      "i.png: found an unknown image type, expected " + readable_formats());
   add("a PNG cut short", "i.png", png_without_pixels(4, 4), "i.png: found a truncated image, expected a whole one");
   add("a PNG of a huge size", "i.png", png_without_pixels(60000, 60000),
       "i.png: found 60000 x 60000 pixels, expected at most 268435456 pixels");

@@ -1,3 +1,4 @@
+#include "io/image/image_formats.h"
 #include "tests/support/files/image_clauses.h"
 #include "tests/support/files/malformed_inputs.h"
 
@@ -80,7 +81,7 @@ std::vector<ImageClause> tga_clauses() {
   reads("field 3, type 11", "grey, a run across rows", tga(runs, "\x82\7\0\x08"s), 1, {7, 7, 7, 8});
   refuses("field 3, type 11", "a run that is cut", tga(runs, "\x82\7\0"s),
           "found a truncated image, expected a whole one");
-  const std::string unknown = "found an unknown image type, expected PNG, JPEG, BMP, TGA, Radiance HDR, PFM or OpenEXR";
+  const std::string unknown = "found an unknown image type, expected " + readable_formats();
   refuses("field 3, type 0", "no image", tga(of(0, 24), two), unknown);
   refuses("field 3, type 32", "Huffman and delta codes", tga(of(32, 24), two), unknown);
   reads("field 4.1", "a map whose first colour has the number 5", tga(mapped(5), "\5\6"), 3, one_to_six);
@@ -112,7 +113,8 @@ std::vector<ImageClause> tga_clauses() {
 
 std::vector<ImageClause> all_image_clauses() {
   std::vector<ImageClause> list;
-  for (const auto clauses : {png_clauses, jpeg_clauses, bmp_clauses, tga_clauses})
+  for (const auto clauses :
+       {png_clauses, jpeg_clauses, bmp_clauses, tga_clauses, hdr_clauses, pfm_clauses, exr_clauses})
     for (ImageClause& clause : clauses()) list.push_back(std::move(clause));
   return list;
 }

@@ -16,12 +16,12 @@ inline constexpr double our_lattice = 1.0 / subpixels; // pixels: the step to wh
 /// What the bound assumes of a driver. Units in the last place are of float: 2^-24 relative.
 struct DriverTolerances {
   double lattice = our_lattice;
-  double plane_ulp = 6;    // of plane equations anchored at the framebuffer's origin, the lower left corner
-  double atan_ulp = 352;   // of atan(y, x)
-  double power_ulp = 2.1;  // of pow(x, s), for each unit of s; and 16 beside
-  double texel_error = 0;  // of a filtered texel, in units of the texture's full scale
-  double detail_below = 0; // the level of detail, in levels of the mip chain: so much less
-  double detail_above = 0; // or more than the logarithm of the longer side of the pixel's footprint
+  double plane_ulp = 6;   // of plane equations anchored at the framebuffer's origin, the lower left corner
+  double atan_ulp = 352;  // of atan(y, x)
+  double power_ulp = 2.1; // of pow(x, s), for each unit of s; and 16 beside
+  double texel_error = 0; // of a filtered texel, in units of the texture's full scale
+  /// How far the level of detail may be below and above log2 of the longer side of the pixel's footprint, in texels.
+  double detail_below = 0, detail_above = 0;
 };
 
 /// docs/verification.md says where each number is from.
@@ -53,8 +53,8 @@ inline constexpr DriverProfile driver_profiles[] = {
      {.texel_error = mip_rounding, .detail_below = 0.5 + logarithm_error, .detail_above = logarithm_error}},
 };
 
-/// SwiftShader, Chromium's software driver, as tests/system/webgl uses it. WebGL tells its lattice, 2^-SUBPIXEL_BITS
-/// pixel.
+/// SwiftShader, Chromium's software driver, as tests/system/webgl uses it. WebGL reports its lattice, in pixels:
+/// 2^-SUBPIXEL_BITS.
 constexpr DriverTolerances swiftshader_tolerances(double lattice) {
   return {.lattice = lattice,
           .texel_error = 1.07 / 255,

@@ -21,9 +21,9 @@ using Words = std::vector<std::string>;
 struct PairFolder : TemporaryFolder {
   PairFolder() {
     Image<std::uint8_t> image(4, 3, 3, 100);
-    write_png(*this / "a.png", image);
+    write_image(*this / "a.png", image);
     image.at(2, 1)[1] = 107;
-    write_png(*this / "b.png", image);
+    write_image(*this / "b.png", image);
   }
   Finished compare(Words words) const {
     words.insert(words.begin(), "compare");
@@ -81,14 +81,14 @@ TEST_CASE("JSON goes to a file beside the text, or alone to standard output") {
 TEST_CASE("an 8-bit image equals its own float image") {
   const PairFolder folder;
   Image<float> image(4, 3, 3, 100.0F / 255.0F);
-  write_float_image(folder / "a.pfm", image);
+  write_image(folder / "a.pfm", image);
   CHECK(folder.compare({"a.png", "a.pfm"}).exit_code == 0);
   CHECK(folder.compare({"a.pfm", "b.png"}).exit_code == 1);
 }
 
 TEST_CASE("an image of NaN does not equal itself") {
   const PairFolder folder;
-  write_float_image(folder / "nan.pfm", Image<float>(2, 2, 3, std::numeric_limits<float>::quiet_NaN()));
+  write_image(folder / "nan.pfm", Image<float>(2, 2, 3, std::numeric_limits<float>::quiet_NaN()));
   const Finished run = folder.compare({"nan.pfm", "nan.pfm", "--max-abs", "1e30", "--max-count", "1000"});
   CHECK(run.exit_code == 1);
   CHECK(run.out.find("NaN") != std::string::npos);
@@ -100,7 +100,7 @@ struct NegativeFolder : PairFolder {
     const auto write = [&](const std::string& name, float left, float right) {
       Image<float> image(2, 1, 3, left);
       std::fill_n(image.at(1, 0), 3, right);
-      for (const char* const format : {".pfm", ".exr", ".hdr"}) write_float_image(*this / (name + format), image);
+      for (const char* const format : {".pfm", ".exr", ".hdr"}) write_image(*this / (name + format), image);
       const auto integers = [&](double full_scale) {
         std::vector<std::uint16_t> values;
         for (const float value : image.values)
@@ -161,13 +161,13 @@ TEST_CASE("a limit that no two images of 8 or 16 bits can exceed gets a note") {
 
 TEST_CASE("alpha: of 1 it is left out with a note, else the choices are named, and each does what it says") {
   const PairFolder folder;
-  write_float_image(folder / "rgb.exr", Image<float>(2, 1, 3, 0.5f));
-  write_float_image(folder / "opaque.exr", [] {
+  write_image(folder / "rgb.exr", Image<float>(2, 1, 3, 0.5f));
+  write_image(folder / "opaque.exr", [] {
     Image<float> image(2, 1, 4, 0.5f);
     image.at(0, 0)[3] = image.at(1, 0)[3] = 1;
     return image;
   }());
-  write_float_image(folder / "glass.exr", Image<float>(2, 1, 4, 0.5f));
+  write_image(folder / "glass.exr", Image<float>(2, 1, 4, 0.5f));
   const Finished opaque = folder.compare({"rgb.exr", "opaque.exr"});
   CHECK(opaque.exit_code == 0);
   CHECK(opaque.err == "note: opaque.exr: alpha is 1 everywhere and is left out\n");
@@ -190,8 +190,8 @@ TEST_CASE("the kind of difference is said in the report and its JSON; the exit c
     for (int x = 0; x < 40; ++x)
       for (int c = 0; c < 3; ++c)
         image.at(x, y)[c] = turned.at(x, 29 - y)[c] = static_cast<std::uint8_t>((x * x + 7 * y + 50 * c) % 256);
-  write_png(folder / "image.png", image);
-  write_png(folder / "turned.png", turned);
+  write_image(folder / "image.png", image);
+  write_image(folder / "turned.png", turned);
   const Finished run = folder.compare({"image.png", "turned.png", "--max-abs", "2", "--json", "r.json"});
   CHECK(run.exit_code == 1);
   CHECK(run.out.starts_with(
@@ -203,7 +203,7 @@ TEST_CASE("the kind of difference is said in the report and its JSON; the exit c
                                    "\"within\": 1200", "\"compressed\": null"})
     CHECK_MESSAGE(json.find(member) != std::string::npos, member);
   CHECK(folder.compare({"a.png", "b.png", "--json", "-"}).out.find("\"transformation\": null") != std::string::npos);
-  write_png(folder / "half.png", Image<std::uint8_t>(20, 15, 3));
+  write_image(folder / "half.png", Image<std::uint8_t>(20, 15, 3));
   const Finished half = folder.compare({"image.png", "half.png"});
   CHECK(half.exit_code == 3);
   CHECK(half.err.find("; b is a at half size") != std::string::npos);
@@ -244,7 +244,7 @@ TEST_CASE("--heat-max sets the end of the ramp: the same difference has one colo
   const PairFolder folder;
   Image<std::uint8_t> far = [] { return Image<std::uint8_t>(4, 3, 3, 100); }();
   far.at(2, 1)[1] = 107, far.at(0, 0)[0] = 250;
-  write_png(folder / "far.png", far);
+  write_image(folder / "far.png", far);
   const auto colour = [&](const char* other, Words more) {
     more.insert(more.begin(), {"a.png", other, "--diff", "d.png"});
     CHECK(folder.compare(more).exit_code == 1);
@@ -285,8 +285,8 @@ TEST_CASE("the exposure of an HDR file is divided out, with a note") {
 
 TEST_CASE("images that cannot be compared are bad input") {
   const PairFolder folder;
-  write_png(folder / "wide.png", Image<std::uint8_t>(5, 3, 3));
-  write_float_image(folder / "grey.pfm", Image<float>(4, 3, 1));
+  write_image(folder / "wide.png", Image<std::uint8_t>(5, 3, 3));
+  write_image(folder / "grey.pfm", Image<float>(4, 3, 1));
   save_text(folder / "empty.png", "");
   save_text(folder / "text.png", "not an image");
   for (const char* other : {"wide.png", "grey.pfm", "empty.png", "text.png", "none.png", "."}) {
@@ -302,7 +302,7 @@ TEST_CASE("images that cannot be compared are bad input") {
 TEST_CASE("EXR files say what their channels are: others are not compared, one alone is what it is") {
   const PairFolder folder;
   const auto write = [&](const char* name, int channels, std::vector<std::string> names) {
-    write_float_image(folder / name, Image<float>(4, 3, channels), std::move(names));
+    write_image(folder / name, Image<float>(4, 3, channels), std::move(names));
   };
   write("rgb.exr", 3, {});
   write("xyz.exr", 3, {"X", "Y", "Z"});

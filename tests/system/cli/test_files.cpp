@@ -1,5 +1,6 @@
 // Which files are read: those within the scene's folder, and of them those that are files.
 
+#include "io/image/image_formats.h"
 #include "tests/support/files/png_bytes.h"
 #include "tests/support/program/program.h"
 #include "tests/support/program/scenes.h"
@@ -199,8 +200,7 @@ TEST_CASE("a file of 5 GB with nothing in it is refused for its size or its cont
   refused({"render", "s.json"}, "s.json: found 5000000000 bytes, expected at most 16777216 bytes");
   refused({"render", "mesh.json"}, "m.obj: found 5000000000 bytes, expected at most 2147483647 bytes");
   refused({"merl", "info", "t.binary"}, "t.binary: dimensions: found 0 x 0 x 0, expected 90 x 90 x 180");
-  const std::string unknown =
-      ": found an unknown image type, expected PNG, JPEG, BMP, TGA, Radiance HDR, PFM or OpenEXR";
+  const std::string unknown = ": found an unknown image type, expected " + readable_formats();
   refused({"compare", "i.png", "i.png"}, "i.png" + unknown);
   refused({"compare", "i.exr", "i.exr"}, "i.exr" + unknown);
   refused({"compare", "i.pfm", "i.pfm"}, "i.pfm" + unknown);

@@ -71,7 +71,7 @@ std::string exr_of(int channels) {
   const TemporaryFolder folder;
   std::vector<std::string> names;
   for (int i = 0; i < channels; ++i) names.push_back("c" + std::to_string(i));
-  write_float_image(folder / "i.exr", Image<float>(1, 1, channels), names);
+  write_image(folder / "i.exr", Image<float>(1, 1, channels), names);
   return text_of(folder / "i.exr");
 }
 

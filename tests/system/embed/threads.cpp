@@ -89,7 +89,7 @@ void one_thread(int number, const std::vector<Work>& shared, const Files& files)
     options.want_radiance = true;
     const Frame drawn = render(own, options);
     const std::string path = files.folder / (std::to_string(number) + ".png");
-    write_png(path, drawn.rgb8);
+    write_image(path, drawn.rgb8);
     const ImageFile read = read_image(path);
     require(std::equal(drawn.rgb8.values.begin(), drawn.rgb8.values.end(), read.values.values.begin(),
                        [](std::uint8_t a, float b) { return static_cast<float>(a) == b; })
@@ -97,7 +97,7 @@ void one_thread(int number, const std::vector<Work>& shared, const Files& files)
                 : "another image",
             "what was written is read");
     for (const char* const format : {".exr", ".hdr"}) {
-      write_float_image(path + format, drawn.radiance);
+      write_image(path + format, drawn.radiance);
       read_image(path + format);
     }
     for (std::size_t i = 0; i < files.paths.size(); ++i)

@@ -334,8 +334,8 @@ TEST_CASE("C10: derivatives are the plane's own: no neighbour is asked, and none
     CAPTURE(px);
     CAPTURE(py);
     REQUIRE(is_drawn(whole, px, py));
-    // u = x_world = (px - 8) / (py - 8), v = -8 / (py - 8): per pixel right, du = 1 / h and dv = 0; down,
-    // du = -(px - 8) / h^2 and dv = 8 / h^2, with h = py - 8 at the centre. LOD = log2 of the longer, in 256 texels.
+    // u = x_world = (px - 8) / (py - 8), v = -8 / (py - 8): per pixel right, du = 1 / h and dv = 0; down, du =
+    // -(px - 8) / h^2 and dv = 8 / h^2, with h = py - 8 at the centre. LOD = log2 of the longer, in 256 texels.
     const Mpfr h = Mpfr(py) + 0.5 - 8, x = Mpfr(px) + 0.5 - 8;
     const Mpfr right = 1 / h, down = sqrt(x * x + 64) / (h * h);
     const Mpfr lod = log(256 * std::max(right, down)) / log(Mpfr(2));

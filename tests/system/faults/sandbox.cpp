@@ -45,9 +45,9 @@ Sandbox::Sandbox(Command command) : command_(std::move(command)) {
   for (int i = 0; i < 40000; ++i) mesh += "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\n";
   save_text(folder_ / "m.obj", mesh);
   Image<float> picture(16, 12, 3, 0.5f);
-  write_float_image(folder_ / "a.pfm", picture);
+  write_image(folder_ / "a.pfm", picture);
   picture.values[7] = 0.75f;
-  write_float_image(folder_ / "b.pfm", picture);
+  write_image(folder_ / "b.pfm", picture);
   prepare(Before::nothing);
   const Finished run = run_program(folder(), command_.words);
   if (run.exit_code > 1) throw std::runtime_error(command_.name + ": " + run.err);

@@ -36,52 +36,50 @@ std::string packed(const std::vector<Item>& items) {
 }
 
 void write_uniforms(JsonWriter& json, const UniformValues& values) {
-  json.key("uniforms");
-  json.begin_object();
-  for (const auto& [name, value] : values) {
-    json.key(name);
-    std::vector<double> numbers;
-    const char* setter = "";
-    std::visit(
-        [&](const auto& x) {
-          using X = std::decay_t<decltype(x)>;
-          const auto append = [&](const float* from, std::size_t count) { numbers.assign(from, from + count); };
-          if constexpr (std::is_same_v<X, float>) setter = "uniform1fv", append(&x, 1);
-          else if constexpr (std::is_same_v<X, int>) setter = "uniform1iv", numbers = {static_cast<double>(x)};
-          else if constexpr (std::is_same_v<X, Float3>) setter = "uniform3fv", append(&x[0], 3);
-          else if constexpr (std::is_same_v<X, Float3x3>) setter = "uniformMatrix3fv", append(&x[0][0], 9);
-          else setter = "uniformMatrix4fv", append(&x[0][0], 16);
-        },
-        value);
-    json.begin_array();
-    json.value(setter);
-    json.value(numbers);
-    json.end_array();
-  }
-  json.end_object();
+  json.object("uniforms", [&] {
+    for (const auto& [name, value] : values) {
+      json.key(name);
+      std::vector<double> numbers;
+      const char* setter = "";
+      std::visit(
+          [&](const auto& x) {
+            using X = std::decay_t<decltype(x)>;
+            const auto append = [&](const float* from, std::size_t count) { numbers.assign(from, from + count); };
+            if constexpr (std::is_same_v<X, float>) setter = "uniform1fv", append(&x, 1);
+            else if constexpr (std::is_same_v<X, int>) setter = "uniform1iv", numbers = {static_cast<double>(x)};
+            else if constexpr (std::is_same_v<X, Float3>) setter = "uniform3fv", append(&x[0], 3);
+            else if constexpr (std::is_same_v<X, Float3x3>) setter = "uniformMatrix3fv", append(&x[0][0], 9);
+            else setter = "uniformMatrix4fv", append(&x[0][0], 16);
+          },
+          value);
+      json.array([&] {
+        json.value(setter);
+        json.value(numbers);
+      });
+    }
+  });
 }
 
 void write_texture(JsonWriter& json, const Material& material) {
   json.key("texture");
   if (!material.texture) return json.null();
-  json.begin_object();
-  json.member("filter", name_of(material.texture_filter));
-  json.key("levels");
-  json.begin_array();
-  for (const TextureLevel& level : material.texture->levels) {
-    std::vector<std::uint8_t> values;
-    for (const float value : level.rgb)
-      values.push_back(
-          static_cast<std::uint8_t>(std::lround(static_cast<double>(value) * 255 / material.texture->full_scale)));
-    json.begin_object();
-    json.member("width", level.width);
-    json.member("height", level.height);
-    json.member("rgb", packed(values));
-    json.end_object();
-    if (material.texture_filter != TextureFilter::trilinear) break;
-  }
-  json.end_array();
-  json.end_object();
+  json.object([&] {
+    json.member("filter", name_of(material.texture_filter));
+    json.array("levels", [&] {
+      for (const TextureLevel& level : material.texture->levels) {
+        std::vector<std::uint8_t> values;
+        for (const float value : level.rgb)
+          values.push_back(
+              static_cast<std::uint8_t>(std::lround(static_cast<double>(value) * 255 / material.texture->full_scale)));
+        json.object([&] {
+          json.member("width", level.width);
+          json.member("height", level.height);
+          json.member("rgb", packed(values));
+        });
+        if (material.texture_filter != TextureFilter::trilinear) break;
+      }
+    });
+  });
 }
 
 void write_table(JsonWriter& json, const Material& material) {
@@ -96,35 +94,33 @@ void write_table(JsonWriter& json, const Material& material) {
 std::string scene_json(const Scene& scene, int width, int height) {
   const Double4x4 clip = clip_from_world(scene.camera, static_cast<double>(width) / height);
   JsonWriter json;
-  json.begin_object();
-  json.member("width", width);
-  json.member("height", height);
-  json.key("background");
-  json.value(std::vector<double>{scene.background.x, scene.background.y, scene.background.z});
-  json.key("objects");
-  json.begin_array();
-  for (const Object& object : scene.objects) {
-    Material material = object.material;
-    if (object.mesh->uvs.empty()) material.texture = nullptr;
-    else if (object.mesh->uvs.size() < object.mesh->positions.size())
-      throw std::runtime_error(object.name + ": the page draws no mesh of which only some triangles have a vt");
-    json.begin_object();
-    json.member("vertex", own_vertex_glsl(GlslDialect::es_300));
-    json.member("fragment", own_fragment_glsl(scene, material, MerlFilter::manual, GlslDialect::es_300));
-    json.member("positions", packed(object.mesh->positions));
-    json.member("normals", packed(object.mesh->normals));
-    json.member("uvs", packed(object.mesh->uvs));
-    json.member("triangles", packed(object.mesh->triangles));
-    json.member("cull", object.cull == Cull::back);
-    UniformValues values = scene_uniforms(scene);
-    values.merge(object_uniforms(object, clip));
-    write_uniforms(json, values);
-    write_texture(json, material);
-    write_table(json, object.material);
-    json.end_object();
-  }
-  json.end_array();
-  json.end_object();
+  json.object([&] {
+    json.member("width", width);
+    json.member("height", height);
+    json.member("background", std::vector<double>{scene.background.x, scene.background.y, scene.background.z});
+    json.array("objects", [&] {
+      for (const Object& object : scene.objects) {
+        Material material = object.material;
+        if (object.mesh->uvs.empty()) material.texture = nullptr;
+        else if (object.mesh->uvs.size() < object.mesh->positions.size())
+          throw std::runtime_error(object.name + ": the page draws no mesh of which only some triangles have a vt");
+        json.object([&] {
+          json.member("vertex", own_vertex_glsl(GlslDialect::es_300));
+          json.member("fragment", own_fragment_glsl(scene, material, MerlFilter::manual, GlslDialect::es_300));
+          json.member("positions", packed(object.mesh->positions));
+          json.member("normals", packed(object.mesh->normals));
+          json.member("uvs", packed(object.mesh->uvs));
+          json.member("triangles", packed(object.mesh->triangles));
+          json.member("cull", object.cull == Cull::back);
+          UniformValues values = scene_uniforms(scene);
+          values.merge(object_uniforms(object, clip));
+          write_uniforms(json, values);
+          write_texture(json, material);
+          write_table(json, object.material);
+        });
+      }
+    });
+  });
   return json.text();
 }
 

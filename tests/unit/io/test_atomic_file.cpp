@@ -1,6 +1,6 @@
 #include "io/file/atomic_file.h"
 #include "io/file/input_file.h"
-#include "io/image/image_file.h"
+#include "io/image/image_formats.h"
 #include "tests/support/files/malformed_inputs.h"
 
 #include <doctest/doctest.h>
@@ -70,7 +70,6 @@ TEST_CASE("a full device, a folder, and a folder that is not there cannot be wri
   const TemporaryFolder folder;
   CHECK_THROWS_WITH_AS(write_file("/dev/full", "x"), "/dev/full: cannot write: No space left on device", OutputError);
   CHECK(fs::is_character_file("/dev/full"));
-  CHECK_THROWS_AS(write_png("/dev/full", Image<std::uint8_t>(64, 64, 3)), OutputError);
   CHECK_THROWS_AS(write_file(folder.path.string(), "x"), OutputError);
   CHECK_THROWS_AS(write_file(folder / "none/f", "x"), OutputError);
   CHECK(files_in(folder) == 0);
@@ -78,10 +77,13 @@ TEST_CASE("a full device, a folder, and a folder that is not there cannot be wri
 
 TEST_CASE("every format tells of a full device") {
   const TemporaryFolder folder;
-  const Image<float> image(64, 64, 3, 0.5f);
-  for (const std::string name : {"i.hdr", "i.pfm", "i.exr"}) {
-    fs::create_symlink("/dev/full", folder / name);
-    CHECK_THROWS_AS(write_float_image(folder / name, image), OutputError);
+  for (const ImageFormat& format : image_formats) {
+    if (format.writes == ChannelCounts{}) continue;
+    const std::string path = folder / "i." + std::string(format.extensions[0]);
+    fs::create_symlink("/dev/full", path);
+    if (format.values == ImageValues::integers)
+      CHECK_THROWS_AS(write_image(path, Image<std::uint8_t>(64, 64, 3)), OutputError);
+    else CHECK_THROWS_AS(write_image(path, Image<float>(64, 64, 3, 0.5f)), OutputError);
   }
 }
 

@@ -112,7 +112,7 @@ TEST_CASE("levels written as PNG are read back, grey and RGB") {
   for (const int channels : {1, 3}) {
     Image<std::uint8_t> image(7, 5, channels);
     for (std::size_t i = 0; i < image.values.size(); ++i) image.values[i] = static_cast<std::uint8_t>(37 * i);
-    write_png(folder / "i.png", image);
+    write_image(folder / "i.png", image);
     const ImageFile read = read_image(folder / "i.png");
     CHECK(read.bits == 8);
     CHECK(read.values.channels == channels);
@@ -126,7 +126,7 @@ TEST_CASE("PFM and EXR keep every bit of a float: infinities, NaN, -0 and subnor
     for (const std::string name : {"i.pfm", "i.exr"}) {
       CAPTURE(name);
       const Image<float> image = difficult(channels);
-      write_float_image(folder / name, image);
+      write_image(folder / name, image);
       const ImageFile read = read_image(folder / name);
       CHECK(read.bits == 32);
       CHECK(read.full_scale == 1);
@@ -141,7 +141,7 @@ TEST_CASE("an EXR file keeps the names of its channels, colour first") {
   const TemporaryFolder folder;
   Image<float> image(2, 1, 5);
   std::iota(image.values.begin(), image.values.end(), 0.0f);
-  write_float_image(folder / "i.exr", image, {"B", "depth.Z", "A", "R", "G"});
+  write_image(folder / "i.exr", image, {"B", "depth.Z", "A", "R", "G"});
   const ImageFile read = read_image(folder / "i.exr");
   CHECK(read.channels == std::vector<std::string>{"R", "G", "B", "A", "depth.Z"});
   CHECK(read.values.values == std::vector<float>{3, 4, 0, 2, 1, 8, 9, 5, 7, 6});
@@ -150,7 +150,7 @@ TEST_CASE("an EXR file keeps the names of its channels, colour first") {
 TEST_CASE("an EXR file whose pixels do not begin at (0, 0) is read as any other") {
   const TemporaryFolder folder;
   const Image<float> image = difficult(3);
-  write_float_image(folder / "i.exr", image);
+  write_image(folder / "i.exr", image);
   std::string bytes = read_file(folder / "i.exr", "", 1 << 20);
   const auto shift = [&](std::size_t at, std::int32_t by) {
     std::int32_t value = 0;
@@ -188,7 +188,7 @@ TEST_CASE("HDR gives each channel back within half a step of the largest one's m
   for (std::size_t i = 0; i < image.values.size(); ++i)
     image.values[i] = std::ldexp(1.0f + static_cast<float>(i * 7919 % 1000) / 1000, static_cast<int>(i % 23) - 11);
   image.values[0] = 0.9999f; // rounds up to 256: the exponent must follow
-  write_float_image(folder / "i.hdr", image);
+  write_image(folder / "i.hdr", image);
   const ImageFile read = read_image(folder / "i.hdr");
   REQUIRE(read.values.values.size() == image.values.size());
   for (std::size_t pixel = 0; pixel < image.values.size(); pixel += 3) {
@@ -266,29 +266,29 @@ TEST_CASE("what HDR cannot hold becomes 0 or its largest value") {
   const TemporaryFolder folder;
   Image<float> image(1, 1, 3);
   image.values = {-1, std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()};
-  write_float_image(folder / "i.hdr", image);
+  write_image(folder / "i.hdr", image);
   CHECK(read_image(folder / "i.hdr").values.values ==
         std::vector<float>{0, 0, static_cast<float>(std::ldexp(255.0, 119))});
 }
 
 TEST_CASE("the content, not the name, says what an image is") {
   const TemporaryFolder folder;
-  write_float_image(folder / "i.exr", difficult(3));
+  write_image(folder / "i.exr", difficult(3));
   std::filesystem::rename(folder / "i.exr", folder / "i.png");
   CHECK(read_image(folder / "i.png").bits == 32);
 }
 
 TEST_CASE("a float image of an unknown format, or with channels that it cannot hold, is refused before writing") {
   const TemporaryFolder folder;
-  CHECK_THROWS_AS(write_float_image(folder / "i.tiff", difficult(3)), InputError);
-  CHECK_THROWS_AS(write_float_image(folder / "i.pfm", difficult(2)), InputError);
-  CHECK_THROWS_AS(write_float_image(folder / "i.hdr", difficult(1)), InputError);
+  CHECK_THROWS_AS(write_image(folder / "i.tiff", difficult(3)), InputError);
+  CHECK_THROWS_AS(write_image(folder / "i.pfm", difficult(2)), InputError);
+  CHECK_THROWS_AS(write_image(folder / "i.hdr", difficult(1)), InputError);
   CHECK(std::filesystem::is_empty(folder.path));
 }
 
 TEST_CASE("an EXR file cut short at any length is refused") {
   const TemporaryFolder folder;
-  write_float_image(folder / "i.exr", difficult(3));
+  write_image(folder / "i.exr", difficult(3));
   const auto size = std::filesystem::file_size(folder / "i.exr");
   for (std::uintmax_t length = 1; length < size; length += 13) {
     std::filesystem::copy_file(folder / "i.exr", folder / "cut.exr", std::filesystem::copy_options::overwrite_existing);

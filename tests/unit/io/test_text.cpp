@@ -26,10 +26,10 @@ TEST_CASE("what is UTF-8 stays, and each byte that is part of no character is re
 
 TEST_CASE("JSON is JSON whatever bytes a name has") {
   JsonWriter json;
-  json.begin_object();
-  json.member("out\xff", std::string("b\xe9"
-                                     "r.png"));
-  json.end_object();
+  json.object([&] {
+    json.member("out\xff", std::string("b\xe9"
+                                       "r.png"));
+  });
   CHECK(json.text() == "{\n  \"out\xef\xbf\xbd\": \"b\xef\xbf\xbdr.png\"\n}\n");
 }
 

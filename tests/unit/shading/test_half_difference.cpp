@@ -98,9 +98,9 @@ TEST_CASE("half and difference angles worked out by hand") {
   const Double3 n(0, 0, 1);
   for (const MerlAngles method : all_methods) {
     CAPTURE(name_of(method));
-    // s = (0.6, 0.28, 1.76), d = (0.6, -0.28, -0.16): tan theta_h = |(0.6, 0.28)| / 1.76 = 0.662118 / 1.76,
-    // tan theta_d = |d| / |s| = 0.681175 / 1.880426, phi_d = atan2(2 (0.6 * 0.28), -0.16 |s|) = atan2(0.336,
-    // -0.300868).
+    // s = (0.6, 0.28, 1.76), d = (0.6, -0.28, -0.16).
+    // Then tan theta_h = |(0.6, 0.28)| / 1.76 = 0.662118 / 1.76, tan theta_d = |d| / |s| = 0.681175 / 1.880426,
+    // phi_d = atan2(2 (0.6 * 0.28), -0.16 |s|) = atan2(0.336, -0.300868).
     const HalfDifference<double> skew = half_difference(method, n, Double3(0.6, 0, 0.8), Double3(0, 0.28, 0.96));
     CHECK(skew.theta_h == doctest::Approx(20.61647 * degree).epsilon(1e-5));
     CHECK(skew.theta_d == doctest::Approx(19.91269 * degree).epsilon(1e-5));

@@ -25,7 +25,7 @@ struct Folder : test::TemporaryFolder {
     const int channels = static_cast<int>(names.size());
     Image<float> image(static_cast<int>(values.size() / names.size()), 1, channels);
     image.values = std::move(values);
-    write_float_image(*this / name, image, names);
+    write_image(*this / name, image, names);
   }
   void png(const char* name, int channels, int bits, const std::vector<std::uint16_t>& values) const {
     const auto width = static_cast<std::uint32_t>(values.size()) / static_cast<std::uint32_t>(channels);
@@ -215,8 +215,8 @@ TEST_CASE("images of half and double size are reported by the line that refuses 
       const auto level = static_cast<std::uint8_t>(x / 2 * 50 + y / 2 * 30);
       large.at(x, y)[1] = level, small.at(x / 2, y / 2)[1] = level;
     }
-  write_png(folder / "large.png", large);
-  write_png(folder / "small.png", small);
+  write_image(folder / "large.png", large);
+  write_image(folder / "small.png", small);
   CHECK(holds(folder.refusal("large.png", "small.png"), "found 4 x 2 pixels of 3 channels, expected 8 x 4 pixels of 3 "
                                                         "channels as "));
   CHECK(holds(folder.refusal("large.png", "small.png"), "; b is a at half size: then equal"));
