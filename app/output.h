@@ -17,7 +17,7 @@ inline constexpr const char* standard_output = "-";
 /// Standard output is always fine.
 void check_writable(const std::string& path);
 
-/// Throws CLI::ValidationError if two of the outputs are one file, or an output is an input: one would be lost. Paths
+/// Throws UsageError if two of the outputs are one file, or an output is an input: one would be lost. Paths
 /// may be empty. Devices and pipes may be named more than once.
 void check_different(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs);
 
