@@ -32,12 +32,9 @@ struct Command {
   std::vector<OptionGroup> groups = {}; // help_group() is further to these, in every command
   std::vector<std::string> notes = {};  // paragraphs of the help, below the options
   std::vector<Command> commands = {};   // that may follow
-  std::vector<std::string> old_names = {};
   /// Called once all options have read their values: checks what a single one does not show, which may throw
   /// UsageError, and gives what is to be done. Keeps alive what the options read into.
   std::function<Action()> finish = {};
-
-  Command formerly(std::string old_name) && { return old_names.push_back(std::move(old_name)), std::move(*this); }
 };
 
 /// --help and --version.

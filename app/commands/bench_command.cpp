@@ -292,8 +292,7 @@ Command bench_command() {
                            "pixels of the image, or several sizes")
                  .by_default("1280x720"),
              word_list_option("--precisions", "NAME,…", precisions, set_precisions, "number types of shading")
-                 .by_default(listed)
-                 .formerly("--rungs"),
+                 .by_default(listed),
              parsed_option("--threads", "N,…", a.threads, thread_counts_from,
                            "numbers from 1 to 1024 separated by commas, each once", "numbers of threads")
                  .by_default("1 and all CPUs"),

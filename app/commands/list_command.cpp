@@ -163,8 +163,7 @@ Command list_command() {
           printing_command("fragment-functions", "Fragment functions and their parameters",
                            [] { print_fragment_functions(static_cast<const FragmentFunction*>(nullptr)); }),
           printing_command("precisions", "Precisions that a frame can be rendered in",
-                           [] { print_precisions(static_cast<const Precisions*>(nullptr)); })
-              .formerly("rungs"),
+                           [] { print_precisions(static_cast<const Precisions*>(nullptr)); }),
           printing_command("limits", "How large anything may be, as Markdown", [] { std::cout << limits_markdown(); }),
           printing_command("scene-format", "Every key of a scene file, as Markdown",
                            [] { std::cout << scene_format_markdown(); }),

@@ -211,8 +211,7 @@ Command render_command() {
              size_option(a.size),
              value_option("--crop", "X,Y,W,H", "make only this part of the image, with the same pixels", set_crop),
              choice_option("--precision", a.precision, precision_names(),
-                           "number type of shading; `refraster list precisions`")
-                 .formerly("--rung"),
+                           "number type of shading; `refraster list precisions`"),
              number_choice_option("--samples", a.samples, {1, 2, 4, 8, 16},
                                   "samples a pixel, at the standard positions; shaded once a triangle"),
              word_list_option("--aov", "NAME,…", aovs, set_aovs,

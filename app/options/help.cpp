@@ -13,8 +13,8 @@ struct Row {
   std::string name, meaning;
 };
 
-constexpr int widest_name = 28;     // columns; the meaning of a longer one begins below it
-constexpr int least_for_table = 60; // in fewer columns every meaning begins below its name
+constexpr int max_name_width = 28;  // columns; the meaning of a longer one begins below it
+constexpr int min_table_width = 60; // in fewer columns every meaning begins below its name
 
 std::string indented(int columns, const std::string& text) {
   return std::string(static_cast<std::size_t>(columns), ' ') + text + "\n";
@@ -37,11 +37,11 @@ struct List {
 
 /// Where the meanings begin, in all lists of a page.
 int meaning_column(const std::vector<List>& lists, int width) {
-  if (width < least_for_table) return 8;
+  if (width < min_table_width) return 8;
   int widest = 0;
   for (const List& list : lists)
     for (const Row& row : list.rows)
-      if (const int columns = columns_of(row.name); columns <= widest_name) widest = std::max(widest, columns);
+      if (const int columns = columns_of(row.name); columns <= max_name_width) widest = std::max(widest, columns);
   return widest + 4; // two before, two behind
 }
 
@@ -51,7 +51,7 @@ std::string text_of(const List& list, int column, int width) {
     const std::vector<std::string> lines = wrapped(row.meaning, width - column);
     auto line = lines.begin();
     const int gap = column - 2 - columns_of(row.name);
-    if (width >= least_for_table && gap >= 2)
+    if (width >= min_table_width && gap >= 2)
       text += indented(2, row.name + std::string(static_cast<std::size_t>(gap), ' ') + *line++);
     else if (columns_of(row.name) + 2 <= width) text += indented(2, row.name); // with its own indentation
     else text += paragraph(row.name, 2, 4, width);

@@ -40,16 +40,14 @@ struct Option {
   Takes takes = Takes::value;
   Occurs occurs = Occurs::at_most_once;
   Completes completes = Completes::nothing;
-  std::vector<std::string> words = {};     // to choose from
-  std::vector<std::string> old_names = {}; // "--rung": told with the new one
-  ReadValue read = {};                     // a flag's is called with ""
+  std::vector<std::string> words = {}; // to choose from
+  ReadValue read = {};                 // a flag's is called with ""
 
   bool is_argument() const { return !name.starts_with("--"); }
 
   // For declarations.
   Option by_default(std::string text) && { return default_text = std::move(text), std::move(*this); }
   Option required() && { return occurs = Occurs::once, std::move(*this); }
-  Option formerly(std::string old_name) && { return old_names.push_back(std::move(old_name)), std::move(*this); }
 };
 
 /// Options under one heading of the help.

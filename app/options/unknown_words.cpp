@@ -1,8 +1,10 @@
 #include "app/options/unknown_words.h"
 
+#include "app/options/old_names.h"
 #include "io/file/nearest.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace refraster {
 namespace {
@@ -19,9 +21,18 @@ std::vector<std::string_view> names_of(const std::vector<Command>& commands) {
   return names;
 }
 
-template <class Named>
-bool was_called(const Named& named, const std::string& name) {
-  return std::find(named.old_names.begin(), named.old_names.end(), name) != named.old_names.end();
+/// What `word` is called now, if that is one of the names.
+std::optional<std::string> name_now(std::string_view word, const std::vector<std::string_view>& names) {
+  for (const OldName& known : old_names)
+    if (known.old_name == word && std::find(names.begin(), names.end(), known.name) != names.end())
+      return std::string(known.name);
+  return std::nullopt;
+}
+
+/// one_of, or the one that has the old name.
+std::string expected_name(const std::string& word, const std::vector<std::string_view>& names) {
+  if (const auto now = name_now(word, names)) return *now + ", as it is called now";
+  return one_of(names, word);
 }
 
 bool has_option(const Command& command, const std::string& name) {
@@ -64,9 +75,7 @@ BareCommand missing_command(const CommandPath& path) {
 }
 
 UsageError unknown_command(const CommandPath& path, const std::string& word) {
-  for (const Command& command : path.back()->commands)
-    if (was_called(command, word)) return {place_name(path), quoted(word), command.name + ", as it is called now"};
-  return {place_name(path), quoted(word), one_of(names_of(path.back()->commands), word)};
+  return {place_name(path), quoted(word), expected_name(word, names_of(path.back()->commands))};
 }
 
 UsageError unknown_option(const CommandPath& path, const std::string& word) {
@@ -75,12 +84,9 @@ UsageError unknown_option(const CommandPath& path, const std::string& word) {
   if (!command.commands.empty() && with_option(command, name))
     return {place_name(path), quoted(name), "a command before it, " + one_of(names_of(command.commands), "")};
   std::vector<std::string_view> names;
-  for (const Option* const option : all_options(command)) {
-    if (option->is_argument()) continue;
-    if (was_called(*option, name)) return {place_name(path), quoted(name), option->name + ", as it is called now"};
-    names.push_back(option->name);
-  }
-  return {place_name(path), quoted(name), one_of(names, name)};
+  for (const Option* const option : all_options(command))
+    if (!option->is_argument()) names.push_back(option->name);
+  return {place_name(path), quoted(name), expected_name(name, names)};
 }
 
 UsageError further_argument(const CommandPath& path, const std::string& word, const Words& words) {

@@ -237,19 +237,6 @@ TEST_CASE("what is wrong is named, with what was meant and what there is") {
   CHECK(said_of({"bench", "--precisions", "double,flot"}).ends_with("; did you mean float?"));
 }
 
-TEST_CASE("an old name is told with the one that it has now") {
-  const TemporaryFolder folder;
-  save_text(folder / "ball.json", ball_scene);
-  for (const Words& words :
-       {Words{"render", "ball.json", "-o", "y.png", "--rung", "float"}, Words{"render", "--rung=float"}})
-    CHECK(run_program(folder.path, words)
-              .err.starts_with("refraster: render: found \"--rung\", expected --precision, as it is called now\n"));
-  CHECK(run_program(folder.path, {"bench", "--rungs", "float"})
-            .err.starts_with("refraster: bench: found \"--rungs\", expected --precisions, as it is called now\n"));
-  CHECK(run_program(folder.path, {"list", "rungs"})
-            .err.starts_with("refraster: list: found \"rungs\", expected precisions, as it is called now\n"));
-}
-
 TEST_CASE("who writes blanks between values is told about commas") {
   const TemporaryFolder folder;
   save_text(folder / "ball.json", ball_scene);

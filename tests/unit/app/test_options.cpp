@@ -1,10 +1,12 @@
 // Laws that every declared option keeps, and what the parser makes of any of them.
 
+#include "app/options/old_names.h"
 #include "app/options/parse.h"
 #include "app/usage_error.h"
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <set>
 
 using namespace refraster;
@@ -63,7 +65,6 @@ TEST_CASE("every command and option is declared in full") {
       INFO(option->name);
       CHECK(names.insert(option->name).second);
       if (option->short_name != 0) CHECK(names.insert(std::string("-") + option->short_name).second);
-      for (const std::string& old_name : option->old_names) CHECK(names.insert(old_name).second);
       CHECK_FALSE(option->meaning.empty());
       CHECK_FALSE(option->meaning.ends_with('.'));
       CHECK(option->read);
@@ -118,6 +119,27 @@ TEST_CASE("every option and command with a letter twice is told with the one tha
       CHECK(is_in("; did you mean " + command.name + "?", said));
       for (const Command& other : path.back()->commands) CHECK(is_in(other.name, said));
     }
+  }
+}
+
+TEST_CASE("an old name is told with the one that it has now, wherever that is known, and stands for nothing") {
+  const Command program = refraster_command();
+  for (const OldName& known : old_names) {
+    const std::string word(known.old_name), name(known.name);
+    int places = 0;
+    for (const CommandPath& path : all_commands(program)) {
+      Words words;
+      for (const Command& command : path.back()->commands) words.push_back(command.name);
+      for (const Option* const option : all_options(*path.back())) words.push_back(option->name);
+      INFO(full_name(path) << " " << word);
+      CHECK(std::find(words.begin(), words.end(), word) == words.end());
+      if (std::find(words.begin(), words.end(), name) == words.end()) continue;
+      ++places;
+      CHECK(is_in("found \"" + word + "\", expected " + name + ", as it is called now", said_of(path, {word})));
+      if (word[0] == '-') CHECK(is_in(name + ", as it is called now", said_of(path, {"a", word + "=b"})));
+      if (word[0] == '-') CHECK(is_in(name + ", as it is called now", said_of(path, {word, "b"})));
+    }
+    CHECK(places > 0);
   }
 }
 
