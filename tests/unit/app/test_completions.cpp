@@ -31,6 +31,22 @@ bool is_in(const std::string& part, const std::string& text) {
   return text.find(part) != std::string::npos;
 }
 
+std::string joined(const Words& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+  return text;
+}
+
+/// What a specification of zsh's _arguments says, cut at each ':' that no backslash is before.
+Words parts_of(const std::string& specification) {
+  Words parts(1);
+  for (std::size_t i = 0; i < specification.size(); ++i) {
+    if (specification[i] == ':') parts.emplace_back();
+    else parts.back() += specification[i] == '\\' ? specification[++i] : specification[i];
+  }
+  return parts;
+}
+
 /// Command lines to complete, in the order that `check` takes the answers in.
 struct Question {
   std::string line;
@@ -55,6 +71,9 @@ std::vector<Question> questions() {
       list.push_back({full_name(path) + " " + option->name + " ", option->words});
     }
     list.push_back({full_name(path) + " --", options});
+    for (const Option* const option : all_options(*path.back()))
+      if (option->short_name != 0)
+        list.push_back({full_name(path) + " -", {std::string("-") + option->short_name, option->name}});
   }
   return list;
 }
@@ -112,25 +131,40 @@ TEST_CASE("fish offers every command, option and word to choose from") {
   check(list, found.text);
 }
 
-TEST_CASE("zsh is told every command, option and word to choose from") {
-  const std::string script = zsh_completions(refraster_command());
+TEST_CASE("zsh is told every command and, in specifications of _arguments, every option") {
+  if (!installed("zsh")) return;
   const Command program = refraster_command();
+  std::string script = "compdef() { }\n" + zsh_completions(program) +
+                       "_arguments() { print -rl -- \"$@\"; state=command; return 1 }\n"
+                       "_describe() { print -rl -- $commands }\n";
   for (const CommandPath& path : all_commands(program)) {
     std::string name = "_" + full_name(path);
     std::replace(name.begin(), name.end(), ' ', '_');
-    const std::size_t start = script.find("\n" + name + "() {\n");
-    INFO(name);
-    REQUIRE(start != std::string::npos);
-    const std::string body = script.substr(start, script.find("\n}\n", start) - start);
-    for (const Command& command : path.back()->commands) {
-      CHECK(is_in("\n    '" + command.name + ":", body));
-      CHECK(is_in("\n    " + command.name + ") " + name + "_" + command.name + " ;;", body));
-    }
+    script += name + "; print end\n";
+  }
+  const test::Answer found = answer("zsh -f FILE", script);
+  std::istringstream lines(found.text);
+  for (const CommandPath& path : all_commands(program)) {
+    Words told;
+    for (std::string line; std::getline(lines, line) && line != "end";) told.push_back(line);
+    INFO(full_name(path) << "\n" << found.text);
+    for (const Command& command : path.back()->commands) CHECK(has(told, command.name + ":" + command.meaning));
     for (const Option* const option : all_options(*path.back())) {
       INFO(option->name);
-      const std::string ending = option->takes == Takes::nothing ? "[" : "=[";
-      if (!option->is_argument()) CHECK(is_in(option->name + ending, body));
-      for (const std::string& word : option->words) CHECK(is_in(word, body));
+      const auto is_told = [&](const std::string& option_name) {
+        return std::any_of(told.begin(), told.end(), [&](const std::string& specification) {
+          const Words parts = parts_of(specification);
+          if (option->is_argument()) return parts.size() == 3 && parts[1] == option->name;
+          const std::string group = parts[0].substr(parts[0].starts_with('(') ? parts[0].find(')') + 1 : 0);
+          return group == option_name + "[" + option->meaning + "]" &&
+                 parts.size() == (option->takes == Takes::nothing ? 1 : 3) &&
+                 (option->takes == Takes::nothing || parts[1] == option->form) &&
+                 (option->words.empty() || is_in(joined(option->words), parts[2]));
+        });
+      };
+      CHECK(is_told(option->name + (option->takes == Takes::nothing ? "" : "=")));
+      if (option->short_name == 0) continue;
+      CHECK(is_told(std::string("-") + option->short_name + (option->takes == Takes::nothing ? "" : "+")));
     }
   }
 }

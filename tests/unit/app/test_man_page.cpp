@@ -46,6 +46,8 @@ TEST_CASE("every command, option and note has its place in a page of the manual,
     const std::string page = man_page(path);
     CHECK(
         std::all_of(page.begin(), page.end(), [](char byte) { return byte == '\n' || (byte >= ' ' && byte <= '~'); }));
+    // What is to be typed can be copied: a plain '-' may be shown as a hyphen.
+    CHECK(is_in("\n\\fB\\-h\\fR, \\fB\\-\\-help\\fR\n", page));
     const std::string text = without_roff(page);
     CHECK(is_in("\n.B " + full_name(path) + "\n", text));
     for (const Command& command : path.back()->commands)

@@ -7,7 +7,12 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
 #include <set>
+#include <sstream>
 
 using namespace refraster;
 
@@ -173,6 +178,38 @@ TEST_CASE("a required argument that is missing is named with its meaning, one to
     words.emplace_back("one-more");
     CHECK(is_in("found \"one-more\", expected no argument but ", said_of(path, words)));
   });
+}
+
+TEST_CASE("a command line in the documentation names commands and options that there are") {
+  const Command program = refraster_command();
+  const std::filesystem::path root = REFRASTER_SOURCE_DIR;
+  std::vector<std::filesystem::path> pages = {root / "README.md", root / "CONTRIBUTING.md"};
+  for (const auto& entry : std::filesystem::directory_iterator(root / "docs"))
+    if (entry.path().extension() == ".md") pages.push_back(entry.path());
+  // From the program's name to the end of the line, or of the `code`; a line of options alone belongs to it.
+  const std::regex command_line(R"(\brefraster ((?:[a-z][a-z-]*\b ?)+)([^`\n]*(?:\n {8,}\[[^`\n]*)*))"),
+      name(R"(--[a-z][a-z-]*)");
+  int found = 0;
+  for (const std::filesystem::path& page : pages) {
+    std::ifstream file(page);
+    const std::string text(std::istreambuf_iterator<char>(file), {});
+    for (std::sregex_iterator line(text.begin(), text.end(), command_line), end; line != end; ++line) {
+      Words words;
+      std::istringstream in(line->str(1));
+      for (std::string word; in >> word;) words.push_back(word);
+      const NamedCommand named = named_command(program, words);
+      if (named.path.size() < 2) continue; // a sentence about the program
+      const std::string rest = line->str(2);
+      for (std::sregex_iterator it(rest.begin(), rest.end(), name); it != end; ++it, ++found) {
+        const std::vector<const Option*> options = all_options(*named.path.back());
+        INFO(page << ": " << line->str());
+        CHECK_MESSAGE(std::any_of(options.begin(), options.end(),
+                                  [&](const Option* option) { return option->name == it->str(); }),
+                      it->str());
+      }
+    }
+  }
+  CHECK(found > 30);
 }
 
 TEST_CASE("what stands for a number, or a list, reads no more than that") {
