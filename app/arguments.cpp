@@ -1,5 +1,7 @@
 #include "app/arguments.h"
 
+#include "app/options/option.h"
+#include "app/usage_error.h"
 #include "math/precisions.h"
 
 #include <algorithm>
@@ -7,16 +9,6 @@
 
 namespace refraster {
 namespace {
-
-std::vector<std::string_view> split(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  for (std::size_t start = 0; start <= text.size();) {
-    const std::size_t end = std::min(text.find(separator, start), text.size());
-    parts.push_back(text.substr(start, end - start));
-    start = end + 1;
-  }
-  return parts;
-}
 
 /// Exactly `count` whole numbers in [0, largest_side], and nothing else.
 std::optional<std::vector<int>> numbers_from(std::string_view text, char separator, std::size_t count) {
@@ -59,35 +51,12 @@ std::optional<PixelRect> crop_from(std::string_view text) {
   return PixelRect{(*numbers)[0], (*numbers)[1], (*numbers)[2], (*numbers)[3]};
 }
 
-std::optional<std::vector<Aov>> aovs_from(std::string_view text) {
-  std::vector<Aov> aovs;
-  for (const std::string_view name : split(text, ',')) {
-    const auto* found = std::find(std::begin(aov_names), std::end(aov_names), name);
-    if (found == std::end(aov_names)) return std::nullopt;
-    const Aov aov = static_cast<Aov>(found - std::begin(aov_names));
-    if (std::find(aovs.begin(), aovs.end(), aov) != aovs.end()) return std::nullopt;
-    aovs.push_back(aov);
-  }
-  return aovs;
-}
-
 std::vector<std::string> precision_names() {
   return listed_names(static_cast<const Precisions*>(nullptr));
 }
 
 std::vector<std::string> lane_precision_names() {
   return listed_names(static_cast<const LanePrecisions*>(nullptr));
-}
-
-std::optional<std::vector<std::string>> precisions_from(std::string_view text) {
-  const std::vector<std::string> known = lane_precision_names();
-  std::vector<std::string> precisions;
-  for (const std::string_view name : split(text, ',')) {
-    if (std::find(known.begin(), known.end(), name) == known.end()) return std::nullopt;
-    if (std::find(precisions.begin(), precisions.end(), name) != precisions.end()) return std::nullopt;
-    precisions.emplace_back(name);
-  }
-  return precisions;
 }
 
 std::optional<std::vector<int>> thread_counts_from(std::string_view text) {
@@ -105,8 +74,8 @@ void check_frame_samples(int width, int height, int samples) {
   const std::uint64_t all =
       static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) * static_cast<std::uint64_t>(samples);
   if (all > limit::frame_samples.value)
-    throw CLI::ValidationError("--samples", "found " + found_of(limit::frame_samples, all) + ", expected " +
-                                                at_most(limit::frame_samples));
+    throw UsageError("--samples",
+                     "found " + found_of(limit::frame_samples, all) + ", expected " + at_most(limit::frame_samples));
 }
 
 std::optional<Double3> reflectance_from(std::string_view text) {
@@ -128,21 +97,6 @@ std::optional<double> distance_from(std::string_view text) {
 
 std::optional<std::uint64_t> count_from(std::string_view text) {
   return number_from<std::uint64_t>(text);
-}
-
-void add_outside_option(CLI::App& command, Outside& outside) {
-  command.add_flag_callback(
-      "--allow-outside", [&outside] { outside = Outside::allowed; },
-      "let the scene name files outside its own folder: only for scenes that you trust");
-}
-
-void add_cache_option(CLI::App& command, std::string& folder) {
-  command
-      .add_option(
-          "--cache", folder,
-          "folder, made if need be, where the triangles of large OBJ files are cached, so that they are read faster "
-          "the next time")
-      ->type_name("DIR");
 }
 
 } // namespace refraster

@@ -1,10 +1,12 @@
 #pragma once
-// A sub-command of the program: its options, and what it does.
+// A command of the program: its options, and what it does.
 
-#include <CLI/CLI.hpp>
+#include "app/options/option.h"
 
 #include <functional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace refraster {
 
@@ -20,25 +22,50 @@ enum class ExitCode {
   interrupted = 130 // by SIGINT, as a shell counts it; or by SIGTERM, SIGHUP
 };
 
-/// What a command does once all arguments are known to be right. May throw InputError and OutputError.
+/// What a command does once all arguments are known to be right. May throw InputError, OutputError and, where only
+/// files show that arguments are wrong, UsageError.
 using Action = std::function<ExitCode()>;
 
-/// Adds a command to the program; the action of the one that the user named is put into `chosen`.
-using AddCommand = void (*)(CLI::App& program, Action& chosen);
+/// A command, declared: either one that does something, or one with further commands, of which one must follow.
+struct Command {
+  std::string name, meaning;            // meaning: a phrase without a full stop
+  std::vector<OptionGroup> groups = {}; // help_group() is further to these, in every command
+  std::vector<std::string> notes = {};  // paragraphs of the help, below the options
+  std::vector<Command> commands = {};   // that may follow
+  /// Called once all options have read their values: checks what a single one does not show, which may throw
+  /// UsageError, and gives what is to be done. Keeps alive what the options read into.
+  std::function<Action()> finish = {};
+};
 
-/// A sub-command with --help and --version, which prints the default of each option.
-CLI::App& add_sub_command(CLI::App& parent, const std::string& name, const std::string& description);
+/// --help and --version.
+const OptionGroup& help_group();
+
+/// From the program down to a command: refraster, merl, synth.
+using CommandPath = std::vector<const Command*>;
+/// "refraster merl synth".
+std::string full_name(const CommandPath& path);
+/// "merl synth", as messages name it behind "refraster: "; of the program itself "".
+std::string place_name(const CommandPath& path);
+
+/// Every command below and including this one, parents first, in the order of declaration.
+std::vector<CommandPath> all_commands(const Command& program);
+
+/// All options and arguments, in the order of the help.
+std::vector<const Option*> all_options(const Command& command);
 
 /// What --version prints at every level.
 std::string version_text();
 
 // One file each.
-void add_render(CLI::App& program, Action& chosen);  // render_command.cpp
-void add_compare(CLI::App& program, Action& chosen); // compare_command.cpp
-void add_gl(CLI::App& program, Action& chosen);      // gl_command.cpp
-void add_bench(CLI::App& program, Action& chosen);   // bench_command.cpp
-void add_mesh(CLI::App& program, Action& chosen);    // mesh_command.cpp
-void add_merl(CLI::App& program, Action& chosen);    // merl_command.cpp
-void add_list(CLI::App& program, Action& chosen);    // list_command.cpp
+Command render_command();  // render_command.cpp
+Command compare_command(); // compare_command.cpp
+Command gl_command();      // gl_command.cpp
+Command bench_command();   // bench_command.cpp
+Command mesh_command();    // mesh_command.cpp
+Command merl_command();    // merl_command.cpp
+Command list_command();    // list_command.cpp
+
+/// The program: all of them.
+Command refraster_command();
 
 } // namespace refraster

@@ -3,8 +3,6 @@
 
 #include "io/file/notes.h"
 
-#include <CLI/CLI.hpp>
-
 #include <string_view>
 
 namespace refraster {
@@ -17,11 +15,6 @@ struct Diagnostics {
   Verbosity verbosity = Verbosity::normal;
   FileNotes file_notes = FileNotes::printed;
 };
-
-/// -q, --quiet: neither progress nor notes.
-void add_quiet_option(CLI::App& command, Diagnostics& diagnostics);
-/// --strict, for commands that read scenes, meshes or textures.
-void add_strict_option(CLI::App& command, Diagnostics& diagnostics);
 
 /// `note: …` on standard error, unless notes are not wanted.
 void print_note(std::string_view text, const Diagnostics& diagnostics);

@@ -3,16 +3,23 @@
 #include "app/command.h"
 #include "app/interrupt.h"
 #include "app/memory_limit.h"
+#include "app/options/help.h"
+#include "app/options/parse.h"
+#include "app/options/wrap.h"
+#include "app/usage_error.h"
 #include "io/file/input_error.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
 #include <new>
+#include <string>
+#include <vector>
+
+#include <unistd.h>
 
 namespace refraster {
 namespace {
-
-constexpr AddCommand commands[] = {add_render, add_compare, add_gl, add_bench, add_mesh, add_merl, add_list};
 
 /// Takes no memory: there may be none.
 ExitCode failed(ExitCode code, const char* message, const char* more = "") {
@@ -24,27 +31,31 @@ ExitCode out_of_memory(const char* what) {
   return failed(ExitCode::bad_input, what, memory_limit() > 0 ? "; --max-memory allows no more" : "");
 }
 
-ExitCode run(int argc, char** argv) {
-  CLI::App program("A reference for images of triangles: renders, compares and explains them. Without a GPU.",
-                   "refraster");
-  program.set_version_flag("--version", version_text(), "Print the version and exit");
-  program.require_subcommand(1);
-  program.footer("Exit codes: 0 done or equal, 1 images differ, 2 wrong usage, 3 bad input or not enough memory,\n"
-                 "4 cannot write, 5 no OpenGL, 130 interrupted.\n`refraster COMMAND --help` says more.");
-  Action chosen;
-  for (const AddCommand add : commands) add(program, chosen);
+/// What is wrong, in one line, but on a terminal in lines that fit; and who says more.
+ExitCode wrong_usage(const UsageError& error, const CommandPath& path) {
+  const std::string message = std::string("refraster: ") + error.what();
+  if (isatty(STDERR_FILENO) == 1)
+    for (const std::string& line : wrapped(message, terminal_width(STDERR_FILENO))) std::cerr << line << "\n";
+  else std::cerr << message << "\n";
+  if (dynamic_cast<const BareCommand*>(&error) != nullptr)
+    std::cerr << "\n" << help_text(path, terminal_width(STDERR_FILENO));
+  else std::cerr << "`" << full_name(path) << " --help` says more.\n";
+  return ExitCode::usage;
+}
 
+ExitCode run(const std::vector<std::string>& words) {
+  const Command program = refraster_command();
+  const NamedCommand named = named_command(program, words);
   try {
-    program.parse(argc, argv);
-    return chosen();
-  } catch (const CLI::ParseError& error) {
-    return program.exit(error) == 0 ? ExitCode::ok : ExitCode::usage; // prints help, version, or what is wrong
+    return action_of(named)();
+  } catch (const UsageError& error) {
+    return wrong_usage(error, named.path);
   }
 }
 
 ExitCode run_and_report(int argc, char** argv) {
   try {
-    return run(argc, argv);
+    return run({argv + std::min(argc, 1), argv + argc}); // without its own name, if it was given one
   } catch (const InputError& error) {
     const ExitCode code = failed(ExitCode::bad_input, error.what());
     std::fputs(error.advice().c_str(), stderr);

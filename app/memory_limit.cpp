@@ -69,20 +69,6 @@ std::optional<std::uint64_t> memory_from(std::string_view text) {
   return bytes;
 }
 
-void add_memory_option(CLI::App& command, std::uint64_t& bytes) {
-  const auto read = [&bytes](const std::string& text) {
-    const std::optional<std::uint64_t> parsed = memory_from(text);
-    if (!parsed)
-      throw CLI::ValidationError("--max-memory",
-                                 "found \"" + text + "\", expected a size of at least 64M, as 512M or 2G");
-    bytes = *parsed;
-  };
-  command
-      .add_option_function<std::string>("--max-memory", read,
-                                        "most memory that the run may take; what needs more is refused (exit code 3)")
-      ->type_name("SIZE");
-}
-
 MemoryBudget set_memory_limit(std::uint64_t bytes, int threads) {
   if (bytes == 0) return {};
   limit_bytes = bytes;

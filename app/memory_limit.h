@@ -3,8 +3,6 @@
 
 #include <refraster/memory.h>
 
-#include <CLI/CLI.hpp>
-
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -13,9 +11,6 @@ namespace refraster {
 
 /// "512M", "2G", or bytes: K, M, G and T are 1024, 1024² and so on. At least 64M.
 std::optional<std::uint64_t> memory_from(std::string_view text);
-
-/// --max-memory SIZE; 0 if it is not given.
-void add_memory_option(CLI::App& command, std::uint64_t& bytes);
 
 /// What the process may take from now on, all that it has already included: what is resident of the program, its
 /// libraries and its data. 0: as much as there is. What is large is asked for before it is made (MemoryBudget). And the

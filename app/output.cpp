@@ -1,13 +1,12 @@
 #include "app/output.h"
 
 #include "app/interrupt.h"
+#include "app/usage_error.h"
 #include "io/file/atomic_file.h"
 #include "io/file/input_error.h"
 #include "io/file/input_file.h"
 #include "io/image/image_file.h"
 #include "io/mesh/mesh_cache.h"
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -45,9 +44,9 @@ void check_different(const std::vector<std::string>& outputs, const std::vector<
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j)
       if (same_file(outputs[i], outputs[j]))
-        throw CLI::ValidationError(outputs[i], "would be written twice, expected a file for each output");
+        throw UsageError(outputs[i], "would be written twice, expected a file for each output");
     for (const std::string& input : inputs)
-      if (same_file(outputs[i], input)) throw CLI::ValidationError(outputs[i], "would be written over what is read");
+      if (same_file(outputs[i], input)) throw UsageError(outputs[i], "would be written over what is read");
   }
 }
 
@@ -70,8 +69,7 @@ void write_text(const std::string& path, const std::string& text) {
 
 void check_extension(const std::string& option, const std::string& path, std::initializer_list<ImageContent> contents) {
   if (!format_to_write(path, contents))
-    throw CLI::ValidationError(option,
-                               "found \"" + path + "\", expected a name ending in " + writable_extensions(contents));
+    throw UsageError(option, "\"" + path + "\"", "a name ending in " + writable_extensions(contents));
 }
 
 void write_values(const std::string& path, const Image<float>& image) {

@@ -19,7 +19,7 @@ inline constexpr const char* standard_output = "-";
 /// Standard output is always fine.
 void check_writable(const std::string& path);
 
-/// Throws CLI::ValidationError if two of the outputs are one file, or an output is an input: one would be lost. Paths
+/// Throws UsageError if two of the outputs are one file, or an output is an input: one would be lost. Paths
 /// may be empty. Devices and pipes may be named more than once.
 void check_different(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs);
 
@@ -33,7 +33,7 @@ void prepare_folder(const std::string& folder);
 /// Writes a text file as a whole or not at all; or to standard output. Throws OutputError.
 void write_text(const std::string& path, const std::string& text);
 
-/// Throws CLI::ValidationError unless the extension of this path is one of a format that can hold any of `contents`.
+/// Throws UsageError unless the extension of this path is one of a format that can hold any of `contents`.
 void check_extension(const std::string& option, const std::string& path, std::initializer_list<ImageContent> contents);
 
 /// Writes an image of floats, format by extension; one that has no images of two channels gets a third one of zeros.

@@ -1,4 +1,5 @@
 
+
 #include <refraster/shapes.h>
 
 #include <refraster/mesh.h>

@@ -1,4 +1,5 @@
 
+
 #include <refraster/scene.h>
 
 #include "scene/scene_checks.h"

@@ -1,4 +1,5 @@
 
+
 #include <refraster/merl_table.h>
 
 #include <refraster/material.h>

@@ -5,6 +5,7 @@
 #include "app/diagnostics.h"
 #include "app/interrupt.h"
 #include "app/memory_limit.h"
+#include "app/options/shared_options.h"
 #include "app/output.h"
 #include "app/progress_line.h"
 #include "bench/measure/precision_errors.h"
@@ -61,6 +62,8 @@ std::optional<std::vector<GrowthRequest>> scaling_from(std::string_view text) {
   return requests;
 }
 
+constexpr const char* default_gl = "llvmpipe";
+
 struct BenchArguments {
   std::vector<std::string> scenes, precisions;
   SceneOptions reading;
@@ -71,8 +74,8 @@ struct BenchArguments {
   std::vector<Size> sizes = {Size{}};
   int samples = 1, frames = 9;
   double seconds = 3;
-  std::string gl = "llvmpipe", json, html, csv;
-  bool gl_named = false; // by the user, who then does not want to do without
+  std::optional<std::string> gl; // named by the user, who then does not want to do without
+  std::string json, html, csv;
   Marginals marginals = Marginals::measured;
   Errors errors = Errors::measured;
 };
@@ -101,7 +104,8 @@ std::optional<GlRenderer> renderer_named(const std::string& name) {
 /// The scenes, read one at a time, each once it is its turn.
 class Bench {
 public:
-  explicit Bench(const BenchArguments& arguments) : a_(arguments), opengl_(renderer_named(arguments.gl)) {
+  explicit Bench(const BenchArguments& arguments)
+      : a_(arguments), opengl_(renderer_named(arguments.gl.value_or(default_gl))) {
     run_.command = command_line();
     run_.started = utc_now();
     run_.machine = this_machine();
@@ -180,7 +184,7 @@ private:
     try {
       return bench_scene(task, repetitions_, thread_pool);
     } catch (const NoOpenGl& error) {
-      if (a_.gl_named) throw;
+      if (a_.gl) throw;
       run_.notes.push_back(std::string("without OpenGL beside: ") + error.what());
       opengl_.reset();
       task.opengl.reset();
@@ -265,63 +269,70 @@ void fill_defaults(BenchArguments& a) {
 
 } // namespace
 
-void add_bench(CLI::App& program, Action& chosen) {
-  CLI::App& command = add_sub_command(program, "bench", "Measure what a pixel costs, and what accuracy it buys");
+Command bench_command() {
   const auto arguments = std::make_shared<BenchArguments>();
   BenchArguments& a = *arguments;
-  command.add_option("scenes", a.scenes, "scene files; without one, a sphere that fills the image")
-      ->type_name("SCENE")
-      ->default_str("");
-  add_parsed_option(command, "--size", a.sizes, sizes_from, "WxH,…",
-                    "WIDTHxHEIGHT, each 1 to " + std::to_string(largest_side) + ", divided by commas, each once",
-                    "pixels of the image, or several sizes")
-      ->default_str("1280x720");
+  const std::vector<std::string> precisions = lane_precision_names();
+  const auto set_precisions = [&a, precisions](const std::vector<std::size_t>& indices) {
+    for (const std::size_t i : indices) a.precisions.push_back(precisions[i]);
+  };
   std::string listed;
-  for (const std::string& name : lane_precision_names()) listed += (listed.empty() ? "" : ",") + name;
-  add_parsed_option(command, "--precisions", a.precisions, precisions_from, "NAME,…",
-                    "some of " + listed + ", each once", "precisions, divided by commas")
-      ->default_str(listed);
-  add_parsed_option(command, "--threads", a.threads, thread_counts_from, "N,…",
-                    "numbers from 1 to 1024 divided by commas, each once", "numbers of threads, divided by commas")
-      ->default_str("1 and all CPUs");
-  add_number_option(command, "--frames", a.frames, Range{1, 1000000},
-                    "repetitions at least; each draws a frame of everything");
-  add_number_option(command, "--seconds", a.seconds, Range{0, 86400},
-                    "and more repetitions until so much time has passed, for each scene");
-  add_choice_option(command, "--samples", a.samples, {1, 2, 4, 8, 16}, "samples a pixel");
-  add_choice_option(command, "--gl", a.gl, {"llvmpipe", "softpipe", "default", "none"},
-                    "OpenGL to draw the same frames in between; left out where there is none, unless it is named here");
-  add_parsed_option(
-      command, "--scaling", a.scaling, scaling_from, "KIND[:MOST],…",
-      "some of triangles, pixels, lights, overdraw, threads, all, each with or without a number like :1e6",
-      "how cost grows with the number of triangles (up to 1e7), pixels (16384^2), lights (256), overdraw "
-      "(64), threads (CPUs), or all of them; MOST is where to stop");
-  add_outside_option(command, a.reading.outside);
-  add_memory_option(command, a.max_memory);
-  add_cache_option(command, a.reading.mesh_cache);
-  add_strict_option(command, a.diagnostics);
-  add_quiet_option(command, a.diagnostics);
-  command.add_option("--json", a.json, "write the report as JSON; - is standard output")->type_name("FILE");
-  command.add_option("--html", a.html, "write the report as one HTML page with pictures; - is standard output")
-      ->type_name("FILE");
-  command.add_option("--csv", a.csv, "folder to write a .csv file for each table to; made if need be")
-      ->type_name("DIR");
-  command.add_flag_callback(
-      "--no-marginal", [&a] { a.marginals = Marginals::left_out; },
-      "only the scene as it is: no further light, texture, samples");
-  command.add_flag_callback(
-      "--no-error", [&a] { a.errors = Errors::left_out; }, "do not measure how far images are from the right ones");
-  command.footer("How it measures: docs/bench.md. The JSON: docs/reports.md.");
-  command.final_callback([&chosen, &command, arguments] {
-    arguments->gl_named = command.count("--gl") > 0;
-    fill_defaults(*arguments);
-    for (const Size& size : arguments->sizes) check_frame_samples(size.width, size.height, arguments->samples);
-    chosen = [arguments] {
-      arguments->reading.memory = set_memory_limit(
-          arguments->max_memory, *std::max_element(arguments->threads.begin(), arguments->threads.end()));
-      return run(*arguments);
-    };
-  });
+  for (const std::string& name : precisions) listed += (listed.empty() ? "" : ",") + name;
+  return {
+      .name = "bench",
+      .meaning = "Measure what a pixel costs, and what accuracy it buys",
+      .groups =
+          {{"Scenes",
+            {refraster::arguments("SCENE", a.scenes, "scene files; without one, a sphere that fills the image"),
+             outside_option(a.reading.outside), cache_option(a.reading.mesh_cache)}},
+           {"What is measured",
+            {parsed_option("--size", "WxH,…", a.sizes, sizes_from,
+                           "WIDTHxHEIGHT, each 1 to " + std::to_string(largest_side) +
+                               ", separated by commas, each once",
+                           "pixels of the image, or several sizes")
+                 .by_default("1280x720"),
+             word_list_option("--precisions", "NAME,…", precisions, set_precisions, "number types of shading")
+                 .by_default(listed),
+             parsed_option("--threads", "N,…", a.threads, thread_counts_from,
+                           "numbers from 1 to 1024 separated by commas, each once", "numbers of threads")
+                 .by_default("1 and all CPUs"),
+             number_choice_option("--samples", a.samples, {1, 2, 4, 8, 16}, "samples a pixel"),
+             choice_option("--gl", a.gl, {"llvmpipe", "softpipe", "default", "none"},
+                           "OpenGL to draw the same frames in between; left out where there is none, unless it is "
+                           "named here")
+                 .by_default(default_gl),
+             parsed_option("--scaling", "KIND[:MOST],…", a.scaling, scaling_from,
+                           "some of triangles, pixels, lights, overdraw, threads, all, separated by commas, each with "
+                           "or without a number like :1e6",
+                           "how cost grows with the number of triangles (up to 1e7), pixels (16384^2), lights (256), "
+                           "overdraw (64), threads (CPUs), or all of them; MOST is where to stop"),
+             flag(
+                 "--no-marginal", [&a] { a.marginals = Marginals::left_out; },
+                 "only the scene as it is: no further light, texture, samples"),
+             flag(
+                 "--no-error", [&a] { a.errors = Errors::left_out; },
+                 "do not measure how far images are from the right ones")}},
+           {"How often",
+            {number_option("--frames", a.frames, Range{1, 1000000},
+                           "repetitions at least; each draws a frame of everything"),
+             number_option("--seconds", a.seconds, Range{0, 86400},
+                           "and more repetitions until so much time has passed, for each scene")}},
+           {"Report",
+            {file_option("--json", "FILE", a.json, "write the report as JSON; - is standard output"),
+             file_option("--html", "FILE", a.html,
+                         "write the report as one HTML page with pictures; - is standard output"),
+             folder_option("--csv", a.csv, "folder to write a .csv file for each table to; made if need be"),
+             memory_option(a.max_memory), strict_option(a.diagnostics), quiet_option(a.diagnostics)}}},
+      .notes = {"How it measures: docs/bench.md. The JSON: docs/reports.md."},
+      .finish = [arguments]() -> Action {
+        fill_defaults(*arguments);
+        for (const Size& size : arguments->sizes) check_frame_samples(size.width, size.height, arguments->samples);
+        return [arguments] {
+          arguments->reading.memory = set_memory_limit(
+              arguments->max_memory, *std::max_element(arguments->threads.begin(), arguments->threads.end()));
+          return run(*arguments);
+        };
+      }};
 }
 
 } // namespace refraster

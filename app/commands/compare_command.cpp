@@ -4,8 +4,10 @@
 #include "app/command.h"
 #include "app/diagnostics.h"
 #include "app/memory_limit.h"
+#include "app/options/shared_options.h"
 #include "app/output.h"
 #include "app/progress_line.h"
+#include "app/usage_error.h"
 #include "io/file/input_error.h"
 #include "io/image/image_file.h"
 #include "verify/compare/compare_report.h"
@@ -153,73 +155,67 @@ ExitCode run(const CompareArguments& arguments) {
 
 } // namespace
 
-void add_compare(CLI::App& program, Action& chosen) {
-  CLI::App& command = add_sub_command(program, "compare", "How far two images are apart, and where");
+Command compare_command() {
   const auto arguments = std::make_shared<CompareArguments>();
   CompareArguments& a = *arguments;
-  command.add_option("a", a.a, "image: " + readable_formats())->required()->type_name("A");
-  command.add_option("b", a.b, "image of the same size; differences are b - a")->required()->type_name("B");
-  command
-      .add_option("--diff", a.diff,
-                  "write a heat image: black where equal, the lighter the more different; with a legend below")
-      ->type_name("FILE.png");
-  command.add_option("--json", a.json, "write the numbers as JSON; - is standard output")->type_name("FILE");
-  add_parsed_option(command, "--max-abs", a.limits.max_abs, distance_from, "X", "a number >= 0",
-                    "largest difference of a value that is allowed, in --unit");
-  add_parsed_option(command, "--max-rms", a.limits.max_rms, distance_from, "X", "a number >= 0",
-                    "largest root mean square difference that is allowed, in --unit");
-  add_parsed_option(command, "--max-count", a.limits.max_count, count_from, "N", "a whole number >= 0",
-                    "so many pixels may differ by more than --max-abs, or at all");
-  add_choice_option<std::string>(
-      command, "--unit", a.unit, {"levels", "values"},
-      "of limits and report: levels of 1/255, whatever the files hold; or values, 1 being white");
-  command
-      .add_option("--limits", a.limits_file,
-                  "JSON file with max_abs, max_rms, max_count, unit; options above it go first")
-      ->type_name("FILE");
-  command
-      .add_option_function<std::string>(
-          "--alpha",
-          [&a](const std::string& text) {
-            const std::optional<AlphaChoice> choice = alpha_from(text);
-            if (!choice)
-              throw CLI::ValidationError("--alpha",
-                                         "found \"" + text +
-                                             "\", expected ignore, compare or over:R,G,B (numbers >= 0; 1 is "
-                                             "white)");
-            a.pair.alpha = choice->use;
-            a.pair.background = choice->background;
-          },
-          "what to do with an alpha that is not 1 everywhere: leave it out, compare it too, or compare colours over "
-          "this "
-          "background")
-      ->type_name("ignore|compare|over:R,G,B");
-  add_choice_option<std::string>(
-      command, "--premultiplied", a.premultiplied, {"yes", "no"},
-      "whether colours are stored multiplied by alpha; by default those of .exr files are, others not");
-  command.add_option("--layer", a.pair.layer, "of .exr files: the layer whose R, G and B are compared")
-      ->type_name("NAME");
-  command.add_flag_callback(
-      "--flip", [&a] { a.flip = CompareArguments::Flip::yes; },
-      "also say how different two images of 8 or 16 bits look to a person, 0 to 1 (LDR-FLIP); judges nothing");
-  add_parsed_option(command, "--heat-max", a.heat_max, heat_max_from, "LEVELS", "a number > 0",
-                    "difference at the end of --diff's ramp, so that two heat images can be compared");
-  add_memory_option(command, a.max_memory);
-  command.add_flag_callback(
-      "-q,--quiet", [&a] { a.diagnostics.verbosity = Verbosity::quiet; },
-      "print errors only: no report, progress or notes; the exit code tells");
-  command.footer("Differences and limits are in levels, 1/255, or with --unit values in values.\n"
-                 "Without a limit, all values must be the same. NaN equals nothing.\n"
-                 "Exit code 0: the same within the limits, 1: not, 3: not comparable.");
-  command.final_callback([&chosen, arguments] {
-    if (!arguments->diff.empty()) check_extension("--diff", arguments->diff, {rgb8_image});
-    if (arguments->heat_max && arguments->diff.empty())
-      throw CLI::ValidationError("--heat-max", "found no --diff, whose ramp it ends");
-    if (!arguments->premultiplied.empty())
-      arguments->pair.encoding =
-          arguments->premultiplied == "yes" ? AlphaEncoding::premultiplied : AlphaEncoding::straight;
-    chosen = [arguments] { return run(*arguments); };
-  });
+  const auto set_alpha = [&a](const std::string& text) -> std::optional<ValueFault> {
+    const std::optional<AlphaChoice> choice = alpha_from(text);
+    if (!choice) return ValueFault{"ignore, compare or over:R,G,B (numbers >= 0; 1 is white)"};
+    a.pair.alpha = choice->use;
+    a.pair.background = choice->background;
+    return std::nullopt;
+  };
+  return {
+      .name = "compare",
+      .meaning = "How far two images are apart, and where",
+      .groups =
+          {{"Images",
+            {argument("A", a.a, "image: " + readable_formats()),
+             argument("B", a.b, "image of the same size; differences are b - a"),
+             value_option("--alpha", "ignore|compare|over:R,G,B",
+                          "what to do with an alpha that is not 1 everywhere: leave it out, compare it too, or compare "
+                          "colours over this background",
+                          set_alpha),
+             choice_option("--premultiplied", a.premultiplied, {"yes", "no"},
+                           "whether colours are stored multiplied by alpha; by default those of .exr files are, others "
+                           "not"),
+             text_option("--layer", "NAME", a.pair.layer, "of .exr files: the layer whose R, G and B are compared")}},
+           {"Limits",
+            {parsed_option("--max-abs", "X", a.limits.max_abs, distance_from, "a number >= 0",
+                           "largest difference of a value that is allowed, in --unit"),
+             parsed_option("--max-rms", "X", a.limits.max_rms, distance_from, "a number >= 0",
+                           "largest root mean square difference that is allowed, in --unit"),
+             parsed_option("--max-count", "N", a.limits.max_count, count_from, "a whole number >= 0",
+                           "so many pixels may differ by more than --max-abs, or at all"),
+             choice_option("--unit", a.unit, {"levels", "values"},
+                           "of limits and report: levels of 1/255, whatever the files hold; or values, 1 being white"),
+             file_option("--limits", "FILE", a.limits_file,
+                         "JSON file with max_abs, max_rms, max_count, unit; options above it go first")}},
+           {"Report",
+            {file_option("--diff", "FILE.png", a.diff,
+                         "write a heat image: black where equal, the lighter the more different; with a legend below"),
+             parsed_option("--heat-max", "LEVELS", a.heat_max, heat_max_from, "a number > 0",
+                           "difference at the end of --diff's ramp, so that two heat images can be compared"),
+             file_option("--json", "FILE", a.json, "write the numbers as JSON; - is standard output"),
+             flag(
+                 "--flip", [&a] { a.flip = CompareArguments::Flip::yes; },
+                 "also say how different two images of 8 or 16 bits look to a person, 0 to 1 (LDR-FLIP); judges "
+                 "nothing"),
+             memory_option(a.max_memory),
+             quiet_option(a.diagnostics,
+                          "print errors only: no report, progress or notes; the exit code says the result")}}},
+      .notes = {"Differences and limits are in levels, 1/255, or with --unit values in values. Without a limit, all "
+                "values must be the same. NaN equals nothing.",
+                "Exit code 0: the same within the limits, 1: not, 3: not comparable."},
+      .finish = [arguments]() -> Action {
+        if (!arguments->diff.empty()) check_extension("--diff", arguments->diff, {rgb8_image});
+        if (arguments->heat_max && arguments->diff.empty())
+          throw UsageError("--heat-max", "found no --diff, whose ramp it ends");
+        if (!arguments->premultiplied.empty())
+          arguments->pair.encoding =
+              arguments->premultiplied == "yes" ? AlphaEncoding::premultiplied : AlphaEncoding::straight;
+        return [arguments] { return run(*arguments); };
+      }};
 }
 
 } // namespace refraster

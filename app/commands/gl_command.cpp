@@ -4,8 +4,10 @@
 #include "app/command.h"
 #include "app/diagnostics.h"
 #include "app/memory_limit.h"
+#include "app/options/shared_options.h"
 #include "app/output.h"
 #include "app/progress_line.h"
+#include "app/usage_error.h"
 #include "gl/gl_report.h"
 #include "gl/render_gl.h"
 #include "io/image/image_file.h"
@@ -26,29 +28,6 @@ struct GlArguments {
   Diagnostics diagnostics;
   GlOptions options;
 };
-
-template <NamedEnum Enum>
-std::string names() {
-  std::string list;
-  for (const auto& [value, name] : EnumNames<Enum>::names) list.append(list.empty() ? "" : ", ").append(name);
-  return list;
-}
-
-/// --name WORD for one of an enum's words.
-template <NamedEnum Enum>
-void add_choice(CLI::App& command, const std::string& option, Enum& chosen, const std::string& description) {
-  const auto read = [&chosen, option](const std::string& word) {
-    for (const auto& [value, name] : EnumNames<Enum>::names)
-      if (name == word) {
-        chosen = value;
-        return;
-      }
-    throw CLI::ValidationError(option, "found \"" + word + "\", expected one of " + names<Enum>());
-  };
-  command.add_option_function<std::string>(option, read, description + ": " + names<Enum>())
-      ->type_name("NAME")
-      ->default_str(std::string(name_of(chosen)));
-}
 
 void write_outputs(const GlArguments& a, const GlOptions& options, const GlFrame& frame) {
   if (!a.output.empty()) write_image(a.output, frame.rgb8);
@@ -118,51 +97,48 @@ void check_together(GlArguments& a) {
 
 } // namespace
 
-void add_gl(CLI::App& program, Action& chosen) {
-  CLI::App& command = add_sub_command(program, "gl", "Make the image of a scene with OpenGL");
+Command gl_command() {
   const auto arguments = std::make_shared<GlArguments>();
   GlArguments& a = *arguments;
-  command.add_option("scene", a.scene, "scene file; docs/scene-format.md")->required()->type_name("SCENE");
-  command.add_option("-o,--output", a.output, "8-bit image to write, read back from an RGBA8 target")
-      ->type_name("FILE.png")
-      ->default_str("SCENE.gl.png in the current directory, if no other file is asked for");
-  command
-      .add_option("--float", a.radiance,
-                  "unclamped image to write, read back from an RGBA32F target: " +
-                      writable_extensions({float_rgb_image}))
-      ->type_name("FILE");
-  command
-      .add_option("--depth", a.depth,
-                  "window depth to write, 1 where nothing was drawn: " + writable_extensions({float_grey_image}))
-      ->type_name("FILE");
-  add_parsed_option(command, "--size", a.size, size_from, "WxH",
-                    "WIDTHxHEIGHT, each 1 to " + std::to_string(largest_side), "pixels of the image")
-      ->default_str("1280x720");
-  add_choice(command, "--renderer", a.options.renderer, "who draws; the software drivers are Mesa's");
-  add_choice(command, "--merl-filter", a.options.merl_filter,
-             "how our GLSL reads a measured table between its samples");
-  add_number_option(command, "--frames", a.options.timed_frames, Range{0, 1'000'000},
-                    "draw so many more frames and time each; see --json");
-  add_outside_option(command, a.reading.outside);
-  add_memory_option(command, a.max_memory);
-  add_cache_option(command, a.reading.mesh_cache);
-  add_strict_option(command, a.diagnostics);
-  add_quiet_option(command, a.diagnostics);
-  command.add_option("--json", a.json, "write driver, times and counts as JSON; - is standard output")
-      ->type_name("FILE");
-  command.footer(
-      "An object is drawn by the GLSL files that the scene names where they exist, else by our own GLSL of the\n"
-      "same formulas; a line on standard error says which. docs/glsl-interface.md: what a shader is given.\n"
-      "Exit code 3: GLSL that does not compile, link or draw. 5: no OpenGL 3.3, or not the renderer that was asked "
-      "for.");
-  command.final_callback([&chosen, arguments] {
-    check_together(*arguments);
-    chosen = [arguments] {
-      arguments->reading.memory = set_memory_limit(arguments->max_memory, 1);
-      clear_memory_limit(); // drivers do not bear it
-      return run(*arguments);
-    };
-  });
+  return {
+      .name = "gl",
+      .meaning = "Make the image of a scene with OpenGL",
+      .groups =
+          {{"Scene", {scene_argument(a.scene), outside_option(a.reading.outside), cache_option(a.reading.mesh_cache)}},
+           {"Image",
+            {file_option("-o,--output", "FILE.png", a.output,
+                         "8-bit image to write, read back from an RGBA8 target; by default, if no other file is asked "
+                         "for, the scene's name with .gl.png, in the current directory"),
+             file_option("--float", "FILE", a.radiance,
+                         "unclamped image to write, read back from an RGBA32F target: " +
+                             writable_extensions({float_rgb_image})),
+             file_option("--depth", "FILE", a.depth,
+                         "window depth to write, 1 where nothing was drawn: " +
+                             writable_extensions({float_grey_image})),
+             size_option(a.size)}},
+           {"OpenGL",
+            {enum_option("--renderer", a.options.renderer, "who draws; the software drivers are Mesa's"),
+             enum_option("--merl-filter", a.options.merl_filter,
+                         "how our GLSL reads a measured table between its samples"),
+             number_option("--frames", a.options.timed_frames, Range{0, 1'000'000},
+                           "draw so many more frames and time each; see --json")}},
+           {"Run",
+            {memory_option(a.max_memory),
+             file_option("--json", "FILE", a.json, "write driver, times and counts as JSON; - is standard output"),
+             strict_option(a.diagnostics), quiet_option(a.diagnostics)}}},
+      .notes = {"An object is drawn by the GLSL files that the scene names where they exist, else by our own GLSL of "
+                "the same formulas; a line on standard error says which. docs/glsl-interface.md: what a shader is "
+                "given.",
+                "Exit code 3: GLSL that does not compile, link or draw. 5: no OpenGL 3.3, or not the renderer that was "
+                "asked for."},
+      .finish = [arguments]() -> Action {
+        check_together(*arguments);
+        return [arguments] {
+          arguments->reading.memory = set_memory_limit(arguments->max_memory, 1);
+          clear_memory_limit(); // drivers do not bear it
+          return run(*arguments);
+        };
+      }};
 }
 
 } // namespace refraster

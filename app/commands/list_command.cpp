@@ -1,8 +1,13 @@
-// refraster list fragment-functions | precisions | limits | scene-format
+// refraster list: what there is to choose from, and what is made of the declared options.
 
 #include <refraster/render.h>
 
 #include "app/command.h"
+#include "app/options/completions.h"
+#include "app/options/man_page.h"
+#include "app/options/parse.h"
+#include "app/options/unknown_words.h"
+#include "app/usage_error.h"
 #include "io/file/limits.h"
 #include "io/scene/scene_file.h"
 #include "math/precisions.h"
@@ -91,35 +96,79 @@ void print_precisions(const std::tuple<Precision...>*) {
   std::cout << "Errors are of the radiance from a light of radiance 1, in ordinary directions; docs/precision.md.\n";
 }
 
+/// A list without options.
+Command printing_command(std::string name, std::string meaning, void (*print)()) {
+  return {.name = std::move(name), .meaning = std::move(meaning), .finish = [print]() -> Action {
+            return [print] {
+              print();
+              return ExitCode::ok;
+            };
+          }};
+}
+
+Command completions_command() {
+  struct Arguments {
+    std::size_t shell = 0;
+  };
+  const auto arguments = std::make_shared<Arguments>();
+  std::vector<std::string> names;
+  for (const Shell& shell : shells) names.emplace_back(shell.name);
+  const auto set_shell = [arguments](std::size_t i) { arguments->shell = i; };
+  return {.name = "completions",
+          .meaning = "What makes a shell complete commands and options",
+          .groups = {{"Shell", {word_option("SHELL", names, set_shell, "bash, zsh or fish").required()}}},
+          .notes = {"bash: source <(refraster list completions bash)",
+                    "zsh: write it to a file _refraster in a folder of $fpath.",
+                    "fish: refraster list completions fish | source"},
+          .finish = [arguments]() -> Action {
+            return [arguments] {
+              std::cout << shells[arguments->shell].completions(refraster_command());
+              return ExitCode::ok;
+            };
+          }};
+}
+
+/// Goes down from the program. Throws UsageError.
+CommandPath path_of(const Command& program, const std::vector<std::string>& words) {
+  const NamedCommand named = named_command(program, words);
+  if (named.rest.empty()) return named.path;
+  if (named.path.back()->commands.empty())
+    throw UsageError(place_name(named.path), "\"" + named.rest[0] + "\"", "no further command");
+  throw unknown_command(named.path, named.rest[0]);
+}
+
+Command man_page_command() {
+  const auto words = std::make_shared<std::vector<std::string>>();
+  Option command = arguments("COMMAND", *words, "command to describe, as render, or merl info; by default refraster");
+  command.completes = Completes::commands;
+  return {.name = "man-page",
+          .meaning = "Page of the manual, for man -l",
+          .groups = {{"Command", {std::move(command)}}},
+          .notes = {"refraster list man-page render | man -l -"},
+          .finish = [words]() -> Action {
+            const auto program = std::make_shared<Command>(refraster_command());
+            return [program, path = path_of(*program, *words)] {
+              std::cout << man_page(path);
+              return ExitCode::ok;
+            };
+          }};
+}
+
 } // namespace
 
-void add_list(CLI::App& program, Action& chosen) {
-  CLI::App& list = add_sub_command(program, "list", "Print what there is to choose from");
-  list.require_subcommand(1);
-  add_sub_command(list, "fragment-functions", "Fragment functions and their parameters").final_callback([&chosen] {
-    chosen = [] {
-      print_fragment_functions(static_cast<const FragmentFunction*>(nullptr));
-      return ExitCode::ok;
-    };
-  });
-  add_sub_command(list, "precisions", "Precisions that a frame can be rendered in").final_callback([&chosen] {
-    chosen = [] {
-      print_precisions(static_cast<const Precisions*>(nullptr));
-      return ExitCode::ok;
-    };
-  });
-  add_sub_command(list, "limits", "How large anything may be, as Markdown").final_callback([&chosen] {
-    chosen = [] {
-      std::cout << limits_markdown();
-      return ExitCode::ok;
-    };
-  });
-  add_sub_command(list, "scene-format", "Every key of a scene file, as Markdown").final_callback([&chosen] {
-    chosen = [] {
-      std::cout << scene_format_markdown();
-      return ExitCode::ok;
-    };
-  });
+Command list_command() {
+  return {
+      .name = "list",
+      .meaning = "Print what there is to choose from, completions for shells, pages of the manual",
+      .commands = {
+          printing_command("fragment-functions", "Fragment functions and their parameters",
+                           [] { print_fragment_functions(static_cast<const FragmentFunction*>(nullptr)); }),
+          printing_command("precisions", "Precisions that a frame can be rendered in",
+                           [] { print_precisions(static_cast<const Precisions*>(nullptr)); }),
+          printing_command("limits", "How large anything may be, as Markdown", [] { std::cout << limits_markdown(); }),
+          printing_command("scene-format", "Every key of a scene file, as Markdown",
+                           [] { std::cout << scene_format_markdown(); }),
+          completions_command(), man_page_command()}};
 }
 
 } // namespace refraster

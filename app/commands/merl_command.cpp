@@ -3,6 +3,7 @@
 #include "app/arguments.h"
 #include "app/command.h"
 #include "app/memory_limit.h"
+#include "app/options/shared_options.h"
 #include "app/output.h"
 #include "app/progress_line.h"
 #include "io/brdf/merl_file.h"
@@ -57,90 +58,95 @@ ExitCode print_info(const std::string& path) {
   return ExitCode::ok;
 }
 
-void add_info(CLI::App& merl, Action& chosen) {
-  CLI::App& info = add_sub_command(merl, "info", "What is in a table");
-  const auto path = std::make_shared<std::string>();
-  info.add_option("file", *path, "table, .binary")->required()->type_name("FILE");
-  const auto max_memory = std::make_shared<std::uint64_t>(0);
-  add_memory_option(info, *max_memory);
-  info.final_callback([&chosen, path, max_memory] {
-    chosen = [path, max_memory] {
-      set_memory_limit(*max_memory, 1);
-      return print_info(*path);
-    };
-  });
+Command info_command() {
+  struct Arguments {
+    std::string path;
+    std::uint64_t max_memory = 0;
+  };
+  const auto arguments = std::make_shared<Arguments>();
+  return {.name = "info",
+          .meaning = "What is in a table",
+          .groups = {{"Table",
+                      {argument("FILE", arguments->path, "table, .binary"), memory_option(arguments->max_memory)}}},
+          .finish = [arguments]() -> Action {
+            return [arguments] {
+              set_memory_limit(arguments->max_memory, 1);
+              return print_info(arguments->path);
+            };
+          }};
 }
 
-/// `merl synth NAME -o FILE`; the caller may add options that change the formula.
+/// `merl synth NAME -o FILE`. parameters: options that change the formula.
 template <class Brdf>
-CLI::App& add_formula(CLI::App& synth, Action& chosen, const std::string& name, const std::string& meaning,
-                      const std::shared_ptr<Brdf>& formula) {
-  CLI::App& command = add_sub_command(synth, name, meaning);
-  const auto output = std::make_shared<std::string>(name + ".binary");
-  command.add_option("-o,--output", *output, "table to write")->type_name("FILE");
-  const auto max_memory = std::make_shared<std::uint64_t>(0);
-  add_memory_option(command, *max_memory);
-  command.final_callback([&chosen, formula, output, max_memory] {
-    chosen = [formula, output, max_memory] {
-      set_memory_limit(*max_memory, 1);
-      check_writable(*output);
+Command formula_command(std::string name, std::string meaning, const std::shared_ptr<Brdf>& formula,
+                        std::vector<Option> parameters) {
+  struct Arguments {
+    std::string output;
+    std::uint64_t max_memory = 0;
+  };
+  const auto arguments = std::make_shared<Arguments>();
+  arguments->output = name + ".binary";
+  Command command{.name = std::move(name), .meaning = std::move(meaning)};
+  if (!parameters.empty()) command.groups.push_back({"Formula", std::move(parameters)});
+  command.groups.push_back({"Run",
+                            {file_option("-o,--output", "FILE", arguments->output, "table to write"),
+                             memory_option(arguments->max_memory)}});
+  command.finish = [formula, arguments]() -> Action {
+    return [formula, arguments] {
+      set_memory_limit(arguments->max_memory, 1);
+      check_writable(arguments->output);
       {
-        const ProgressLine line("making " + *output);
-        write_merl(*output, merl_table_from(std::as_const(*formula)));
+        const ProgressLine line("making " + arguments->output);
+        write_merl(arguments->output, merl_table_from(std::as_const(*formula)));
       }
-      std::cout << *output << "\n";
+      std::cout << arguments->output << "\n";
       return ExitCode::ok;
     };
-  });
+  };
   return command;
 }
 
-void add_reflectance(CLI::App& command, const std::string& name, Double3& value, const std::string& description) {
-  const auto text = [](double x) { return CLI::detail::to_string(x); };
-  add_parsed_option(command, name, value, reflectance_from, "R,G,B", "one number or three, in [0, 1]", description)
-      ->default_str(text(value.x) + "," + text(value.y) + "," + text(value.z));
+Option reflectance_option(const std::string& name, Double3& value, std::string meaning) {
+  return parsed_option(name, "R,G,B", value, reflectance_from,
+                       "one number, or three separated by commas, each in [0, 1]", std::move(meaning))
+      .by_default(number_text(value.x) + "," + number_text(value.y) + "," + number_text(value.z));
 }
 
-void add_alpha(CLI::App& command, double& alpha) {
+Option alpha_option(double& alpha) {
   // Below 0.001 a highlight is narrower than the first bin of theta_h, 1.9e-4 rad: the table would only show noise.
-  add_number_option(command, "--alpha", alpha, Range{0.001, 1},
-                    "roughness: slope at which the density has fallen to a quarter");
+  return number_option("--alpha", alpha, Range{0.001, 1},
+                       "roughness: slope at which the density has fallen to a quarter");
 }
 
-void add_synth(CLI::App& merl, Action& chosen) {
-  CLI::App& synth = add_sub_command(merl, "synth", "Make a table from a formula");
-  synth.require_subcommand(1);
-
+Command synth_command() {
   const auto lambert = std::make_shared<Lambert>();
-  CLI::App& matt = add_formula(synth, chosen, "lambert", "the same in all directions", lambert);
-  add_reflectance(matt, "--albedo", lambert->albedo, "fraction of the light that is reflected");
-
-  const auto conductor = std::make_shared<GgxConductor>();
-  CLI::App& metal = add_formula(synth, chosen, "ggx-conductor", "rough metal", conductor);
-  add_alpha(metal, conductor->alpha);
-  add_reflectance(metal, "--f0", conductor->f0, "reflectance at normal incidence");
-
-  const auto dielectric = std::make_shared<GgxDielectric>();
-  CLI::App& plastic =
-      add_formula(synth, chosen, "ggx-dielectric", "rough dielectric over a diffuse ground", dielectric);
-  add_alpha(plastic, dielectric->alpha);
-  add_number_option(plastic, "--ior", dielectric->ior, Range{1.0001, 10}, "refractive index");
-  add_reflectance(plastic, "--albedo", dielectric->albedo, "of the ground");
-
+  const auto metal = std::make_shared<GgxConductor>();
+  const auto plastic = std::make_shared<GgxDielectric>();
+  Command command{.name = "synth", .meaning = "Make a table from a formula"};
+  command.commands = {
+      formula_command("lambert", "the same in all directions", lambert,
+                      {reflectance_option("--albedo", lambert->albedo, "fraction of the light that is reflected")}),
+      formula_command(
+          "ggx-conductor", "rough metal", metal,
+          {alpha_option(metal->alpha), reflectance_option("--f0", metal->f0, "reflectance at normal incidence")}),
+      formula_command("ggx-dielectric", "rough dielectric over a diffuse ground", plastic,
+                      {alpha_option(plastic->alpha),
+                       number_option("--ior", plastic->ior, Range{1.0001, 10}, "refractive index"),
+                       reflectance_option("--albedo", plastic->albedo, "of the ground")})};
   for (const BrdfPreset& preset : brdf_presets()) {
     if (preset.name == "lambert") continue; // is there, with a parameter
-    add_formula(synth, chosen, std::string(preset.name), std::string(preset.meaning),
-                std::make_shared<AnalyticBrdf>(preset.brdf));
+    command.commands.push_back(formula_command(std::string(preset.name), std::string(preset.meaning),
+                                               std::make_shared<AnalyticBrdf>(preset.brdf), {}));
   }
+  return command;
 }
 
 } // namespace
 
-void add_merl(CLI::App& program, Action& chosen) {
-  CLI::App& merl = add_sub_command(program, "merl", "Look into a measured BRDF, or make a table");
-  merl.require_subcommand(1);
-  add_info(merl, chosen);
-  add_synth(merl, chosen);
+Command merl_command() {
+  return {.name = "merl",
+          .meaning = "Look into a measured BRDF, or make a table",
+          .commands = {info_command(), synth_command()}};
 }
 
 } // namespace refraster

@@ -1,9 +1,9 @@
 // refraster mesh sphere | cube | plane | torus | knot: the shapes of a scene's "mesh", with the same parameters, as a
 // file.
 
-#include "app/arguments.h"
 #include "app/command.h"
 #include "app/memory_limit.h"
+#include "app/options/shared_options.h"
 #include "app/output.h"
 #include "app/progress_line.h"
 #include "io/mesh/obj_file.h"
@@ -24,44 +24,51 @@ std::string option_name(std::string_view key) {
 }
 
 template <class S>
-void add_shape(CLI::App& mesh, Action& chosen) {
-  const std::string name(S::name);
-  CLI::App& command = add_sub_command(mesh, name, std::string(S::meaning));
-  const auto shape = std::make_shared<S>();
-  const auto output = std::make_shared<std::string>(name + ".obj");
-  S::fields(*shape, [&](std::string_view key, auto& value, const Range& range, std::string_view meaning, Presence) {
-    add_number_option(command, option_name(key), value, range, std::string(meaning));
-  });
-  command.add_option("-o,--output", *output, "OBJ file to write")->type_name("FILE");
-  const auto max_memory = std::make_shared<std::uint64_t>(0);
-  add_memory_option(command, *max_memory);
-  command.final_callback([&chosen, shape, output, max_memory] {
-    chosen = [shape, output, max_memory] {
-      const MemoryBudget memory = set_memory_limit(*max_memory, 1);
-      check_writable(*output);
+Command shape_command() {
+  struct Arguments {
+    S shape;
+    std::string output = std::string(S::name) + ".obj";
+    std::uint64_t max_memory = 0;
+  };
+  const auto arguments = std::make_shared<Arguments>();
+  std::vector<Option> parameters;
+  S::fields(arguments->shape,
+            [&](std::string_view key, auto& value, const Range& range, std::string_view meaning, Presence) {
+              parameters.push_back(number_option(option_name(key), value, range, std::string(meaning)));
+            });
+  Command command{.name = std::string(S::name), .meaning = std::string(S::meaning)};
+  if (!parameters.empty()) command.groups.push_back({"Shape", parameters});
+  command.groups.push_back({"Run",
+                            {file_option("-o,--output", "FILE", arguments->output, "OBJ file to write"),
+                             memory_option(arguments->max_memory)}});
+  command.finish = [arguments]() -> Action {
+    return [arguments] {
+      const MemoryBudget memory = set_memory_limit(arguments->max_memory, 1);
+      check_writable(arguments->output);
       {
-        const ProgressLine line("making " + *output);
-        const MeshCounts counts = mesh_counts(*shape);
+        const ProgressLine line("making " + arguments->output);
+        const MeshCounts counts = mesh_counts(arguments->shape);
         memory.need(counts.size_bytes(), std::to_string(counts.triangles) + " triangles");
-        write_obj(*output, *make_mesh(*shape));
+        write_obj(arguments->output, *make_mesh(arguments->shape));
       }
-      std::cout << *output << "\n";
+      std::cout << arguments->output << "\n";
       return ExitCode::ok;
     };
-  });
+  };
+  return command;
 }
 
 template <class... S>
-void add_shapes(CLI::App& mesh, Action& chosen, const std::variant<S...>*) {
-  (add_shape<S>(mesh, chosen), ...);
+std::vector<Command> shape_commands(const std::variant<S...>*) {
+  return {shape_command<S>()...};
 }
 
 } // namespace
 
-void add_mesh(CLI::App& program, Action& chosen) {
-  CLI::App& mesh = add_sub_command(program, "mesh", "Make a mesh and write it as OBJ");
-  mesh.require_subcommand(1);
-  add_shapes(mesh, chosen, static_cast<const Shape*>(nullptr));
+Command mesh_command() {
+  return {.name = "mesh",
+          .meaning = "Make a mesh and write it as OBJ",
+          .commands = shape_commands(static_cast<const Shape*>(nullptr))};
 }
 
 } // namespace refraster

@@ -7,9 +7,11 @@
 #include "app/diagnostics.h"
 #include "app/interrupt.h"
 #include "app/memory_limit.h"
+#include "app/options/shared_options.h"
 #include "app/output.h"
 #include "app/progress_line.h"
 #include "app/run_report.h"
+#include "app/usage_error.h"
 #include "io/file/input_error.h"
 #include "io/image/image_file.h"
 #include "io/scene/scene_file.h"
@@ -62,16 +64,15 @@ std::string aov_path(const std::string& output, Aov aov) {
 void check_together(const RenderArguments& arguments) {
   for (const PixelRect& crop : arguments.crop) {
     if (crop.width <= arguments.size.width - crop.x && crop.height <= arguments.size.height - crop.y) continue;
-    throw CLI::ValidationError("--crop", "reaches out of the image of " + std::to_string(arguments.size.width) + "x" +
-                                             std::to_string(arguments.size.height) + " pixels");
+    throw UsageError("--crop", "reaches out of the image of " + std::to_string(arguments.size.width) + "x" +
+                                   std::to_string(arguments.size.height) + " pixels");
   }
   const PixelRect part =
       arguments.crop.empty() ? PixelRect{0, 0, arguments.size.width, arguments.size.height} : arguments.crop.back();
   check_frame_samples(part.width, part.height, arguments.samples);
   check_extension("--output", arguments.output, {rgb8_image, float_rgb_image});
   if (arguments.transfer == Transfer::srgb && writes_floats(arguments))
-    throw CLI::ValidationError("--srgb",
-                               "is for " + writable_extensions({rgb8_image}) + "; float images hold linear values");
+    throw UsageError("--srgb", "is for " + writable_extensions({rgb8_image}) + "; float images hold linear values");
 }
 
 RenderOptions options_from(const RenderArguments& arguments) {
@@ -190,53 +191,56 @@ ExitCode run(const RenderArguments& arguments) {
 
 } // namespace
 
-void add_render(CLI::App& program, Action& chosen) {
-  CLI::App& command = add_sub_command(program, "render", "Make the image of a scene");
+Command render_command() {
   const auto arguments = std::make_shared<RenderArguments>();
   RenderArguments& a = *arguments;
-
-  command.add_option("scene", a.scene, "scene file; docs/scene-format.md")->required()->type_name("SCENE");
-  command
-      .add_option("-o,--output", a.output,
-                  "image to write: " + writable_extensions({rgb8_image}) + " (8 bit), " +
-                      writable_extensions({float_rgb_image}) +
-                      " (float, unclamped); by default the scene's name with .png, in the current directory")
-      ->type_name("FILE");
-  add_parsed_option(command, "--size", a.size, size_from, "WxH",
-                    "WIDTHxHEIGHT, each 1 to " + std::to_string(largest_side), "pixels of the image")
-      ->default_str("1280x720");
-  add_parsed_option(command, "--crop", a.crop, crop_from, "X,Y,W,H", "x,y,width,height in pixels from the top left",
-                    "make only this part of the image, with the same pixels");
-  add_choice_option(command, "--precision", a.precision, precision_names(),
-                    "precision of shading; `refraster list precisions`");
-  add_choice_option(command, "--samples", a.samples, {1, 2, 4, 8, 16},
-                    "samples a pixel, at the standard positions; shaded once a triangle");
-  add_number_option(command, "--threads", a.threads, Range{0, double(limit::threads.value)},
-                    "threads; 0: as many as this machine has");
-  add_choice_option(command, "--tile-size", a.tile_size, {8, 16, 32, 64, 128},
-                    "pixels along a side of the tiles that threads work on");
-  add_parsed_option(command, "--aov", a.aovs, aovs_from, "LIST",
-                    "some of depth,normal,position,uv,albedo,triangle,object, each once",
-                    "more images to write, as NAME.depth.pfm next to NAME.png (.exr next to .exr): depth, normal, "
-                    "position, uv, albedo, triangle, object");
-  add_outside_option(command, a.reading.outside);
-  add_memory_option(command, a.max_memory);
-  add_cache_option(command, a.reading.mesh_cache);
-  command.add_option("--report", a.report, "write a report of the run as JSON; - is standard output")
-      ->type_name("FILE");
-  command.add_flag_callback(
-      "--srgb", [&a] { a.transfer = Transfer::srgb; }, "apply the sRGB curve (.png only)");
-  add_strict_option(command, a.diagnostics);
-  add_quiet_option(command, a.diagnostics);
-
-  command.final_callback([&chosen, arguments] {
-    if (arguments->output.empty()) arguments->output = stem(arguments->scene) + ".png";
-    check_together(*arguments);
-    chosen = [arguments] {
-      arguments->reading.memory = set_memory_limit(arguments->max_memory, arguments->threads);
-      return run(*arguments);
-    };
-  });
+  const auto set_crop = [&a](const std::string& text) -> std::optional<ValueFault> {
+    const std::optional<PixelRect> crop = crop_from(text);
+    if (!crop) return ValueFault{"x,y,width,height in pixels from the top left"};
+    a.crop = {*crop};
+    return std::nullopt;
+  };
+  const std::vector<std::string> aovs(std::begin(aov_names), std::end(aov_names));
+  const auto set_aovs = [&a](const std::vector<std::size_t>& indices) {
+    for (const std::size_t i : indices) a.aovs.push_back(static_cast<Aov>(i));
+  };
+  return {
+      .name = "render",
+      .meaning = "Make the image of a scene",
+      .groups =
+          {{"Scene", {scene_argument(a.scene), outside_option(a.reading.outside), cache_option(a.reading.mesh_cache)}},
+           {"Image",
+            {file_option("-o,--output", "FILE", a.output,
+                         "image to write: " + writable_extensions({rgb8_image}) + " (8 bit), " +
+                             writable_extensions({float_rgb_image}) +
+                             " (float, unclamped); by default the scene's name with .png, in the current directory"),
+             size_option(a.size),
+             value_option("--crop", "X,Y,W,H", "make only this part of the image, with the same pixels", set_crop),
+             choice_option("--precision", a.precision, precision_names(),
+                           "number type of shading; `refraster list precisions`"),
+             number_choice_option("--samples", a.samples, {1, 2, 4, 8, 16},
+                                  "samples a pixel, at the standard positions; shaded once a triangle"),
+             word_list_option("--aov", "NAME,…", aovs, set_aovs,
+                              "more images to write (arbitrary output variables), as NAME.depth.pfm next to NAME.png, "
+                              ".exr next to .exr: depth, normal, position, uv, albedo, triangle, object"),
+             flag(
+                 "--srgb", [&a] { a.transfer = Transfer::srgb; }, "apply the sRGB curve (.png only)")}},
+           {"Run",
+            {number_option("--threads", a.threads, Range{0, double(limit::threads.value)},
+                           "threads; 0: as many as this machine has"),
+             number_choice_option("--tile-size", a.tile_size, {8, 16, 32, 64, 128},
+                                  "pixels along a side of the tiles that threads work on"),
+             memory_option(a.max_memory),
+             file_option("--report", "FILE", a.report, "write a report of the run as JSON; - is standard output"),
+             strict_option(a.diagnostics), quiet_option(a.diagnostics)}}},
+      .finish = [arguments]() -> Action {
+        if (arguments->output.empty()) arguments->output = stem(arguments->scene) + ".png";
+        check_together(*arguments);
+        return [arguments] {
+          arguments->reading.memory = set_memory_limit(arguments->max_memory, arguments->threads);
+          return run(*arguments);
+        };
+      }};
 }
 
 } // namespace refraster

@@ -1,5 +1,6 @@
 #include "io/scene/scene_reader.h"
 
+#include "io/file/nearest.h"
 #include "io/file/text.h"
 
 #include <algorithm>
@@ -98,9 +99,7 @@ void SceneReader::finish() {
     const JsonNode& node = document_[i];
     if (is_known(node.key)) continue;
     faults_.add_from([&] {
-      std::string list;
-      for (const std::string_view known : known_) list += (list.empty() ? "one of " : ", ") + std::string(known);
-      return document_.fault_at(node.key_begin, path_of(node.key), "an unknown key", list);
+      return document_.fault_at(node.key_begin, path_of(node.key), "an unknown key", one_of(known_, node.key));
     });
   }
 }

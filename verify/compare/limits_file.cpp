@@ -1,6 +1,7 @@
 #include "verify/compare/limits_file.h"
 
 #include "io/file/input_file.h"
+#include "io/file/nearest.h"
 #include "io/json/json.h"
 
 #include <cmath>
@@ -21,8 +22,8 @@ CompareLimits read_limits(const std::string& path, CompareUnit unit) {
     const std::string place = std::string("/").append(member.key);
     const bool is_count = member.key == "max_count", is_unit = member.key == "unit";
     if (!is_count && !is_unit && member.key != "max_abs" && member.key != "max_rms") {
-      faults.push_back(
-          document.fault_at(member.key_begin, place, "an unknown key", "max_abs, max_rms, max_count or unit"));
+      faults.push_back(document.fault_at(member.key_begin, place, "an unknown key",
+                                         one_of({"max_abs", "max_rms", "max_count", "unit"}, member.key)));
       continue;
     }
     const bool again = is_unit    ? unit_of_file.has_value()

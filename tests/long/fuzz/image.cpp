@@ -1,4 +1,5 @@
 
+
 #include <refraster/mesh.h>
 
 #include "tests/long/fuzz/dirty_memory.h"

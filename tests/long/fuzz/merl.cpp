@@ -1,4 +1,5 @@
 
+
 #include <refraster/mesh.h>
 
 #include "tests/long/fuzz/memory.h"

@@ -65,7 +65,7 @@ TEST_CASE("--max-memory takes sizes of at least 64M, and nothing else") {
     const Finished run = run_program(folder.path, {"render", "ball.json", "--max-memory", size});
     INFO(size);
     CHECK(run.exit_code == 2);
-    CHECK(run.err.starts_with("--max-memory: found \""));
+    CHECK(run.err.starts_with("refraster: --max-memory: found \""));
   }
 }
 

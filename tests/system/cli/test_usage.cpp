@@ -1,9 +1,18 @@
 // Help, version, and what is said to wrong arguments.
 
+#include "app/options/wrap.h"
 #include "tests/support/program/program.h"
 #include "tests/support/program/scenes.h"
+#include "tests/support/program/terminal.h"
 
 #include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fcntl.h>
+#include <sstream>
+#include <sys/ioctl.h>
+#include <unistd.h>
 
 using namespace refraster;
 
@@ -21,6 +30,7 @@ const std::vector<Words> every_level = {
     {"mesh", "cube"},
     {"mesh", "plane"},
     {"mesh", "torus"},
+    {"mesh", "knot"},
     {"merl"},
     {"merl", "info"},
     {"merl", "synth"},
@@ -33,6 +43,8 @@ const std::vector<Words> every_level = {
     {"list", "precisions"},
     {"list", "limits"},
     {"list", "scene-format"},
+    {"list", "completions"},
+    {"list", "man-page"},
 };
 
 std::string joined(const Words& words) {
@@ -74,7 +86,8 @@ TEST_CASE("--version is there at every level, and says the same") {
 TEST_CASE("help prints the defaults") {
   const TemporaryFolder folder;
   const std::string help = run_program(folder.path, {"render", "--help"}).out;
-  for (const std::string expected : {"=1280x720", "=double", "=64", "=0", "=1"})
+  for (const std::string expected :
+       {"(default 1280x720)", "(default double)", "(default 64)", "(default 0)", "(default 1)"})
     CHECK_MESSAGE(help.find(expected) != std::string::npos, expected);
 }
 
@@ -173,6 +186,14 @@ TEST_CASE("every wrong argument is answered with exit code 2, one line and a hin
       {"merl", "synth", "ggx-dielectric", "--ior", "1"},
       {"list"},
       {"list", "colours"},
+      {"list", "completions"},
+      {"list", "completions", "tcsh"},
+      {"list", "man-page", "paint"},
+      {"list", "man-page", "render", "paint"},
+      {"render", "ball.json", "--quiet=very"},
+      {"render", "ball.json", "--threads", "1", "--threads", "2"},
+      {"render", "ball.json", "--size"},
+      {"render", "ball.json", "-qo"},
   };
   for (const Words& words : wrong) {
     const Finished run = run_program(folder.path, words);
@@ -182,6 +203,105 @@ TEST_CASE("every wrong argument is answered with exit code 2, one line and a hin
     CHECK(run.err.find("--help") != std::string::npos);
   }
   CHECK(files_in(folder) == Words{"ball.json"});
+}
+
+TEST_CASE("what is wrong is named, with what was meant and what there is") {
+  const TemporaryFolder folder;
+  save_text(folder / "ball.json", ball_scene);
+  const auto said_of = [&](const Words& words) {
+    const std::string err = run_program(folder.path, words).err;
+    return err.substr(0, err.find('\n'));
+  };
+  CHECK(said_of({"rendr"}) ==
+        "refraster: found \"rendr\", expected one of render, compare, gl, bench, mesh, merl, list; "
+        "did you mean render?");
+  CHECK(said_of({"merl", "sinth"}) ==
+        "refraster: merl: found \"sinth\", expected one of info, synth; did you mean synth?");
+  CHECK(said_of({"merl"}) == "refraster: merl: found nothing, expected one of info, synth");
+  CHECK(said_of({"render"}) == "refraster: render: found nothing, expected SCENE (scene file; docs/scene-format.md)");
+  CHECK(said_of({"compare", "a.png"}).starts_with("refraster: compare: found nothing, expected B ("));
+  CHECK(said_of({"render", "ball.json", "more"}) ==
+        "refraster: render: found \"more\", expected no argument but SCENE");
+  CHECK(said_of({"render", "ball.json", "--size"}) == "refraster: --size: found nothing, expected WxH");
+  const std::string unknown = said_of({"render", "ball.json", "4", "--sample", "4"});
+  CHECK(unknown.starts_with("refraster: render: found \"--sample\", expected one of --"));
+  CHECK(unknown.ends_with("; did you mean --samples?"));
+  CHECK(said_of({"render", "ball.json", "-quiet"}).find("found \"-quiet\"") != std::string::npos);
+  CHECK(said_of({"--quiet", "render", "ball.json"}) == "refraster: found \"--quiet\", expected a command before it, "
+                                                       "one of render, compare, gl, bench, mesh, merl, list");
+  CHECK(said_of({"render", "ball.json", "--precision", "flaot"}) ==
+        "refraster: --precision: found \"flaot\", expected one of double, float, fast, exact; did you mean float?");
+  CHECK(said_of({"render", "ball.json", "--aov", "depth,norml"}) ==
+        "refraster: --aov: found \"norml\", expected one of depth, normal, position, uv, albedo, triangle, object; did "
+        "you mean normal?");
+  CHECK(said_of({"bench", "--precisions", "double,flot"}).ends_with("; did you mean float?"));
+}
+
+TEST_CASE("who writes blanks between values is told about commas") {
+  const TemporaryFolder folder;
+  save_text(folder / "ball.json", ball_scene);
+  const auto hint_in = [&](const Words& words) {
+    const std::string err = run_program(folder.path, words).err;
+    const std::size_t hint = err.find("; commas stand between values: ");
+    return hint == std::string::npos ? "" : err.substr(hint + 31, err.find('\n') - hint - 31);
+  };
+  CHECK(hint_in({"render", "ball.json", "--crop", "0", "0", "4", "4"}) == "--crop 0,0,4,4");
+  CHECK(hint_in({"render", "--crop", "0 0 4 4", "ball.json"}) == "--crop 0,0,4,4");
+  CHECK(hint_in({"render", "--crop=0, 0, 4, 4", "ball.json"}) == "--crop 0,0,4,4");
+  CHECK(hint_in({"render", "--aov", "depth", "normal", "ball.json"}) == "--aov depth,normal");
+  CHECK(hint_in({"merl", "synth", "lambert", "--albedo", "0.1", "0.2", "0.3"}) == "--albedo 0.1,0.2,0.3");
+  CHECK(hint_in({"render", "ball.json", "--crop", "0,0,0,4"}).empty());
+  CHECK(hint_in({"render", "ball.json", "--aov", "depth,normal", "more"}).empty());
+}
+
+TEST_CASE("a command without the one that must follow prints its help to standard error") {
+  const TemporaryFolder folder;
+  for (const Words& level : {Words{}, Words{"mesh"}, Words{"merl"}, Words{"merl", "synth"}, Words{"list"}}) {
+    const Finished bare = run_program(folder.path, level);
+    INFO(joined(level));
+    CHECK(bare.exit_code == 2);
+    CHECK(bare.err.ends_with("\n\n" + run_program(folder.path, with(level, "--help")).out));
+  }
+}
+
+TEST_CASE("--help and --version are answered wherever they stand, whatever else is wrong") {
+  const TemporaryFolder folder;
+  const std::string help = run_program(folder.path, {"render", "--help"}).out;
+  for (const Words& words : {Words{"--help", "render"}, Words{"render", "-h"},
+                             Words{"render", "--sample", "-h", "a", "b"}, Words{"render", "--size", "0", "--help"}}) {
+    const Finished run = run_program(folder.path, words);
+    INFO(joined(words));
+    CHECK(run.exit_code == 0);
+    CHECK(run.out == help);
+  }
+  CHECK(run_program(folder.path, {"--version", "render"}).out == run_program(folder.path, {"--version"}).out);
+}
+
+TEST_CASE("options are given in any form: behind '=', as one word with a short name, after --") {
+  const TemporaryFolder folder;
+  save_text(folder / "-b.json", empty_scene);
+  CHECK(run_program(folder.path, {"render", "--size=8x8", "-qoa.png", "--", "-b.json"}).exit_code == 0);
+  CHECK(files_in(folder) == Words{"-b.json", "a.png"});
+}
+
+TEST_CASE("on a terminal, help and messages are wrapped at its width") {
+  if (std::getenv("COLUMNS") != nullptr) return; // which goes before the terminal's own
+  const TemporaryFolder folder;
+  for (const int columns : {50, 100}) {
+    const Terminal terminal;
+    const int device = open(terminal.path().c_str(), O_RDWR | O_NOCTTY);
+    const winsize size{50, static_cast<unsigned short>(columns), 0, 0};
+    REQUIRE(ioctl(device, TIOCSWINSZ, &size) == 0);
+    CHECK(Running(folder.path, {"render", "--sample"}, terminal.path()).wait().exit_code == 2);
+    CHECK(Running(folder.path, {}, terminal.path()).wait().exit_code == 2);
+    std::istringstream lines(terminal.rest());
+    int widest = 0;
+    for (std::string line; std::getline(lines, line);) widest = std::max(widest, columns_of(line) - 1); // of "\r\n"
+    close(device);
+    INFO(columns);
+    CHECK(widest <= columns);
+    CHECK(widest > columns - 20); // no word is longer
+  }
 }
 
 TEST_CASE("a leading zero is no octal number") {

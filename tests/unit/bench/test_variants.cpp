@@ -1,4 +1,5 @@
 
+
 #include <refraster/mesh.h>
 
 #include "bench/measure/scene_bench.h"

@@ -1,4 +1,5 @@
 
+
 #include <refraster/mesh.h>
 
 #include "io/file/input_error.h"

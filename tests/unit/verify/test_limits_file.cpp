@@ -57,6 +57,7 @@ TEST_CASE("every wrong limit of a file is reported by its place") {
     CHECK(error.faults()[2].expected == "a whole number >= 0");
     CHECK(error.faults()[3].line == 5);
     CHECK(error.faults()[3].found == "an unknown key");
+    CHECK(error.faults()[3].expected == "one of max_abs, max_rms, max_count, unit");
   }
   CHECK_THROWS_AS(limits_in("[]"), InputError);
   for (const char* const unit : {"\"level\"", "\"Values\"", "1", "null", "\"levels\", \"unit\": \"levels\""})

@@ -1,0 +1,36 @@
+#pragma once
+// Options that several commands have, each declared once.
+
+#include "app/arguments.h"
+#include "app/diagnostics.h"
+#include "app/options/option.h"
+#include "io/scene/scene_file.h"
+
+#include <cstdint>
+#include <string>
+
+namespace refraster {
+
+/// The argument SCENE.
+Option scene_argument(std::string& path);
+
+/// --size WxH.
+Option size_option(Size& size);
+
+/// --allow-outside, for the commands that read scenes.
+Option outside_option(Outside& outside);
+
+/// --cache, for the commands that read scenes: a folder of large meshes that were read before. check_cache_folder.
+Option cache_option(std::string& folder);
+
+/// --max-memory SIZE; 0 if it is not given.
+Option memory_option(std::uint64_t& bytes);
+
+/// --strict, for commands that read scenes, meshes or textures.
+Option strict_option(Diagnostics& diagnostics);
+
+/// -q, --quiet: neither progress nor notes; nor, where the command has one, its report.
+Option quiet_option(Diagnostics& diagnostics,
+                    const std::string& meaning = "print errors only: no progress, notes or warnings");
+
+} // namespace refraster
