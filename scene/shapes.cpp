@@ -1,7 +1,5 @@
 
 
-#include <refraster/shapes.h>
-
 #include <refraster/mesh.h>
 
 #include <numbers>

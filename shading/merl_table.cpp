@@ -1,7 +1,5 @@
 
 
-#include <refraster/merl_table.h>
-
 #include <refraster/material.h>
 
 #include "math/elementary.h"

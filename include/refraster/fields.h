@@ -19,9 +19,9 @@ enum class Ends { included, excluded };
 
 /// What a number may be: finite, and from min to max; each channel for a colour, each coordinate for a vector.
 struct Range {
-  double min = 0;
-  double max = std::numeric_limits<double>::max();
-  Ends ends = Ends::included;
+  double min = 0;                                  ///< the least
+  double max = std::numeric_limits<double>::max(); ///< the greatest
+  Ends ends = Ends::included;                      ///< whether those two belong to it
 
   /// False for NaN.
   constexpr bool contains(double x) const { return ends == Ends::included ? min <= x && x <= max : min < x && x < max; }
@@ -63,8 +63,8 @@ constexpr std::optional<Enum> value_named(std::string_view name) {
 
 /// An enum whose type is not known here: the words for its values, and which of them it is.
 struct NamedValue {
-  std::vector<std::string_view> names;
-  std::size_t index = 0;
+  std::vector<std::string_view> names = {}; ///< in the order of the enum
+  std::size_t index = 0;                    ///< of the value
 };
 
 /// Is shown the parameters of a fragment function whose type is not known here, one by one, as `fields` declares them,
@@ -72,8 +72,11 @@ struct NamedValue {
 class FieldVisitor {
 public:
   virtual ~FieldVisitor() = default;
+  /// A number.
   virtual void field(std::string_view name, double& value, const Range& range, std::string_view meaning) = 0;
+  /// A colour or a vector; the range is that of each component.
   virtual void field(std::string_view name, Double3& value, const Range& range, std::string_view meaning) = 0;
+  /// A choice. The index must stay below the number of names.
   virtual void field(std::string_view name, NamedValue& value, const Range& range, std::string_view meaning) = 0;
 };
 

@@ -16,10 +16,10 @@ namespace refraster {
 /// A number type for interpolation and shading, all the way from a sample's weights to the pixel. Which triangle a
 /// sample sees is decided before, once, for all of them: images of two precisions differ in values, never in shape.
 enum class Precision {
-  double_, // the reference: the same bits on every machine
-  float_,  // speed, with GPU-like arithmetic: the same bits on every machine
-  fast,    // more speed, last bits of float given up
-  exact    // the truth: the same formulas in 60 digits; slow
+  double_, ///< the reference: the same bits on every machine
+  float_,  ///< speed, with GPU-like arithmetic: the same bits on every machine
+  fast,    ///< more speed, last bits of float given up
+  exact    ///< the truth: the same formulas in 60 digits; slow
 };
 
 template <>
@@ -32,13 +32,13 @@ struct EnumNames<Precision> {
 
 /// Images beside the colour, each of the nearest surface at the pixel centre; 0 where there is none.
 enum class Aov {
-  depth,    // 1 channel: window depth in [0, 1]; 1 where there is no surface
-  normal,   // 3: unit shading normal, world space
-  position, // 3: world space
-  uv,       // 2: as interpolated, not wrapped
-  albedo,   // 3: texture colour times kd; for a measured BRDF its value at normal incidence times pi
-  triangle, // 1: index of the triangle in its object's mesh, counted from 1; see max_exact_triangle_id
-  object,   // 1: index of the object in the scene, counted from 1
+  depth,    ///< 1 channel: window depth in [0, 1]; 1 where there is no surface
+  normal,   ///< 3: unit shading normal, world space
+  position, ///< 3: world space
+  uv,       ///< 2: as interpolated, not wrapped
+  albedo,   ///< 3: texture colour times kd; for a measured BRDF its value at normal incidence times pi
+  triangle, ///< 1: index of the triangle in its object's mesh, counted from 1; see max_exact_triangle_id
+  object,   ///< 1: index of the object in the scene, counted from 1
   count_
 };
 /// Up to so many triangles in an object a float tells one from the next; beyond, it is the nearest to the index.
@@ -50,17 +50,22 @@ inline constexpr int aov_channels[] = {1, 3, 3, 2, 3, 1, 1};
 
 /// Seconds of wall time in each stage of a frame.
 struct StageSeconds {
-  double transform = 0, bin = 0, tiles = 0, total = 0;
+  double transform = 0; ///< vertices
+  double bin = 0;       ///< triangles, to the tiles that they may touch
+  double tiles = 0;     ///< visibility, shading, resolve
+  double total = 0;     ///< of the whole frame
 };
 
 /// What the tiles' time was spent on: seconds of each thread, added up.
 struct TileSeconds {
-  double visibility = 0;      // coverage and depth
-  double attribute_setup = 0; // listing what is visible, and setting it up for interpolation
-  double shading = 0;         // interpolation and fragment functions
-  double resolve = 0;         // averaging samples, writing pixels
+  double visibility = 0;      ///< coverage and depth
+  double attribute_setup = 0; ///< listing what is visible, and setting it up for interpolation
+  double shading = 0;         ///< interpolation and fragment functions
+  double resolve = 0;         ///< averaging samples, writing pixels
+  /// Of all four.
   double sum() const { return visibility + attribute_setup + shading + resolve; }
 
+  /// Adds each.
   TileSeconds& operator+=(const TileSeconds& other) {
     visibility += other.visibility, attribute_setup += other.attribute_setup;
     shading += other.shading, resolve += other.resolve;
@@ -71,15 +76,15 @@ struct TileSeconds {
 /// What the mathematics leaves undefined, a fragment function defines and counts, so that a run report can say how
 /// often a pixel rests on a convention instead of a formula.
 enum class Undefined {
-  zero_normal,      // the interpolated normal is 0: the triangle's own normal is used
-  no_normal,        // and that is 0 too: ambient light only
-  eye_at_surface,   // the camera is at the surface point: no direction to the eye, v = 0
-  light_at_surface, // the light is at the surface point: no direction to it, contributes 0
-  no_half_vector,   // l = -v: no half vector, no lobe
-  zero_to_the_zero, // glossiness 0 and a cosine of 0: 0^0 = 1
-  unmeasured_brdf,  // every table sample around the direction is marked as never measured: 0
-  not_finite,       // overflow in a channel: the largest finite number; NaN: 0
-  bad_uv,           // a texture coordinate is NaN or infinite: taken as 0
+  zero_normal,      ///< the interpolated normal is 0: the triangle's own normal is used
+  no_normal,        ///< and that is 0 too: ambient light only
+  eye_at_surface,   ///< the camera is at the surface point: no direction to the eye, v = 0
+  light_at_surface, ///< the light is at the surface point: no direction to it, contributes 0
+  no_half_vector,   ///< l = -v: no half vector, no lobe
+  zero_to_the_zero, ///< glossiness 0 and a cosine of 0: 0^0 = 1
+  unmeasured_brdf,  ///< every table sample around the direction is marked as never measured: 0
+  not_finite,       ///< overflow in a channel: the largest finite number; NaN: 0
+  bad_uv,           ///< a texture coordinate is NaN or infinite: taken as 0
   count_
 };
 
@@ -89,10 +94,13 @@ inline constexpr std::array<std::string_view, static_cast<std::size_t>(Undefined
 
 /// How often each case was met: per light and shaded sample where it concerns a light.
 struct UndefinedCounts {
-  std::array<std::uint64_t, static_cast<std::size_t>(Undefined::count_)> counts{};
+  std::array<std::uint64_t, static_cast<std::size_t>(Undefined::count_)> counts{}; ///< by Undefined
 
+  /// How often `which` was met.
   std::uint64_t& operator[](Undefined which) { return counts[static_cast<std::size_t>(which)]; }
+  /// The same.
   std::uint64_t operator[](Undefined which) const { return counts[static_cast<std::size_t>(which)]; }
+  /// Adds each.
   UndefinedCounts& operator+=(const UndefinedCounts& other) {
     for (std::size_t i = 0; i < counts.size(); ++i) counts[i] += other.counts[i];
     return *this;
@@ -101,20 +109,21 @@ struct UndefinedCounts {
 
 /// What a frame met. The same for every thread count and tile size.
 struct FrameCounts {
-  std::uint64_t triangles = 0;       // in the scene
-  std::uint64_t not_finite = 0;      // dropped: a vertex with NaN or infinity
-  std::uint64_t outside = 0;         // dropped: wholly outside the view
-  std::uint64_t degenerate = 0;      // dropped: no area, before or after snapping
-  std::uint64_t culled = 0;          // dropped: seen from behind, with "cull": "back"
-  std::uint64_t between_samples = 0; // dropped: covers no sample's row or column
-  std::uint64_t clipped = 0;         // of those drawn: reach behind the eye, past a depth plane or the guard band
-  std::uint64_t drawn = 0;
-  std::uint64_t pixels = 0;     // in the image or crop
-  std::uint64_t shaded = 0;     // pixels that see a surface
-  std::uint64_t fragments = 0;  // shaded for them: one a pixel and triangle seen; the same number with 1 sample
-  std::uint64_t lane_slots = 0; // lanes computed for them: fragments / lane_slots is the occupancy
-  UndefinedCounts undefined;
+  std::uint64_t triangles = 0;       ///< in the scene
+  std::uint64_t not_finite = 0;      ///< dropped: a vertex with NaN or infinity
+  std::uint64_t outside = 0;         ///< dropped: wholly outside the view
+  std::uint64_t degenerate = 0;      ///< dropped: no area, before or after snapping
+  std::uint64_t culled = 0;          ///< dropped: seen from behind, with "cull": "back"
+  std::uint64_t between_samples = 0; ///< dropped: covers no sample's row or column
+  std::uint64_t clipped = 0;         ///< of those drawn: reach behind the eye, past a depth plane or the guard band
+  std::uint64_t drawn = 0;           ///< the others
+  std::uint64_t pixels = 0;          ///< in the image or crop
+  std::uint64_t shaded = 0;          ///< pixels that see a surface
+  std::uint64_t fragments = 0;       ///< shaded for them: one a pixel and triangle seen; the same number with 1 sample
+  std::uint64_t lane_slots = 0;      ///< lanes computed for them: fragments / lane_slots is the occupancy
+  UndefinedCounts undefined;         ///< what rests on a convention
 
+  /// Adds each.
   FrameCounts& operator+=(const FrameCounts& other) {
     triangles += other.triangles, not_finite += other.not_finite, outside += other.outside;
     degenerate += other.degenerate, culled += other.culled, between_samples += other.between_samples;
@@ -124,16 +133,17 @@ struct FrameCounts {
   }
 };
 
+/// The images of a frame, and what it took.
 struct Frame {
-  Image<std::uint8_t> rgb8;       // 3 channels; empty if not wanted
-  Image<float> radiance;          // 3 channels, unclamped; empty if not wanted
-  Image<double> radiance_double;  // the same, exactly as the precision computed it; empty if not wanted
-  std::vector<Image<float>> aovs; // in the order of RenderOptions::aovs
-  FrameCounts counts;
-  StageSeconds seconds;
-  TileSeconds tile_seconds;
-  int threads = 0; // used
-  bool cancelled = false;
+  Image<std::uint8_t> rgb8;       ///< 3 channels; empty if not wanted
+  Image<float> radiance;          ///< 3 channels, unclamped; empty if not wanted
+  Image<double> radiance_double;  ///< the same, exactly as the precision computed it; empty if not wanted
+  std::vector<Image<float>> aovs; ///< in the order of RenderOptions::aovs
+  FrameCounts counts;             ///< what it met
+  StageSeconds seconds;           ///< wall time
+  TileSeconds tile_seconds;       ///< what the tiles' time was spent on
+  int threads = 0;                ///< used
+  bool cancelled = false;         ///< whether it was given up: RenderOptions::cancel
 };
 
 } // namespace refraster

@@ -23,7 +23,10 @@ namespace refraster {
 /// pays only for those it reads.
 class MerlTable {
 public:
-  static constexpr int theta_h_bins = 90, theta_d_bins = 90, phi_d_bins = 180;
+  static constexpr int theta_h_bins = 90; ///< from 0 to pi/2, in steps of the square root
+  static constexpr int theta_d_bins = 90; ///< from 0 to pi/2
+  static constexpr int phi_d_bins = 180;  ///< from 0 to pi
+  /// Of three channels each.
   static constexpr std::size_t samples = std::size_t{90} * 90 * 180;
 
   /// `rgb` holds 3 * samples finite values, interleaved, phi_d fastest, then theta_d, then theta_h. Throws
@@ -57,6 +60,7 @@ public:
   /// black finite. Black paint has f near 1e-2, so that nothing measured is that dark.
   static constexpr double log_epsilon = 1e-4;
 
+  /// f of a sample as the file has it. 0 <= h, d < 90, 0 <= p < 180.
   Rgb<double> sample(int h, int d, int p) const {
     const double* at = doubles_.data() + offset(h, d, p);
     return {at[0], at[1], at[2]};
@@ -82,10 +86,13 @@ struct EnumNames<SpecularGate> {
 
 /// The parameters that Phong and Blinn-Phong share.
 struct PhongParameters {
-  Double3 ka{0.05}, kd{1}, ks{1}; // ambient, diffuse and specular reflection, linear; each channel >= 0
-  double glossiness = 8;          // s, the exponent of the highlight; >= 0
-  SpecularGate specular_gate = SpecularGate::open;
+  Double3 ka{0.05};                                ///< ambient reflection, linear; each channel >= 0
+  Double3 kd{1};                                   ///< diffuse reflection
+  Double3 ks{1};                                   ///< specular reflection
+  double glossiness = 8;                           ///< s, the exponent of the highlight; >= 0
+  SpecularGate specular_gate = SpecularGate::open; ///< whether a light below the horizon makes a highlight
 
+  /// Declares the parameters: <refraster/fields.h>.
   static void fields(auto& self, auto&& field) {
     field("ka", self.ka, Range{}, "ambient reflection, r g b");
     field("kd", self.kd, Range{}, "diffuse reflection, r g b");
@@ -102,8 +109,10 @@ struct PhongParameters {
 /// t the texture colour: the highlight is not coloured by it. Phong, "Illumination for computer generated pictures",
 /// 1975.
 struct Phong : PhongParameters {
+  /// In a scene file.
   static constexpr std::string_view name = "phong";
-  static constexpr std::string_view shader_stems[] = {"phong_fs", "phong"}; // names of GLSL files that mean it
+  /// Of names of GLSL files that mean it.
+  static constexpr std::string_view shader_stems[] = {"phong_fs", "phong"};
 };
 
 /// Blinn-Phong reflection: radiance toward the eye from one light,
@@ -112,7 +121,9 @@ struct Phong : PhongParameters {
 ///
 /// Blinn, "Models of light reflection for computer synthesized pictures", 1977.
 struct BlinnPhong : PhongParameters {
+  /// In a scene file.
   static constexpr std::string_view name = "blinn_phong";
+  /// Of names of GLSL files that mean it.
   static constexpr std::string_view shader_stems[] = {"blinn_phong_fs", "blinn_fs", "blinn_phong", "blinn"};
 };
 
@@ -155,13 +166,16 @@ struct EnumNames<MerlAngles> {
 ///
 /// f is read from a MERL table. There is no ambient term, and the texture is not used.
 struct Merl {
+  /// In a scene file.
   static constexpr std::string_view name = "merl";
+  /// Of names of GLSL files that mean it.
   static constexpr std::string_view shader_stems[] = {"merl_fs", "merl"};
 
-  std::shared_ptr<const MerlTable> table; // not null when shading
-  MerlLookup lookup = MerlLookup::trilinear;
-  MerlAngles angles = MerlAngles::closed;
+  std::shared_ptr<const MerlTable> table;    ///< not null when shading
+  MerlLookup lookup = MerlLookup::trilinear; ///< between its samples
+  MerlAngles angles = MerlAngles::closed;    ///< how the place in it is computed
 
+  /// Declares the parameters: <refraster/fields.h>.
   static void fields(auto& self, auto&& field) {
     field("merl_lookup", self.lookup, Range{}, "how the table is read between its samples");
     field("merl_angles", self.angles, Range{}, "how the half and difference angles are computed");
@@ -183,6 +197,7 @@ public:
   virtual std::string_view name() const = 0;
   /// Shows each parameter to `visitor`, which may change it.
   virtual void fields(FieldVisitor& visitor) = 0;
+  /// With parameters of its own.
   virtual std::shared_ptr<UserFunction> copy() const = 0;
   /// Shades many fragments at once. Called by the library, from several threads. Throws std::invalid_argument for a
   /// number that it was not compiled for: one built with an older kit.
@@ -191,10 +206,10 @@ public:
 
 /// What an object's surface is like.
 struct Material {
-  FragmentFunction fragment_function = {};
-  std::shared_ptr<const UserFunction> user_function = {}; // shades instead of it, if not null
-  std::shared_ptr<const Texture> texture = {};            // null: white
-  TextureFilter texture_filter = TextureFilter::bilinear;
+  FragmentFunction fragment_function = {};                ///< with its parameters
+  std::shared_ptr<const UserFunction> user_function = {}; ///< shades instead of it, if not null
+  std::shared_ptr<const Texture> texture = {};            ///< null: white
+  TextureFilter texture_filter = TextureFilter::bilinear; ///< trilinear wants a texture with all its levels
 
   /// What is measured of it; null if another function shades it.
   const Merl* measured() const { return user_function ? nullptr : std::get_if<Merl>(&fragment_function); }

@@ -16,11 +16,13 @@ namespace refraster {
 /// More memory is needed than a MemoryBudget allows. what() says what for.
 class OutOfMemory : public std::bad_alloc {
 public:
+  /// What is needed, for what, and how much there is.
   explicit OutOfMemory(std::string text) : text_(std::make_shared<const std::string>(std::move(text))) {}
+  /// The same.
   const char* what() const noexcept override { return text_->c_str(); }
 
 private:
-  std::shared_ptr<const std::string> text_; // so that copies cannot fail
+  std::shared_ptr<const std::string> text_; ///< so that copies cannot fail
 };
 
 /// Asked before anything large is made: what it is known to need at least must be there. What cannot be foreseen, as
@@ -51,31 +53,36 @@ private:
   }
 
   std::uint64_t limit_bytes_ = 0;
-  std::function<std::uint64_t()> in_use_bytes_; // none: no limit
+  std::function<std::uint64_t()> in_use_bytes_; ///< none: no limit
 };
 
 /// At least so many bytes, aligned to 16. From 2 MiB on in pages of 2 MiB instead of 4 KiB, where the system has them:
 /// a table of 35 MB is there after 17 page faults instead of 8500, which take as long as reading its file does. To be
 /// given back with free_memory. Throws std::bad_alloc.
 void* allocate_memory(std::size_t bytes);
+/// Gives back what allocate_memory gave.
 void free_memory(void* memory) noexcept;
 
 /// Asks for the room of four more elements than it is told to: they may be read, whatever is in them, never written.
 template <class T>
 struct PaddedAllocator {
-  using value_type = T;
-  static constexpr std::size_t padding = 4 * sizeof(T);
+  using value_type = T;                                 ///< as std::vector asks
+  static constexpr std::size_t padding = 4 * sizeof(T); ///< bytes more
 
   PaddedAllocator() = default;
+  /// All are alike.
   template <class U>
   PaddedAllocator(const PaddedAllocator<U>&) {}
 
+  /// Throws std::bad_alloc.
   T* allocate(std::size_t n) {
     constexpr std::size_t most = static_cast<std::size_t>(std::numeric_limits<std::ptrdiff_t>::max()) / sizeof(T) - 4;
     if (n > most) throw std::bad_alloc();
     return static_cast<T*>(allocate_memory(n * sizeof(T) + padding));
   }
+  /// What allocate gave.
   void deallocate(T* memory, std::size_t) { free_memory(memory); }
+  /// All are alike.
   template <class U>
   bool operator==(const PaddedAllocator<U>&) const {
     return true;

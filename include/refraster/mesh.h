@@ -13,10 +13,10 @@ namespace refraster {
 /// Triangles in object space, counter-clockwise seen from outside. Coordinates are float: what a GPU is given, so that
 /// both sides of a comparison start from the same numbers.
 struct Mesh {
-  std::vector<Float3> positions = {};                       // one entry a unique (position, normal, uv)
-  std::vector<Float3> normals = {};                         // as many as positions; any length
-  std::vector<Float2> uvs = {};                             // of the first vertices, all or some; the others have none
-  std::vector<std::array<std::uint32_t, 3>> triangles = {}; // indices into the above, each < positions.size()
+  std::vector<Float3> positions = {}; ///< one entry a unique (position, normal, uv)
+  std::vector<Float3> normals = {};   ///< as many as positions; any length
+  std::vector<Float2> uvs = {};       ///< of the first vertices, all or some; the others have none
+  std::vector<std::array<std::uint32_t, 3>> triangles = {}; ///< indices into the above, each < positions.size()
 };
 
 /// Whether a triangle of the mesh has texture coordinates: all its corners do. Without them a texture is not shown on

@@ -15,27 +15,33 @@ namespace refraster {
 
 /// A rectangle of pixels; x, y from the top left.
 struct PixelRect {
-  int x = 0, y = 0, width = 0, height = 0;
+  int x = 0;      ///< of the leftmost column
+  int y = 0;      ///< of the topmost row
+  int width = 0;  ///< columns
+  int height = 0; ///< rows
 };
 
+/// How radiance becomes levels: as it is, or by the curve of IEC 61966-2-1.
 enum class Transfer { linear, srgb };
 
+/// What is asked of a frame.
 struct RenderOptions {
-  int width = 1280, height = 720;     // of the full image: 1 to 16384 each
-  std::optional<PixelRect> crop = {}; // within the image: only these pixels, with the same values
-  Precision precision = Precision::double_;
-  int samples = 1;    // a pixel: 1, 2, 4, 8 or 16 at the standard positions; shaded once a triangle
-  int threads = 0;    // 0: as many as the machine has
-  int tile_size = 64; // 8 to 128, a power of two. Changes no pixel.
+  int width = 1280;                         ///< of the full image: 1 to 16384 pixels
+  int height = 720;                         ///< likewise
+  std::optional<PixelRect> crop = {};       ///< within the image: only these pixels, with the same values
+  Precision precision = Precision::double_; ///< of interpolation and shading
+  int samples = 1;    ///< a pixel: 1, 2, 4, 8 or 16 at the standard positions; shaded once a triangle
+  int threads = 0;    ///< 0: as many as the machine has
+  int tile_size = 64; ///< 8 to 128, a power of two. Changes no pixel.
   // What to make. Only what is asked for is computed and takes memory.
-  bool want_rgb8 = true;                // 8-bit image
-  bool want_radiance = false;           // float image
-  bool want_radiance_double = false;    // the same before it is rounded to float, to measure a precision by
-  Transfer transfer = Transfer::linear; // of the 8-bit image
-  std::vector<Aov> aovs = {};
-  std::function<void(double)> progress = {}; // called with the fraction done, in [0, 1], from one thread at a time
-  const std::atomic<bool>* cancel = nullptr; // when it becomes true, the frame is given up
-  MemoryBudget memory = {};                  // asked for images and vertices
+  bool want_rgb8 = true;                     ///< 8-bit image
+  bool want_radiance = false;                ///< float image
+  bool want_radiance_double = false;         ///< the same before it is rounded to float, to measure a precision by
+  Transfer transfer = Transfer::linear;      ///< of the 8-bit image
+  std::vector<Aov> aovs = {};                ///< more images
+  std::function<void(double)> progress = {}; ///< called with the fraction done, in [0, 1], from one thread at a time
+  const std::atomic<bool>* cancel = nullptr; ///< when it becomes true, the frame is given up
+  MemoryBudget memory = {};                  ///< asked for images and vertices
 };
 
 /// Renders frame after frame, and keeps its memory from one to the next: where frames are alike, none but the first
@@ -44,7 +50,9 @@ class Renderer {
 public:
   Renderer();
   ~Renderer();
+  /// Takes its memory.
   Renderer(Renderer&&) noexcept;
+  /// Takes its memory.
   Renderer& operator=(Renderer&&) noexcept;
 
   /// Renders the scene into `frame`, whose images are used again if they are of the right size. Total: any finite or

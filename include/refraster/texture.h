@@ -24,14 +24,15 @@ struct EnumNames<TextureFilter> {
 /// One image of a mip chain. Row 0 is at v = 0: the bottom row of the image file. At most 65536 texels a side
 /// and 2^28 in all.
 struct TextureLevel {
-  int width = 1, height = 1;
-  PaddedVector<float> rgb; // 3 width height values, interleaved, in [0, full_scale]
+  int width = 1;           ///< texels
+  int height = 1;          ///< texels
+  PaddedVector<float> rgb; ///< 3 width height values, interleaved, in [0, full_scale]
 };
 
 /// Values as stored in the file: no sRGB decoding. Immutable after loading.
 struct Texture {
-  double full_scale = 255;          // the stored value that means 1: 255 or 65535, exact in float
-  std::vector<TextureLevel> levels; // level 0 is the image; more only where trilinear filtering asked for them
+  double full_scale = 255;          ///< the stored value that means 1: 255 or 65535, exact in float
+  std::vector<TextureLevel> levels; ///< level 0 is the image; more only where trilinear filtering asked for them
 };
 
 /// Appends all smaller levels to a texture that has level 0 only: each side is half of that below, rounded down, at
