@@ -19,7 +19,7 @@ refraster_component(gl refraster_gl)
 refraster_component(verify refraster_verify)
 refraster_component(fragment_kit refraster_fragment_kit refraster_strict_fp)
 install(DIRECTORY math shading DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/refraster-kit
-  FILES_MATCHING PATTERN "*.h" PATTERN precision_bounds.h EXCLUDE PATTERN kit EXCLUDE)
+  FILES_MATCHING PATTERN "*.h" PATTERN precision_bounds.h EXCLUDE PATTERN half_of.h EXCLUDE PATTERN kit EXCLUDE)
 install(FILES shading/kit/refraster/fragment_kit.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/refraster-kit/refraster)
 
 # Everything that the component `libraries` installs: scripts/package_levels.

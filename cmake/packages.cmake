@@ -2,6 +2,7 @@
 find_package(OpenMP REQUIRED COMPONENTS CXX)
 find_package(glm REQUIRED CONFIG)
 find_package(Boost REQUIRED) # headers: exact integers of any size
+find_package(Imath REQUIRED CONFIG) # the header of half precision
 find_package(RapidJSON REQUIRED CONFIG)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto) # sha256 of measured tables
 find_package(PNG REQUIRED)

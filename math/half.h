@@ -5,26 +5,11 @@
 
 namespace refraster { // not the kit's: tables of it are the library's
 
-/// 1 sign, 5 exponent and 10 fraction bits. Finite.
+/// 1 sign, 5 exponent and 10 fraction bits. Finite. Numbers become halves by half_of (shading/half_of.h).
 struct Half {
   std::uint16_t bits = 0;
 
-  static constexpr double largest = 65504, smallest_normal = 0x1p-14;
-
-  constexpr Half() = default;
-  /// x rounded to the nearest, halfway cases to even; beyond the largest number, the largest of that sign. x is not
-  /// NaN.
-  explicit constexpr Half(double x) {
-    const double size = min(abs(x), largest);
-    // The distance between neighbours: 2^-24 for subnormal numbers, else 2^-10 of the power of two below.
-    const std::int64_t exponent = (std::bit_cast<std::int64_t>(max(size, smallest_normal)) >> 52) - 1023;
-    const double steps = size * std::bit_cast<double>((1023 + 10 - exponent) << 52); // exact, at most 2^11
-    constexpr double to_integer = 0x1.8p52; // numbers around here have no fraction bits
-    const auto n = static_cast<int>((steps + to_integer) - to_integer);
-    // n counts from 2^exponent on, with an implicit leading 1; a carry out of the fraction goes where it belongs.
-    const int code = n + 1024 * static_cast<int>(exponent + 14);
-    bits = static_cast<std::uint16_t>(code | (x < 0 ? 0x8000 : 0));
-  }
+  static constexpr double largest = 65504;
 
   /// Exact.
   explicit constexpr operator float() const {

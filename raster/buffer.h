@@ -30,15 +30,6 @@ public:
   T& operator[](std::size_t i) { return memory_.get()[i]; }
   const T& operator[](std::size_t i) const { return memory_.get()[i]; }
 
-  /// Appends one, copying all: for tests and other small arrays.
-  void push_back(const T& value) {
-    Buffer grown;
-    grown.resize_uninitialized(size_ + 1);
-    for (std::size_t i = 0; i < size_; ++i) grown[i] = (*this)[i];
-    grown[size_] = value;
-    *this = std::move(grown);
-  }
-
 private:
   struct Free {
     void operator()(T* memory) const { ::operator delete(memory); }

@@ -1,8 +1,7 @@
-
-
 #include <refraster/mesh.h>
 
-#include <numbers>
+#include "math/elementary/degrees.h"
+
 #include <stdexcept>
 
 namespace refraster {
@@ -12,39 +11,8 @@ void require(bool holds, const char* fault) {
   if (!holds) throw std::invalid_argument(fault);
 }
 
-struct CirclePoint {
-  double cosine, sine;
-};
-
-/// Cosine and sine of part / whole of a full turn, 0 <= part <= whole < 2^28. The angle is reduced to an eighth of a
-/// turn in integers, so quarter turns are exact and the circle is symmetrical; Taylor's series does the rest (the first
-/// term left out is below 2^-60). std::sin would differ between machines in the last bit.
-CirclePoint turn(int part, int whole) {
-  const int quarters = (8 * part + whole) / (2 * whole); // nearest
-  const double x = (4.0 * part - static_cast<double>(quarters) * whole) / whole * (std::numbers::pi / 2);
-  const double squared = x * x;
-  double cosine = 1, sine = x;
-  double cosine_term = 1, sine_term = x;
-  for (int k = 1; k <= 9; ++k) {
-    cosine_term *= -squared / ((2 * k - 1) * (2 * k));
-    sine_term *= -squared / ((2 * k) * (2 * k + 1));
-    cosine += cosine_term;
-    sine += sine_term;
-  }
-  switch (quarters % 4) {
-  case 0:
-    return {cosine, sine};
-  case 1:
-    return {-sine, cosine};
-  case 2:
-    return {-cosine, -sine};
-  default:
-    return {sine, -cosine};
-  }
-}
-
 /// Longitude 2 pi u, counted from -Z toward -X: cosine along -Z and sine along -X, as in the header.
-Double3 outward(CirclePoint longitude) {
+Double3 outward(SineCosine longitude) {
   return {-longitude.sine, 0, -longitude.cosine};
 }
 
@@ -96,14 +64,16 @@ double fraction(int part, int whole) {
 Mesh sphere_mesh(int segments, int rings) {
   require(segments >= 3 && rings >= 2, "sphere_mesh: expected segments >= 3, rings >= 2");
   Mesh mesh;
-  const auto point = [&](double longitude_part, CirclePoint longitude, int ring) {
-    const CirclePoint latitude = turn(ring, 2 * rings); // half a turn from pole to pole
+  const auto point = [&](double longitude_part, SineCosine longitude, int ring) {
+    const SineCosine latitude = sine_cosine_of_turn(ring, 2 * rings); // half a turn from pole to pole
     const Double3 p = latitude.sine * outward(longitude) - Double3{0, latitude.cosine, 0};
     return add_vertex(mesh, p, p, longitude_part, fraction(ring, rings));
   };
   add_grid(
       mesh, segments, rings - 2,
-      [&](int segment, int row) { point(fraction(segment, segments), turn(segment, segments), row + 1); },
+      [&](int segment, int row) {
+        point(fraction(segment, segments), sine_cosine_of_turn(segment, segments), row + 1);
+      },
       2 * static_cast<std::size_t>(segments)); // the caps
 
   const auto stride = static_cast<std::uint32_t>(segments) + 1;
@@ -150,8 +120,8 @@ Mesh torus_mesh(int segments, int rings, double tube_radius) {
           "torus_mesh: expected segments >= 3, rings >= 3, tube_radius > 0");
   Mesh mesh;
   add_grid(mesh, segments, rings, [&](int segment, int ring) {
-    const Double3 out = outward(turn(segment, segments));
-    const CirclePoint around = turn(ring, rings);
+    const Double3 out = outward(sine_cosine_of_turn(segment, segments));
+    const SineCosine around = sine_cosine_of_turn(ring, rings);
     const Double3 normal = -around.cosine * out - Double3{0, around.sine, 0};
     add_vertex(mesh, out + tube_radius * normal, normal, fraction(segment, segments), fraction(ring, rings));
   });
@@ -165,14 +135,14 @@ Mesh knot_mesh(int segments, int rings, double tube_radius) {
   const Double3 axis(0, 1, 0);
   Mesh mesh;
   add_grid(mesh, segments, rings, [&](int segment, int ring) {
-    const Double3 out = outward(turn(2 * segment % segments, segments)), east = cross(axis, out);
-    const CirclePoint winding = turn(3 * segment % segments, segments);
+    const Double3 out = outward(sine_cosine_of_turn(2 * segment % segments, segments)), east = cross(axis, out);
+    const SineCosine winding = sine_cosine_of_turn(3 * segment % segments, segments);
     // The knot lies on a torus, whose normal is perpendicular to the knot at every point: a frame without a twist.
     const Double3 normal = winding.cosine * out - winding.sine * axis;
     const Double3 onward =
         2 * (1 + strand * winding.cosine) * east - 3 * strand * (winding.sine * out + winding.cosine * axis);
     const Double3 sideways = normalize(cross(normal, onward));
-    const CirclePoint around = turn(ring, rings);
+    const SineCosine around = sine_cosine_of_turn(ring, rings);
     const Double3 tube = around.cosine * normal + around.sine * sideways;
     add_vertex(mesh, out + strand * normal + tube_radius * tube, tube, fraction(segment, segments),
                fraction(ring, rings));

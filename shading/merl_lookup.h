@@ -51,25 +51,13 @@ struct Taps {
   T fraction;
 };
 
-/// From the cell of the first of them. The border samples continue to infinity.
+/// From the cell of the first of them. Beyond the ends the border samples continue, or the axis goes round.
 template <int count, Number T>
-Taps<T, count> clamped_taps(const Cell<T>& at, int samples) {
+Taps<T, count> taps_of(const Cell<T>& at, const GridAxis& axis) {
   Taps<T, count> taps{{}, at.fraction};
   IndexOf<T> k = at.index;
   for (IndexOf<T>& tap : taps.index) {
-    tap = clamp_index(k, 0, samples - 1);
-    k = next_index(k);
-  }
-  return taps;
-}
-
-/// The same on a circle.
-template <int count, Number T>
-Taps<T, count> wrapped_taps(const Cell<T>& at, int samples) {
-  Taps<T, count> taps{{}, at.fraction};
-  IndexOf<T> k = at.index;
-  for (IndexOf<T>& tap : taps.index) {
-    tap = wrap_index(k, samples);
+    tap = axis.beyond == GridAxis::Beyond::repeated ? wrap_index(k, axis.count) : clamp_index(k, 0, axis.count - 1);
     k = next_index(k);
   }
   return taps;
@@ -146,8 +134,8 @@ struct MerlReader {
   }
 
   MerlValue<T> trilinear(const Cells& cell) const {
-    const Cube cube{clamped_taps<2>(cell[0], MerlTable::theta_h_bins),
-                    clamped_taps<2>(cell[1], MerlTable::theta_d_bins), wrapped_taps<2>(cell[2], MerlTable::phi_d_bins)};
+    const Cube cube{taps_of<2>(cell[0], merl_axes[0]), taps_of<2>(cell[1], merl_axes[1]),
+                    taps_of<2>(cell[2], merl_axes[2])};
     if constexpr (NumberTraits<T>::has_lanes) {
       // Nearly always all was measured. The weights add up to exactly 1 then, and need not be computed.
       T least(0);
@@ -170,9 +158,9 @@ struct MerlReader {
   }
 
   MerlValue<T> tricubic(const MerlPoint<T>& at, const Cells& cell) const {
-    const auto h = clamped_taps<4>(cell[0], MerlTable::theta_h_bins);
-    const auto d = clamped_taps<4>(cell[1], MerlTable::theta_d_bins);
-    const auto p = wrapped_taps<4>(cell[2], MerlTable::phi_d_bins);
+    const auto h = taps_of<4>(cell[0], merl_axes[0]);
+    const auto d = taps_of<4>(cell[1], merl_axes[1]);
+    const auto p = taps_of<4>(cell[2], merl_axes[2]);
     T measured(1);
     std::array<Vec4<T>, 4> along_h;
     for (std::size_t i = 0; i < 4; ++i) {

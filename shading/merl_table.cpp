@@ -1,13 +1,12 @@
-
-
 #include <refraster/material.h>
 
 #include "math/elementary.h"
-#include "math/half.h"
+#include "shading/half_of.h"
 
 #include <limits>
 #include <mutex>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 
 namespace refraster {
@@ -23,6 +22,12 @@ constexpr double largest = static_cast<double>(std::numeric_limits<Stored>::max(
 template <>
 constexpr double largest<Half> = Half::largest;
 
+template <class Stored>
+Stored rounded(double x) {
+  if constexpr (std::is_same_v<Stored, Half>) return half_of(x);
+  else return static_cast<Stored>(x);
+}
+
 /// Every measured value encoded and rounded once to Stored; the others as -1.
 template <class Stored, class Encode>
 void encode_all(const PaddedVector<double>& rgb, const Encode& encode, PaddedVector<Stored>& stored) {
@@ -30,7 +35,7 @@ void encode_all(const PaddedVector<double>& rgb, const Encode& encode, PaddedVec
   for (std::size_t i = 0; i < rgb.size(); i += 3) {
     const bool measured = is_measured(&rgb[i]);
     for (std::size_t channel = i; channel < i + 3; ++channel)
-      stored[channel] = static_cast<Stored>(measured ? min(encode(rgb[channel]), largest<Stored>) : -1);
+      stored[channel] = rounded<Stored>(measured ? min(encode(rgb[channel]), largest<Stored>) : -1);
   }
 }
 

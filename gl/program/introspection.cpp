@@ -29,36 +29,39 @@ GLint uniform_value(const GlApi& gl, GLuint program, GLuint index, GLenum name) 
   return value;
 }
 
+/// Those that have a location. get(i, room, length, variable, text) asks for one, location(name) where it is.
+template <class Get, class Location>
+std::vector<ProgramVariable> variables_with_location(GLint count, GLint longest, const Get& get,
+                                                     const Location& location) {
+  std::vector<ProgramVariable> variables;
+  for (GLuint i = 0; i < static_cast<GLuint>(count); ++i) {
+    ProgramVariable variable;
+    variable.name =
+        text_of(longest, [&](GLsizei room, GLsizei* length, GLchar* text) { get(i, room, length, variable, text); });
+    variable.location = location(variable.name.c_str());
+    if (variable.location >= 0) variables.push_back(variable);
+  }
+  return variables;
+}
+
 } // namespace
 
 std::vector<ProgramVariable> active_uniforms(const GlApi& gl, GLuint program) {
-  const GLint count = program_value(gl, program, GL_ACTIVE_UNIFORMS),
-              longest = program_value(gl, program, GL_ACTIVE_UNIFORM_MAX_LENGTH);
-  std::vector<ProgramVariable> uniforms;
-  for (GLuint i = 0; i < static_cast<GLuint>(count); ++i) {
-    ProgramVariable uniform;
-    uniform.name = text_of(longest, [&](GLsizei room, GLsizei* length, GLchar* text) {
-      gl.GetActiveUniform(program, i, room, length, &uniform.size, &uniform.type, text);
-    });
-    uniform.location = gl.GetUniformLocation(program, uniform.name.c_str());
-    if (uniform.location >= 0) uniforms.push_back(uniform); // else it is built in, or in a block
-  }
-  return uniforms;
+  return variables_with_location(
+      program_value(gl, program, GL_ACTIVE_UNIFORMS), program_value(gl, program, GL_ACTIVE_UNIFORM_MAX_LENGTH),
+      [&](GLuint i, GLsizei room, GLsizei* length, ProgramVariable& uniform, GLchar* text) {
+        gl.GetActiveUniform(program, i, room, length, &uniform.size, &uniform.type, text);
+      },
+      [&](const GLchar* name) { return gl.GetUniformLocation(program, name); }); // others are built in, or in a block
 }
 
 std::vector<ProgramVariable> active_attributes(const GlApi& gl, GLuint program) {
-  const GLint count = program_value(gl, program, GL_ACTIVE_ATTRIBUTES),
-              longest = program_value(gl, program, GL_ACTIVE_ATTRIBUTE_MAX_LENGTH);
-  std::vector<ProgramVariable> attributes;
-  for (GLuint i = 0; i < static_cast<GLuint>(count); ++i) {
-    ProgramVariable attribute;
-    attribute.name = text_of(longest, [&](GLsizei room, GLsizei* length, GLchar* text) {
-      gl.GetActiveAttrib(program, i, room, length, &attribute.size, &attribute.type, text);
-    });
-    attribute.location = gl.GetAttribLocation(program, attribute.name.c_str());
-    if (attribute.location >= 0) attributes.push_back(attribute); // else it is built in: gl_VertexID
-  }
-  return attributes;
+  return variables_with_location(
+      program_value(gl, program, GL_ACTIVE_ATTRIBUTES), program_value(gl, program, GL_ACTIVE_ATTRIBUTE_MAX_LENGTH),
+      [&](GLuint i, GLsizei room, GLsizei* length, ProgramVariable& attribute, GLchar* text) {
+        gl.GetActiveAttrib(program, i, room, length, &attribute.size, &attribute.type, text);
+      },
+      [&](const GLchar* name) { return gl.GetAttribLocation(program, name); }); // others are built in: gl_VertexID
 }
 
 std::vector<UniformBlock> active_blocks(const GlApi& gl, GLuint program) {

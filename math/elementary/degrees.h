@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 namespace refraster::inline REFRASTER_KIT {
 
@@ -61,8 +62,7 @@ inline QuarterTurns quarter_turns(double angle) {
 struct SineCosine {
   double sine, cosine;
 };
-inline SineCosine sine_cosine_of_degrees(double angle) {
-  const QuarterTurns at = quarter_turns(angle);
+inline SineCosine sine_cosine(const QuarterTurns& at) {
   const double sine = at.sine.hi + 0.0, minus_sine = 0.0 - at.sine.hi, cosine = at.cosine.hi;
   switch (at.quarters) {
   case 0:
@@ -74,6 +74,18 @@ inline SineCosine sine_cosine_of_degrees(double angle) {
   default:
     return {-cosine, sine};
   }
+}
+
+inline SineCosine sine_cosine_of_degrees(double angle) {
+  return sine_cosine(quarter_turns(angle));
+}
+/// Of part / whole of a full turn, 0 <= part <= whole, whole > 0. The angle is brought to within an eighth of a turn in
+/// integers, so that points of a circle are exactly as symmetrical as their fractions of a turn.
+inline SineCosine sine_cosine_of_turn(int part, int whole) {
+  const std::int64_t quarters = (8 * std::int64_t{part} + whole) / (2 * std::int64_t{whole}); // nearest
+  QuarterTurns at = quarter_turns(90.0 * static_cast<double>(4 * std::int64_t{part} - quarters * whole) / whole);
+  at.quarters = static_cast<int>((at.quarters + quarters) & 3);
+  return sine_cosine(at);
 }
 
 inline double sin_degrees(double angle) {

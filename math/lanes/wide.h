@@ -126,14 +126,8 @@ struct NumberTraits<Wide<F, N, A>> {
 };
 
 template <int N>
-struct NumberTraits<Wide<float, N, Arithmetic::fast>> {
-  using Real = float;
+struct NumberTraits<Wide<float, N, Arithmetic::fast>> : NumberTraits<Wide<float, N, Arithmetic::strict>> {
   using TableReal = Half;
-  using Mask = WideMask<float, N>;
-  using Index = WideIndex<N>;
-  static constexpr int lanes = N;
-  static constexpr bool has_lanes = true, decides = true, is_ieee = true;
-  static constexpr double largest = std::numeric_limits<float>::max();
 };
 
 template <class F, int N, Arithmetic A>

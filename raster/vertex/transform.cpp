@@ -94,12 +94,6 @@ Double4 clip_position(const ObjectTransform& transform, const Float3& position) 
   return transform.clip_from_object * Double4(position.x, position.y, position.z, 1.0);
 }
 
-WindowVertex window_vertex(const Double4& clip, int width, int height) {
-  const WindowLanes<double> v = window_lanes(clip, width, height);
-  return {static_cast<std::int32_t>(v.x), static_cast<std::int32_t>(v.y), v.z, v.inverse_w,
-          static_cast<std::uint8_t>(v.sides + outcode::not_finite * v.not_finite + outcode::unsnapped * v.unsnapped)};
-}
-
 namespace {
 
 // Mesh data enters lane by lane: lane k is component c of at[k].

@@ -55,9 +55,6 @@ struct PlacedVertex {
   std::int32_t y_state = 0; // 64 y + (outcode >> 6)
   double z = 0;
 
-  PlacedVertex() = default;
-  explicit PlacedVertex(const WindowVertex& v)
-      : x_sides(v.x * 64 + (v.outcode & 63)), y_state(v.y * 64 + (v.outcode >> 6)), z(v.z) {}
   std::int32_t x() const { return x_sides >> 6; }
   std::int32_t y() const { return y_state >> 6; }
   std::uint8_t outcode() const { return static_cast<std::uint8_t>((x_sides & 63) | (y_state & 3) << 6); }
@@ -73,10 +70,6 @@ struct WindowVertices {
     placed.resize_uninitialized(size);
     inverse_w.resize_uninitialized(size);
   }
-  void push_back(const WindowVertex& v) {
-    placed.push_back(PlacedVertex(v));
-    inverse_w.push_back(v.inverse_w);
-  }
   WindowVertex operator[](std::size_t i) const {
     const PlacedVertex& v = placed[i];
     return {v.x(), v.y(), v.z, inverse_w[i], v.outcode()};
@@ -90,9 +83,6 @@ struct WorldVertex {
 };
 
 Double4 clip_position(const ObjectTransform& transform, const Float3& position);
-
-/// Snaps x / w and y / w to the lattice, half to even.
-WindowVertex window_vertex(const Double4& clip, int width, int height);
 
 /// Every object's vertices, one after the other, and where each object's vertices and triangles begin.
 struct Geometry {

@@ -8,19 +8,7 @@ namespace refraster {
 
 namespace {
 
-/// Taylor series about 0, for |x| <= pi/2: the first term left out, x^24 / 24!, is below 1e-19. sine is odd in x and
-/// cosine even, to the last bit.
-SineCosine sine_cosine(double x) {
-  const double minus_x_squared = -x * x;
-  double sine = 1, cosine = 1;
-  for (int k = 11; k >= 1; --k) {
-    sine = 1 + sine * minus_x_squared / (2 * k * (2 * k + 1));
-    cosine = 1 + cosine * minus_x_squared / ((2 * k - 1) * 2 * k);
-  }
-  return {x * sine, cosine};
-}
-
-constexpr double right_angle = std::numbers::pi / 2;
+constexpr double right_angle = 90; // degrees
 
 // Colours of the metals: reflectance at normal incidence from refractive indices published for red, green and blue,
 // rounded to two digits. Widths and albedos are chosen by eye.
@@ -39,10 +27,10 @@ const BrdfPreset presets[] = {
 
 DirectionPair directions_at_centre(int h, int d, int p) {
   const double root_of_fraction = (h + 0.5) / MerlTable::theta_h_bins; // the table is even in sqrt(theta_h)
-  const SineCosine theta_h = sine_cosine(root_of_fraction * root_of_fraction * right_angle);
-  const SineCosine theta_d = sine_cosine((d + 0.5) / MerlTable::theta_d_bins * right_angle);
+  const SineCosine theta_h = sine_cosine_of_degrees(root_of_fraction * root_of_fraction * right_angle);
+  const SineCosine theta_d = sine_cosine_of_degrees((d + 0.5) / MerlTable::theta_d_bins * right_angle);
   // From phi_d = pi/2, in both directions alike: cos phi_d changes its sign from p to 179 - p and nothing else.
-  const SineCosine before_middle = sine_cosine((89.5 - p) / MerlTable::phi_d_bins * std::numbers::pi);
+  const SineCosine before_middle = sine_cosine_of_degrees((89.5 - p) / MerlTable::phi_d_bins * 180);
 
   const double x = theta_d.sine * before_middle.sine, y = theta_d.sine * before_middle.cosine, z = theta_d.cosine;
   return {{theta_h.cosine * x + theta_h.sine * z, y, theta_h.cosine * z - theta_h.sine * x},

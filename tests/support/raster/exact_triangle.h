@@ -3,6 +3,7 @@
 // dimensions, where a ray meets the triangle; and in the window, from the snapped corners, by Cramer's rule.
 
 #include "raster/vertex/transform.h"
+#include "tests/support/raster/window_vertex.h"
 #include "tests/support/ulp.h"
 
 #include <array>

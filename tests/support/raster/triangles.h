@@ -4,6 +4,7 @@
 #include "raster/visibility/setup.h"
 #include "raster/visibility/visibility.h"
 #include "tests/support/raster/scalar_triangle.h"
+#include "tests/support/raster/window_vertex.h"
 
 #include <array>
 #include <memory>
@@ -75,11 +76,13 @@ struct LatticeFrame {
 
   explicit LatticeFrame(const std::vector<std::array<WindowVertex, 3>>& triangles) {
     auto mesh = std::make_shared<Mesh>();
+    std::vector<WindowVertex> vertices;
     for (const auto& t : triangles) {
-      const auto first = static_cast<std::uint32_t>(geometry.window.size());
+      const auto first = static_cast<std::uint32_t>(vertices.size());
       mesh->triangles.push_back({first, first + 1, first + 2});
-      for (const WindowVertex& v : t) geometry.window.push_back(v);
+      vertices.insert(vertices.end(), t.begin(), t.end());
     }
+    store(vertices, geometry.window);
     geometry.first_vertex = {0, static_cast<std::uint32_t>(geometry.window.size())};
     geometry.first_triangle = {0, static_cast<std::uint32_t>(triangles.size())};
     scene.objects.emplace_back();

@@ -9,9 +9,7 @@ namespace refraster {
 namespace {
 
 Half with_bits(int bits) {
-  Half half;
-  half.bits = static_cast<std::uint16_t>(bits);
-  return half;
+  return {static_cast<std::uint16_t>(bits)};
 }
 
 /// IEEE 754-2008, 3.4: what the bits of a finite half mean.
@@ -37,12 +35,11 @@ void check_lanes_of(int first) {
 
 } // namespace
 
-TEST_CASE("every finite half means what the standard says, and comes back") {
+TEST_CASE("every finite half means what the standard says") {
   for (const int sign : {0, 0x8000})
     for (int size = 0; size < finite_sizes; ++size) {
       const Half half = with_bits(sign | size);
       REQUIRE(static_cast<double>(static_cast<float>(half)) == meaning(half.bits));
-      if (size > 0) REQUIRE(Half(meaning(half.bits)).bits == half.bits);
     }
 }
 
@@ -55,28 +52,12 @@ TEST_CASE("lanes widen every finite half with the same bits, with and without th
     }
 }
 
-TEST_CASE("a number becomes the nearest half, the even one halfway") {
-  for (int size = 0; size + 1 < finite_sizes; ++size) {
-    const double low = meaning(size), high = meaning(size + 1), middle = (low + high) / 2;
-    const int even = size % 2 ? size + 1 : size;
-    REQUIRE(Half(middle).bits == even);
-    REQUIRE(Half(-middle).bits == (even | 0x8000));
-    REQUIRE(Half(std::nextafter(middle, low)).bits == size);
-    REQUIRE(Half(std::nextafter(middle, high)).bits == size + 1);
-  }
-  for (const double beyond : {65505.0, 65520.0, 1e10, 1e300, HUGE_VAL}) {
-    CHECK(Half(beyond).bits == finite_sizes - 1);
-    CHECK(Half(-beyond).bits == (0x8000 | (finite_sizes - 1)));
-  }
-  for (const double nothing : {0.0, 0x1p-26, 1e-300, 4.9e-324}) CHECK(Half(nothing).bits == 0);
-}
-
 TEST_CASE("rows of halves are gathered as rows of floats are") {
   for_all(200, [](Random& random) {
     std::array<Half, 256> halves;
     std::array<float, 256> floats;
     for (std::size_t i = 0; i < halves.size(); ++i) {
-      halves[i] = Half(random.uniform(-70000, 70000));
+      halves[i] = with_bits((random.below(2) << 15) | random.below(finite_sizes));
       floats[i] = static_cast<float>(halves[i]);
     }
     const auto check = [&]<int N>(std::integral_constant<int, N>) {

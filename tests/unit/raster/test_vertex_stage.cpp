@@ -4,6 +4,7 @@
 #include "raster/vertex/transform.h"
 #include "raster/vertex/vertex_stage.h"
 #include "tests/support/random.h"
+#include "tests/support/raster/window_vertex.h"
 
 #include <doctest/doctest.h>
 
@@ -13,6 +14,7 @@
 #include <limits>
 
 using namespace refraster;
+using namespace refraster::test;
 
 namespace {
 
@@ -114,9 +116,9 @@ TEST_CASE("a vertex as it is kept for set-up is the vertex") {
                    static_cast<std::uint8_t>(random.below(256))};
     if (trial == 0) v.x = guard_band, v.y = -guard_band;
     if (trial == 1) v.x = -guard_band, v.y = guard_band;
-    WindowVertices kept;
-    kept.push_back(v);
-    REQUIRE(same(kept[0], v));
+    WindowVertices stored;
+    store({&v, 1}, stored);
+    REQUIRE(same(stored[0], v));
   }
 }
 
