@@ -17,6 +17,7 @@
 #include "bench/report/report_text.h"
 #include "bench/workloads/built_in.h"
 #include "gl/render_gl.h"
+#include "io/file/nearest.h"
 #include "io/scene/scene_file.h"
 #include "raster/explain/explain_dark.h"
 
@@ -41,25 +42,45 @@ struct GrowthRequest {
   double most;
 };
 
-/// "triangles,pixels:1e6", "all", "all:100".
-std::optional<std::vector<GrowthRequest>> scaling_from(std::string_view text) {
-  std::vector<GrowthRequest> requests;
-  for (std::size_t start = 0; start <= text.size();) {
-    const std::size_t end = std::min(text.find(',', start), text.size());
-    const std::string_view word = text.substr(start, end - start), kind = word.substr(0, word.find(':'));
-    start = end + 1;
-    double most = std::numeric_limits<double>::infinity();
-    if (kind.size() < word.size()) {
-      const std::optional<double> limit = distance_from(word.substr(kind.size() + 1));
-      if (!limit || *limit < 1) return std::nullopt;
-      most = *limit;
-    }
-    const std::size_t before = requests.size();
-    for (const auto& [growth, name] : growth_names)
-      if (kind == name || kind == "all") requests.push_back({growth, most});
-    if (requests.size() == before) return std::nullopt;
+/// What --scaling knows: the curves, and all of them.
+std::vector<std::string> scaling_words() {
+  std::vector<std::string> words;
+  for (const auto& [growth, name] : growth_names) words.emplace_back(name);
+  words.emplace_back("all");
+  return words;
+}
+
+/// Adds what one of "triangles,pixels:1e6,all:100" asks for.
+std::optional<ValueFault> add_scaling(std::string_view word, std::vector<GrowthRequest>& requests) {
+  const std::string_view kind = word.substr(0, word.find(':'));
+  double most = std::numeric_limits<double>::infinity();
+  if (kind.size() < word.size()) {
+    const std::optional<double> limit = distance_from(word.substr(kind.size() + 1));
+    if (!limit || *limit < 1) return ValueFault{"a number >= 1 behind the colon, as :1e6", std::string(word)};
+    most = *limit;
   }
-  return requests;
+  const std::size_t before = requests.size();
+  for (const auto& [growth, name] : growth_names)
+    if (kind == name || kind == "all") requests.push_back({growth, most});
+  if (requests.size() > before) return std::nullopt;
+  const std::vector<std::string> words = scaling_words();
+  return ValueFault{one_of({words.begin(), words.end()}, kind), std::string(kind)};
+}
+
+Option scaling_option(std::vector<GrowthRequest>& requests) {
+  const auto read = [&requests](const std::string& text) -> std::optional<ValueFault> {
+    for (const std::string_view word : split(text, ','))
+      if (const auto fault = add_scaling(word, requests)) return fault;
+    return std::nullopt;
+  };
+  Option option =
+      value_option("--scaling", "KIND[:MOST],…",
+                   "how cost grows with the number of triangles (up to 1e7), pixels (16384^2), lights (256), overdraw "
+                   "(64), threads (CPUs), or all of them; MOST is where to stop",
+                   read);
+  option.completes = Completes::words;
+  option.words = scaling_words();
+  return option;
 }
 
 constexpr const char* default_gl = "llvmpipe";
@@ -278,61 +299,56 @@ Command bench_command() {
   };
   std::string listed;
   for (const std::string& name : precisions) listed += (listed.empty() ? "" : ",") + name;
-  return {
-      .name = "bench",
-      .meaning = "Measure what a pixel costs, and what accuracy it buys",
-      .groups =
-          {{"Scenes",
-            {refraster::arguments("SCENE", a.scenes, "scene files; without one, a sphere that fills the image"),
-             outside_option(a.reading.outside), cache_option(a.reading.mesh_cache)}},
-           {"What is measured",
-            {parsed_option("--size", "WxH,…", a.sizes, sizes_from,
-                           "WIDTHxHEIGHT, each 1 to " + std::to_string(largest_side) +
-                               ", separated by commas, each once",
-                           "pixels of the image, or several sizes")
-                 .by_default("1280x720"),
-             word_list_option("--precisions", "NAME,…", precisions, set_precisions, "number types of shading")
-                 .by_default(listed),
-             parsed_option("--threads", "N,…", a.threads, thread_counts_from,
-                           "numbers from 1 to 1024 separated by commas, each once", "numbers of threads")
-                 .by_default("1 and all CPUs"),
-             number_choice_option("--samples", a.samples, {1, 2, 4, 8, 16}, "samples a pixel"),
-             choice_option("--gl", a.gl, {"llvmpipe", "softpipe", "default", "none"},
-                           "OpenGL to draw the same frames in between; left out where there is none, unless it is "
-                           "named here")
-                 .by_default(default_gl),
-             parsed_option("--scaling", "KIND[:MOST],…", a.scaling, scaling_from,
-                           "some of triangles, pixels, lights, overdraw, threads, all, separated by commas, each with "
-                           "or without a number like :1e6",
-                           "how cost grows with the number of triangles (up to 1e7), pixels (16384^2), lights (256), "
-                           "overdraw (64), threads (CPUs), or all of them; MOST is where to stop"),
-             flag(
-                 "--no-marginal", [&a] { a.marginals = Marginals::left_out; },
-                 "only the scene as it is: no further light, texture, samples"),
-             flag(
-                 "--no-error", [&a] { a.errors = Errors::left_out; },
-                 "do not measure how far images are from the right ones")}},
-           {"How often",
-            {number_option("--frames", a.frames, Range{1, 1000000},
-                           "repetitions at least; each draws a frame of everything"),
-             number_option("--seconds", a.seconds, Range{0, 86400},
-                           "and more repetitions until so much time has passed, for each scene")}},
-           {"Report",
-            {file_option("--json", "FILE", a.json, "write the report as JSON; - is standard output"),
-             file_option("--html", "FILE", a.html,
-                         "write the report as one HTML page with pictures; - is standard output"),
-             folder_option("--csv", a.csv, "folder to write a .csv file for each table to; made if need be"),
-             memory_option(a.max_memory), strict_option(a.diagnostics), quiet_option(a.diagnostics)}}},
-      .notes = {"How it measures: docs/bench.md. The JSON: docs/reports.md."},
-      .finish = [arguments]() -> Action {
-        fill_defaults(*arguments);
-        for (const Size& size : arguments->sizes) check_frame_samples(size.width, size.height, arguments->samples);
-        return [arguments] {
-          arguments->reading.memory = set_memory_limit(
-              arguments->max_memory, *std::max_element(arguments->threads.begin(), arguments->threads.end()));
-          return run(*arguments);
-        };
-      }};
+  return {.name = "bench",
+          .meaning = "Measure what a pixel costs, and what accuracy it buys",
+          .groups =
+              {{"Scenes",
+                {refraster::arguments("SCENE", a.scenes, "scene files; without one, a sphere that fills the image"),
+                 outside_option(a.reading.outside), cache_option(a.reading.mesh_cache)}},
+               {"What is measured",
+                {parsed_option("--size", "WxH,…", a.sizes, sizes_from,
+                               "WIDTHxHEIGHT, each 1 to " + std::to_string(largest_side) +
+                                   ", separated by commas, each once",
+                               "pixels of the image, or several sizes")
+                     .by_default("1280x720"),
+                 word_list_option("--precisions", "NAME,…", precisions, set_precisions, "number types of shading")
+                     .by_default(listed),
+                 parsed_option("--threads", "N,…", a.threads, thread_counts_from,
+                               "numbers from 1 to 1024 separated by commas, each once", "numbers of threads")
+                     .by_default("1 and all CPUs"),
+                 number_choice_option("--samples", a.samples, {1, 2, 4, 8, 16}, "samples a pixel"),
+                 choice_option("--gl", a.gl, {"llvmpipe", "softpipe", "default", "none"},
+                               "OpenGL to draw the same frames in between; left out where there is none, unless it is "
+                               "named here")
+                     .by_default(default_gl),
+                 scaling_option(a.scaling),
+                 flag(
+                     "--no-marginal", [&a] { a.marginals = Marginals::left_out; },
+                     "only the scene as it is: no further light, texture, samples"),
+                 flag(
+                     "--no-error", [&a] { a.errors = Errors::left_out; },
+                     "do not measure how far images are from the right ones")}},
+               {"How often",
+                {number_option("--frames", a.frames, Range{1, 1000000},
+                               "repetitions at least; each draws a frame of everything"),
+                 number_option("--seconds", a.seconds, Range{0, 86400},
+                               "and more repetitions until so much time has passed, for each scene")}},
+               {"Report",
+                {file_option("--json", "FILE", a.json, "write the report as JSON; - is standard output"),
+                 file_option("--html", "FILE", a.html,
+                             "write the report as one HTML page with pictures; - is standard output"),
+                 folder_option("--csv", a.csv, "folder to write a .csv file for each table to; made if need be"),
+                 memory_option(a.max_memory), strict_option(a.diagnostics), quiet_option(a.diagnostics)}}},
+          .notes = {"How it measures: docs/bench.md. The JSON: docs/reports.md."},
+          .finish = [arguments]() -> Action {
+            fill_defaults(*arguments);
+            for (const Size& size : arguments->sizes) check_frame_samples(size.width, size.height, arguments->samples);
+            return [arguments] {
+              arguments->reading.memory = set_memory_limit(
+                  arguments->max_memory, *std::max_element(arguments->threads.begin(), arguments->threads.end()));
+              return run(*arguments);
+            };
+          }};
 }
 
 } // namespace refraster

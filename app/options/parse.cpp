@@ -69,8 +69,10 @@ Sorted sorted(const std::vector<const Option*>& options, const NamedCommand& nam
   } catch (const CLI::ArgumentMismatch&) {
     // Words ran out behind an option: the last word is its name, or short names of which it is the last.
     const std::string& last = named.rest.back();
+    const bool is_cluster = is_option(last) && last[1] != '-';
     for (const Option* const option : options)
-      if (option->takes != Takes::nothing && (last == option->name || last.back() == option->short_name))
+      if (option->takes != Takes::nothing &&
+          (last == option->name || (is_cluster && last.back() == option->short_name)))
         throw UsageError(option->name, "nothing", option->form);
     throw UsageError(place_name(named.path), "found " + quoted(last) + ", which lacks its value");
   } catch (const CLI::ParseError& error) {

@@ -62,11 +62,15 @@ std::optional<std::string_view> nearest_word(std::string_view given, const std::
   return nearest;
 }
 
+std::string did_you_mean(const std::vector<std::string_view>& words, std::string_view given) {
+  const std::optional<std::string_view> nearest = nearest_word(given, words);
+  return nearest ? std::string("; did you mean ").append(*nearest).append("?") : "";
+}
+
 std::string one_of(const std::vector<std::string_view>& words, std::string_view given) {
   std::string text;
   for (const std::string_view word : words) text.append(text.empty() ? "one of " : ", ").append(word);
-  if (const auto nearest = nearest_word(given, words)) text.append("; did you mean ").append(*nearest).append("?");
-  return text;
+  return text + did_you_mean(words, given);
 }
 
 } // namespace refraster

@@ -20,6 +20,9 @@ std::size_t edit_distance(std::string_view a, std::string_view b);
 /// count for nothing. Nothing if no word is near, and for a `given` of more than 64 bytes, which is no slip.
 std::optional<std::string_view> nearest_word(std::string_view given, const std::vector<std::string_view>& words);
 
+/// "; did you mean b?" if `given` is near to a word of the list, else "".
+std::string did_you_mean(const std::vector<std::string_view>& words, std::string_view given);
+
 /// "one of a, b, c", and, if `given` is near to one of them, "; did you mean b?".
 std::string one_of(const std::vector<std::string_view>& words, std::string_view given);
 

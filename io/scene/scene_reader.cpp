@@ -7,6 +7,8 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <string_view>
+#include <vector>
 
 namespace refraster {
 namespace {
@@ -139,7 +141,11 @@ void SceneReader::parameters(UserFunction& function, Use use) {
 
 void SceneReader::shape(std::string_view key, std::optional<Shape>& shape, std::string_view) {
   std::string names;
-  for_each_shape([&](auto s) { names += (names.empty() ? "" : " or ") + std::string(s.name); });
+  std::vector<std::string_view> known;
+  for_each_shape([&](auto s) {
+    names += (names.empty() ? "" : " or ") + std::string(s.name);
+    known.push_back(s.name);
+  });
   const std::string expected = "an object with one key: " + names;
   const JsonIndex found = claim(key, defaulted, expected);
   if (!found) return;
@@ -153,7 +159,9 @@ void SceneReader::shape(std::string_view key, std::optional<Shape>& shape, std::
   });
   if (shape) return;
   faults_.add_from([&] {
-    return document_.fault_at(document_[inner].key_begin, path_of(key), in_quotes(document_[inner].key), expected);
+    const std::string_view word = document_[inner].key;
+    return document_.fault_at(document_[inner].key_begin, path_of(key), in_quotes(word),
+                              expected + did_you_mean(known, word));
   });
 }
 

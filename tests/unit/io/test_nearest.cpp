@@ -90,19 +90,22 @@ TEST_CASE("what there is is listed, and what was meant is asked") {
   CHECK(one_of({"phong", "merl"}, "Phong") == "one of phong, merl; did you mean phong?");
 }
 
-TEST_CASE("a mistyped key of a scene is told with the one that is meant") {
+TEST_CASE("a mistyped key or shape of a scene is told with the one that is meant") {
   const test::TemporaryFolder folder;
   const std::string path = folder.path / "s.json";
   std::ofstream(path) << R"({"scene": {"camera": {"positon": "0 0 5"}, "background": "0 0 0", "point_lights": [],
-    "direction_lights": [], "objects": []}})";
+    "direction_lights": [], "objects": [{"mesh": {"shpere": {}}}]}})";
   try {
     read_scene(path, {});
     FAIL("read");
   } catch (const InputError& error) {
-    const auto is_key = [](const InputFault& fault) { return fault.path == "/scene/camera/positon"; };
-    const auto fault = std::find_if(error.faults().begin(), error.faults().end(), is_key);
-    REQUIRE(fault != error.faults().end());
-    CHECK(fault->expected.starts_with("one of position, "));
-    CHECK(fault->expected.ends_with("; did you mean position?"));
+    const auto expected_at = [&](const std::string& place) {
+      const auto is_here = [&](const InputFault& fault) { return fault.path == place; };
+      const auto fault = std::find_if(error.faults().begin(), error.faults().end(), is_here);
+      return fault == error.faults().end() ? "nothing is said of " + place : fault->expected;
+    };
+    CHECK(expected_at("/scene/camera/positon").starts_with("one of position, "));
+    CHECK(expected_at("/scene/camera/positon").ends_with("; did you mean position?"));
+    CHECK(expected_at("/scene/objects/0/mesh").ends_with("; did you mean sphere?"));
   }
 }
