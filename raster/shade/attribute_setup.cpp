@@ -138,7 +138,7 @@ void set_up_attributes(const Scene& scene, const Geometry& geometry, const Bins&
       if ((state(0) | state(1) | state(2)) & outcode::unsnapped) [[unlikely]] {
         const ProjectiveTriangle& projective = bins.projective_triangle(number);
         t.projective = &uncommon.projective.emplace_back(projective);
-        set_attributes<Real>(scene, geometry, ref, projective.corner, {1, 1, 1}, t); // line values bring their weights
+        set_attributes<Real>(scene, geometry, ref, projective.corner, {1, 1, 1}, t); // edge values bring their weights
         continue;
       }
       const auto corner_at = [&](std::size_t k) { return static_cast<std::uint8_t>(set_up.corner[k].submitted[lane]); };

@@ -32,7 +32,7 @@ struct UncommonEdges {
   std::deque<ProjectiveEdges> projective;
 };
 
-/// How a triangle's line values are computed. Packets of only the first kind are the quick ones.
+/// How a triangle's edge values are computed. Packets of only the first kind are the fast ones.
 enum class EdgeKind : std::uint8_t {
   wrapped,   // in 32-bit integers: nearly all
   large,     // in double, where they are exact as well

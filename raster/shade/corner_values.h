@@ -10,7 +10,7 @@
 
 namespace refraster {
 
-/// Line values are 0 or lie between 1 and 2^52: from this weight on no product of the two is subnormal, so that scaling
+/// Edge values are 0 or lie between 1 and 2^52: from this weight on no product of the two is subnormal, so that scaling
 /// by a power of two, as in a packet that holds a projective triangle, changes no digit. A corner that is farther yet
 /// counts as this far: where the nearest one has a part, it is none to speak of; and on the edge opposite the nearest
 /// one, where that has none, something must be left.

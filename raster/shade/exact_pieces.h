@@ -12,11 +12,11 @@ namespace refraster {
 
 /// ProjectivePiece (raster/visibility/setup.h) in 60 digits, from the vertices as the vertex stage has them.
 struct ExactPiece {
-  struct Line {
+  struct Edge {
     Exact a, b, c; // of a x + b y + c over subpixels, positive inside
   };
-  std::array<Line, 3> edge;                     // of vertex v
-  std::array<std::array<Exact, 3>, 3> factor{}; // [v][k]: times this, the line's value goes into that of corner k
+  std::array<Edge, 3> edge;                     // of vertex v
+  std::array<std::array<Exact, 3>, 3> factor{}; // [v][k]: times this, the edge's value goes into that of corner k
 };
 
 /// One or two, in the order of set_up_projective's; corners in its order too.

@@ -1,5 +1,5 @@
 #pragma once
-// Line values of a projective triangle for many samples at once.
+// Edge values of a projective triangle for many samples at once.
 
 #include "math/elementary/double_double.h"
 #include "raster/visibility/setup.h"
@@ -35,7 +35,7 @@ struct SplitEdge {
   }
 };
 
-/// What line values of a ProjectiveTriangle are made from, by way of the vertices of its pieces to its corners.
+/// What edge values of a ProjectiveTriangle are made from, by way of the vertices of its pieces to its corners.
 struct ProjectiveEdges {
   struct Piece {
     std::array<SplitEdge, 3> edge;                 // of vertex v

@@ -128,8 +128,8 @@ private:
     std::array<std::array<EdgeValue, 3>, 3> factor; // [v][k]
   };
 
-  template <class Line>
-  void at(const Line& edge, EdgeValue& value, EdgeValue& a, EdgeValue& b) const {
+  template <class Edge>
+  void at(const Edge& edge, EdgeValue& value, EdgeValue& a, EdgeValue& b) const {
     a = Edge::whole(edge.a), b = Edge::whole(edge.b);
     value = Edge::whole(edge.at(x_, y_)) + a * dx_ + b * dy_;
   }
@@ -199,7 +199,7 @@ private:
     if constexpr (std::same_as<T, Exact>) {
       const EdgeValue x = EdgeValue(x_) + dx_, y = EdgeValue(y_) + dy_;
       for (std::size_t v = 0; v < 3; ++v) {
-        const ExactPiece::Line& edge = exact_[p].edge[v];
+        const ExactPiece::Edge& edge = exact_[p].edge[v];
         result.a[v] = edge.a, result.b[v] = edge.b;
         result.value[v] = edge.a * x + edge.b * y + edge.c;
         result.factor[v] = exact_[p].factor[v];
