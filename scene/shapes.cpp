@@ -1,3 +1,4 @@
+
 #include <refraster/mesh.h>
 
 #include "math/elementary/degrees.h"

@@ -1,3 +1,4 @@
+
 #include <refraster/material.h>
 
 #include "math/elementary.h"

@@ -32,7 +32,7 @@ struct UncommonEdges {
   std::deque<ProjectiveEdges> projective;
 };
 
-/// How the values of a triangle's edge functions are computed. Packets of only the first kind are the quick ones.
+/// How the values of a triangle's edge functions are computed. Packets of only the first kind are the fast ones.
 enum class EdgeKind : std::uint8_t {
   wrapped,   // in 32-bit integers: nearly all
   large,     // in double, where they are exact as well

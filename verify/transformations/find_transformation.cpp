@@ -46,7 +46,7 @@ public:
   }
 
 private:
-  void keep(Transformation which, const Judgement& judgement, double factor = 1, PixelShift shift = {}) {
+  void consider(Transformation which, const Judgement& judgement, double factor = 1, PixelShift shift = {}) {
     if (!judgement.convinces() || (found_ && !judgement.better_than(best_))) return;
     best_ = judgement;
     found_ = found_transformation(which, judgement);
@@ -56,7 +56,7 @@ private:
 
   template <class Undo>
   void try_out(Transformation which, const StoredImage& undone, const StoredImage& other, Undo&& undo) {
-    keep(which, judge(known(which), undone, other, limit_, undo));
+    consider(which, judge(known(which), undone, other, limit_, undo));
   }
 
   /// A map of each colour by itself; a fourth channel is alpha.
@@ -64,13 +64,13 @@ private:
   void try_values(Transformation which, const StoredImage& undone, const StoredImage& other, Map&& map,
                   double factor = 1) {
     const int colours = undone.image.channels == 4 ? 3 : undone.image.channels;
-    keep(which,
-         judge(known(which), undone, other, limit_,
-               [&](int x, int y, int c) {
-                 const double levels = undone.levels(x, y, c);
-                 return c < colours ? map(levels) : levels;
-               }),
-         factor);
+    consider(which,
+             judge(known(which), undone, other, limit_,
+                   [&](int x, int y, int c) {
+                     const double levels = undone.levels(x, y, c);
+                     return c < colours ? map(levels) : levels;
+                   }),
+             factor);
   }
 
   void try_alpha(Transformation which, const StoredImage& undone, const StoredImage& other) {
@@ -84,13 +84,13 @@ private:
     const int width = a_.image.width, height = a_.image.height;
     const auto inside = [&](int x, int y) { return x >= 0 && y >= 0 && x < width && y < height; };
     // Pixel (x, y) of a lies at (x + shift.x, y + shift.y) of b.
-    keep(Transformation::shifted,
-         judge(
-             known(Transformation::shifted), b_, a_, limit_,
-             [&](int x, int y, int c) { return b_.levels(x + shift.x, y + shift.y, c); },
-             [&](int x, int y) { return inside(x + shift.x, y + shift.y); },
-             [&](int x, int y) { return inside(x - shift.x, y - shift.y); }),
-         1, shift);
+    consider(Transformation::shifted,
+             judge(
+                 known(Transformation::shifted), b_, a_, limit_,
+                 [&](int x, int y, int c) { return b_.levels(x + shift.x, y + shift.y, c); },
+                 [&](int x, int y) { return inside(x + shift.x, y + shift.y); },
+                 [&](int x, int y) { return inside(x - shift.x, y - shift.y); }),
+             1, shift);
   }
 
   void try_scale() {

@@ -24,7 +24,7 @@ MerlPoint<double> table_error(const IdealShader& shader, const Varyings& at, dou
   MerlPoint<double> most{0, 0, 0};
   if (!function) return most;
   const Fragment<double> here = shader.fragment(at);
-  const auto see = [&](const Incident<double>& light) {
+  const auto widen_for = [&](const Incident<double>& light) {
     const Double3 n = here.normal, i = light.direction, o = here.to_eye;
     const HalfDifference<double> angles = half_difference(function->angles, n, i, o);
     constexpr double bins_per_radian = 180 / std::numbers::pi;
@@ -39,8 +39,8 @@ MerlPoint<double> table_error(const IdealShader& shader, const Varyings& at, dou
         azimuth > 0 ? std::min(16 * u * s * std::max(d, 4 * u) / azimuth, std::numbers::pi / 2) : std::numbers::pi / 2;
     most.w = std::max(most.w, bins_per_radian * (atan_ulp * u * angles.phi_d + 4 * u + turn));
   };
-  for (const PointLight& light : shader.scene.point_lights) see(arriving(light, here));
-  for (const DirectionLight& light : shader.scene.direction_lights) see(arriving(light, here));
+  for (const PointLight& light : shader.scene.point_lights) widen_for(arriving(light, here));
+  for (const DirectionLight& light : shader.scene.direction_lights) widen_for(arriving(light, here));
   return most;
 }
 

@@ -40,7 +40,7 @@ struct SceneFolder : TemporaryFolder {
   }
   std::vector<Object> objects() { return read_scene(*this / "s.json", options).objects; }
   /// Of what was read: without this folder's name.
-  std::vector<std::string> told() const {
+  std::vector<std::string> reported() const {
     std::vector<std::string> texts;
     for (const Note& note : notes.notes()) texts.push_back(note.text().substr(path.string().size() + 1));
     return texts;
@@ -91,12 +91,12 @@ TEST_CASE("what there is to note of a mesh is noted once, however many normals a
       "m.obj:1: found \"usemtl red\", skipped: materials of OBJ files are not read, the scene's own "
       "material is used (2 times)"};
   folder.objects();
-  CHECK(folder.told() == expected);
+  CHECK(folder.reported() == expected);
   folder.notes = {};
   folder.options.mesh_cache = folder / "cache"; // of large files only: this one is not
   std::filesystem::create_directory(folder.options.mesh_cache);
   folder.objects();
-  CHECK(folder.told() == expected);
+  CHECK(folder.reported() == expected);
 }
 
 TEST_CASE("a fault of a mesh is reported once, however many normals are wanted of it") {
@@ -119,9 +119,9 @@ TEST_CASE("a path with backslashes names the file that it names with slashes, if
   const std::vector<Object> objects = folder.objects();
   CHECK(objects[0].mesh == objects[1].mesh);
   CHECK(objects[1].material.texture);
-  const Texts told = folder.told();
-  CHECK(std::find(told.begin(), told.end(), "s.json:3: found \"models\\m.obj\", read with / for \\ (3 times)") !=
-        told.end());
+  const Texts reported = folder.reported();
+  CHECK(std::find(reported.begin(), reported.end(),
+                  "s.json:3: found \"models\\m.obj\", read with / for \\ (3 times)") != reported.end());
 
   // A file of that very name is meant.
   SceneFolder other(windows);
@@ -153,7 +153,7 @@ TEST_CASE("a texture on triangles without vt is noted once a mesh") {
   const std::string file = "\"obj_file_path\": \"m.obj\"", texture = ", \"texture_file_path\": \"t.png\"";
   SceneFolder folder(object_of(file, texture) + "," + object_of(file, texture), roof + "vt 0 0\nf 1/1 2/1 3/1\n");
   folder.objects();
-  CHECK(folder.told() == Texts{"m.obj: found 4 triangles without vt, on which the texture is not shown"});
+  CHECK(folder.reported() == Texts{"m.obj: found 4 triangles without vt, on which the texture is not shown"});
   SceneFolder plain(object_of(file), roof);
   plain.objects();
   CHECK(plain.notes.empty());

@@ -202,7 +202,7 @@ TEST_CASE("a triangle is not hidden by what is as near and drawn before it, but 
     }
 }
 
-TEST_CASE("behind the eye, depths come from line values that are rounded once, however many bits they have") {
+TEST_CASE("behind the eye, depths come from edge values that are rounded once, however many bits they have") {
   // One line as large as can be, with a value at one sample that lies next to the middle between two doubles; the
   // others make its value the depth.
   constexpr int side = 128;
