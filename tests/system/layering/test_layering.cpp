@@ -184,6 +184,14 @@ TEST_CASE("no file is longer than 450 lines, and no folder has more than 24 sour
   for (const auto& [folder, count] : files) CHECK_MESSAGE(count <= max_files, folder << " has " << count << " sources");
 }
 
+TEST_CASE("one file of the program includes CLI11, which takes seconds to compile") {
+  std::vector<std::string> files;
+  for (const std::string& file : files_of("app"))
+    for (const std::string& line : lines_of(file))
+      if (line.starts_with("#include <CLI/")) files.push_back(file);
+  CHECK(files == std::vector<std::string>{"app/options/parse.cpp"});
+}
+
 TEST_CASE("every header begins with #pragma once") {
   for (const std::string& path : all_files()) {
     if (path.substr(path.size() - 2) != ".h") continue;
