@@ -1,7 +1,7 @@
 #pragma once
 // What a command says beside its results, on standard error: notes.
 
-#include "io/file/notes.h"
+#include <refraster/notes.h>
 
 #include <string_view>
 

@@ -1,5 +1,7 @@
 // The command line: picks a command, runs it, and turns what went wrong into a message and an exit code.
 
+#include <refraster/notes.h>
+
 #include "app/command.h"
 #include "app/interrupt.h"
 #include "app/memory_limit.h"
@@ -7,7 +9,6 @@
 #include "app/options/parse.h"
 #include "app/options/wrap.h"
 #include "app/usage_error.h"
-#include "io/file/input_error.h"
 
 #include <algorithm>
 #include <cstdio>

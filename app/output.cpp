@@ -1,11 +1,12 @@
 #include "app/output.h"
 
+#include <refraster/files.h>
+#include <refraster/notes.h>
+
 #include "app/interrupt.h"
 #include "app/usage_error.h"
 #include "io/file/atomic_file.h"
-#include "io/file/input_error.h"
 #include "io/file/input_file.h"
-#include "io/image/image_file.h"
 #include "io/mesh/mesh_cache.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 
+
 #include <refraster/mesh.h>
 
 #include "math/elementary/degrees.h"

@@ -1,4 +1,5 @@
 
+
 #include <refraster/material.h>
 
 #include "math/elementary.h"

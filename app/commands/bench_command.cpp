@@ -1,5 +1,7 @@
 // refraster bench [SCENE…]
 
+#include <refraster/files.h>
+
 #include "app/arguments.h"
 #include "app/command.h"
 #include "app/diagnostics.h"
@@ -18,7 +20,6 @@
 #include "bench/workloads/built_in.h"
 #include "gl/render_gl.h"
 #include "io/file/nearest.h"
-#include "io/scene/scene_file.h"
 #include "raster/explain/explain_dark.h"
 
 #include <algorithm>

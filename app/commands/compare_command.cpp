@@ -1,5 +1,8 @@
 // refraster compare A B
 
+#include <refraster/files.h>
+#include <refraster/notes.h>
+
 #include "app/arguments.h"
 #include "app/command.h"
 #include "app/diagnostics.h"
@@ -8,8 +11,7 @@
 #include "app/output.h"
 #include "app/progress_line.h"
 #include "app/usage_error.h"
-#include "io/file/input_error.h"
-#include "io/image/image_file.h"
+#include "verify/compare/compare.h"
 #include "verify/compare/compare_report.h"
 #include "verify/compare/flip.h"
 #include "verify/compare/heat_legend.h"

@@ -1,5 +1,7 @@
 // refraster gl SCENE
 
+#include <refraster/files.h>
+
 #include "app/arguments.h"
 #include "app/command.h"
 #include "app/diagnostics.h"
@@ -10,8 +12,6 @@
 #include "app/usage_error.h"
 #include "gl/gl_report.h"
 #include "gl/render_gl.h"
-#include "io/image/image_file.h"
-#include "io/scene/scene_file.h"
 #include "raster/explain/explain_dark.h"
 
 #include <iostream>

@@ -1,5 +1,6 @@
 // refraster list: what there is to choose from, and what is made of the declared options.
 
+#include <refraster/files.h>
 #include <refraster/render.h>
 
 #include "app/command.h"
@@ -9,7 +10,7 @@
 #include "app/options/unknown_words.h"
 #include "app/usage_error.h"
 #include "io/file/limits.h"
-#include "io/scene/scene_file.h"
+#include "io/scene/scene_markdown.h"
 #include "math/precisions.h"
 #include "shading/fragment_functions.h"
 #include "shading/precision_bounds.h"

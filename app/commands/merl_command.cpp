@@ -1,5 +1,7 @@
 // refraster merl info | synth
 
+#include <refraster/files.h>
+
 #include "app/arguments.h"
 #include "app/command.h"
 #include "app/memory_limit.h"

@@ -1,12 +1,13 @@
 // refraster mesh sphere | cube | plane | torus | knot: the shapes of a scene's "mesh", with the same parameters, as a
 // file.
 
+#include <refraster/files.h>
+
 #include "app/command.h"
 #include "app/memory_limit.h"
 #include "app/options/shared_options.h"
 #include "app/output.h"
 #include "app/progress_line.h"
-#include "io/mesh/obj_file.h"
 #include "io/scene/shape_mesh.h"
 
 #include <algorithm>

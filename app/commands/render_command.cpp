@@ -1,5 +1,7 @@
 // refraster render SCENE
 
+#include <refraster/files.h>
+#include <refraster/notes.h>
 #include <refraster/render.h>
 
 #include "app/arguments.h"
@@ -12,9 +14,6 @@
 #include "app/progress_line.h"
 #include "app/run_report.h"
 #include "app/usage_error.h"
-#include "io/file/input_error.h"
-#include "io/image/image_file.h"
-#include "io/scene/scene_file.h"
 #include "raster/explain/explain_dark.h"
 
 #include <algorithm>

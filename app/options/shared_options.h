@@ -1,10 +1,11 @@
 #pragma once
 // Options that several commands have, each declared once.
 
+#include <refraster/files.h>
+
 #include "app/arguments.h"
 #include "app/diagnostics.h"
 #include "app/options/option.h"
-#include "io/scene/scene_file.h"
 
 #include <cstdint>
 #include <string>

@@ -1,9 +1,9 @@
 // guard_frames SCENES_FOLDER: small frames of the workloads of bench/scenes, each in every precision, one after the
 // other in one thread. bench/guard/run counts their instructions. Prints "scene precision" for each, in order.
 
+#include <refraster/files.h>
 #include <refraster/render.h>
 
-#include "io/scene/scene_file.h"
 #include "math/precisions.h"
 #include "scenes/synthesis/waves.h"
 

@@ -1,10 +1,11 @@
 #include "gl/draw/drawing.h"
 
+#include <refraster/notes.h>
+
 #include "gl/context/gl_errors.h"
 #include "gl/draw/upload.h"
 #include "gl/glsl/own_glsl.h"
 #include "gl/glsl/shader_choice.h"
-#include "io/file/input_error.h"
 
 #include <algorithm>
 #include <cstdio>

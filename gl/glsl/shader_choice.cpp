@@ -1,7 +1,8 @@
 #include "gl/glsl/shader_choice.h"
 
+#include <refraster/notes.h>
+
 #include "gl/glsl/own_glsl.h"
-#include "io/file/input_error.h"
 #include "io/file/input_file.h"
 #include "io/file/limits.h"
 

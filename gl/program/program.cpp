@@ -1,8 +1,9 @@
 #include "gl/program/program.h"
 
+#include <refraster/notes.h>
+
 #include "gl/program/glsl_types.h"
 #include "gl/program/introspection.h"
-#include "io/file/input_error.h"
 
 #include <algorithm>
 #include <functional>

@@ -1,5 +1,7 @@
 #include "io/brdf/merl_file.h"
 
+#include <refraster/files.h>
+
 #include "io/file/atomic_file.h"
 #include "io/file/fault_list.h"
 #include "io/file/input_file.h"

@@ -1,10 +1,9 @@
 #pragma once
-// The MERL database's `.binary` files.
+// The MERL database's `.binary` files: read_merl and write_merl of <refraster/files.h>.
 
 #include <refraster/material.h>
 
-#include <memory>
-#include <string>
+#include <cstdint>
 #include <string_view>
 
 namespace refraster {
@@ -14,12 +13,6 @@ inline constexpr std::uint64_t merl_file_bytes = 12 + std::uint64_t{3 * 8} * Mer
 
 /// A channel's f in 1/sr is the stored value times its scale.
 inline constexpr double merl_scale[3] = {1.0 / 1500, 1.15 / 1500, 1.66 / 1500};
-
-/// Reads a table; what was never measured stays negative. Throws InputError: size, dimensions, NaN or infinity.
-std::shared_ptr<const MerlTable> read_merl(const std::string& path);
-
-/// Writes a table so that read_merl gives each value back within an ulp: the scales are no powers of two.
-void write_merl(const std::string& path, const MerlTable& table);
 
 /// The material's name if the file is one of the 100 of the database's version 2.0; else empty.
 std::string_view merl_material_name(std::string_view sha256);

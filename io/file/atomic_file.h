@@ -1,7 +1,7 @@
 #pragma once
 // Output files that are there whole or not at all.
 
-#include "io/file/input_error.h"
+#include <refraster/notes.h>
 
 #include <cstdint>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 // Faults are collected while a file is read, so that a user sees all of them at once.
 
-#include "io/file/input_error.h"
+#include <refraster/notes.h>
 
 #include <cstddef>
 #include <string>

@@ -1,4 +1,5 @@
-#include "io/file/input_error.h"
+
+#include <refraster/notes.h>
 
 #include "io/file/text.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 // Files from disk, before any format is looked at.
 
-#include "io/file/input_error.h"
+#include <refraster/notes.h>
 
 #include <cstdint>
 #include <optional>

@@ -1,6 +1,6 @@
-#include "io/file/notes.h"
 
-#include "io/file/input_error.h"
+#include <refraster/notes.h>
+
 #include "io/file/text.h"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
-#include "io/image/image_file.h"
 
-#include "io/file/input_error.h"
+#include <refraster/files.h>
+#include <refraster/notes.h>
+
 #include "io/file/input_file.h"
 #include "io/file/text.h"
 #include "io/image/image_formats.h"

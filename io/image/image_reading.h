@@ -1,9 +1,10 @@
 #pragma once
 // What the readers of image formats share.
 
-#include "io/file/input_error.h"
+#include <refraster/files.h>
+#include <refraster/notes.h>
+
 #include "io/file/limits.h"
-#include "io/image/image_file.h"
 
 #include <memory>
 #include <string_view>

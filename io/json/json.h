@@ -1,7 +1,8 @@
 #pragma once
 // JSON text as a tree that knows where in the file each value stands.
 
-#include "io/file/input_error.h"
+#include <refraster/notes.h>
+
 #include "io/file/limits.h"
 
 #include <cstddef>

@@ -5,6 +5,8 @@
 #include "io/file/limits.h"
 #include "io/file/sha256.h"
 #include "io/file/text.h"
+#include "io/mesh/mesh_normals.h"
+#include "io/mesh/obj_file.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 // Meshes of OBJ files that were read before. Text is slow to read: a million triangles are 80 MB of it.
 
-#include "io/mesh/obj_file.h"
+#include <refraster/files.h>
 
 #include <cstdint>
 #include <optional>

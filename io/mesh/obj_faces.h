@@ -1,7 +1,8 @@
 #pragma once
 // What an OBJ file leaves to the reader: normals and triangles.
 
-#include "io/mesh/mesh_normals.h"
+#include <refraster/files.h>
+
 #include "io/mesh/obj_text.h"
 
 #include <array>

@@ -1,5 +1,6 @@
 #include "io/mesh/obj_faces.h"
 
+#include "io/mesh/mesh_normals.h"
 #include "math/elementary.h"
 
 #include <algorithm>

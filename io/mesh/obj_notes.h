@@ -1,7 +1,7 @@
 #pragma once
 // What is unusual in an OBJ file, but has one meaning, or is left out: each kind is counted, and told once.
 
-#include "io/file/notes.h"
+#include <refraster/notes.h>
 
 #include <array>
 #include <cstddef>

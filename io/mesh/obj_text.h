@@ -1,7 +1,8 @@
 #pragma once
 // The text of an OBJ file, read line by line, each fault with its line and column: points, faces, smoothing groups.
 
-#include "io/file/notes.h"
+#include <refraster/notes.h>
+
 #include "math/vec.h"
 
 #include <cstdint>

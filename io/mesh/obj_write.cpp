@@ -1,5 +1,6 @@
+#include <refraster/files.h>
+
 #include "io/file/atomic_file.h"
-#include "io/mesh/obj_file.h"
 
 #include <array>
 #include <charconv>

@@ -1,7 +1,7 @@
 #pragma once
 // Files that are given where a scene is expected: what they are, and how to get a scene.
 
-#include "io/file/input_error.h"
+#include <refraster/notes.h>
 
 #include <optional>
 #include <string>

@@ -1,11 +1,11 @@
-#include "io/scene/scene_file.h"
+
+#include <refraster/files.h>
 
 #include "io/brdf/merl_file.h"
 #include "io/file/input_file.h"
 #include "io/file/text.h"
-#include "io/image/image_file.h"
 #include "io/mesh/mesh_cache.h"
-#include "io/mesh/obj_file.h"
+#include "io/mesh/mesh_normals.h"
 #include "io/scene/not_a_scene.h"
 #include "io/scene/scene_reader.h"
 #include "io/scene/shape_mesh.h"

@@ -12,10 +12,10 @@
 //   keys.parameters(function, use)                                   what a fragment function declares (fields.h)
 // A value that may be left out keeps what the member is initialised with.
 
+#include <refraster/files.h>
 #include <refraster/scene.h>
 
 #include "io/file/limits.h"
-#include "io/mesh/mesh_normals.h"
 
 #include <memory>
 #include <optional>

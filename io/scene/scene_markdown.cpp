@@ -1,6 +1,9 @@
 // The reading of scene_keys.h that makes the documentation's tables.
 
-#include "io/scene/scene_file.h"
+#include "io/scene/scene_markdown.h"
+
+#include <refraster/files.h>
+
 #include "io/scene/value_kinds.h"
 
 #include <array>

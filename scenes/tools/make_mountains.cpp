@@ -1,7 +1,8 @@
 // make_mountains FILE.obj: a valley between ridges, 320 000 triangles over [-1, 1]^2, y up, heights 0 to about 0.5.
 // v of a vertex is its height over the highest one, for a texture of what grows where (strata.png); u is noise.
 
-#include "io/mesh/obj_file.h"
+#include <refraster/files.h>
+
 #include "scenes/synthesis/noise.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // make_strip OUT.png IN.png …: images of one height side by side.
 
-#include "io/image/image_file.h"
+#include <refraster/files.h>
 
 #include <algorithm>
 #include <iostream>

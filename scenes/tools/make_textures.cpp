@@ -1,7 +1,8 @@
 // make_textures FOLDER: the textures of the scenes, made from noise, so that the repository holds no picture of unknown
 // origin and none that it could not make again. All repeat without a seam.
 
-#include "io/image/image_file.h"
+#include <refraster/files.h>
+
 #include "scenes/synthesis/noise.h"
 
 #include "math/vec.h"

@@ -1,7 +1,8 @@
 // make_waves COLUMNSxROWS FILE.obj: a rough sea of 2 COLUMNS ROWS triangles, see waves.h. With 1000x500 that is a
 // million, each about a pixel at 1280x720.
 
-#include "io/mesh/obj_file.h"
+#include <refraster/files.h>
+
 #include "scenes/synthesis/waves.h"
 
 #include <charconv>

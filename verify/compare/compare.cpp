@@ -1,10 +1,12 @@
 #include "verify/compare/compare.h"
 
+#include "verify/compare/clusters.h"
+
 #include <algorithm>
 #include <bit>
-#include <cassert>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <tuple>
 
 namespace refraster {
@@ -99,7 +101,8 @@ Image<double> pixel_differences(const Image<float>& a, const Image<float>& b, co
 }
 
 Comparison compare(const Image<float>& a, const Image<float>& b, const PixelScale& scale, const CompareLimits& limits) {
-  assert(a.width == b.width && a.height == b.height && a.channels == b.channels);
+  if (a.width != b.width || a.height != b.height || a.channels != b.channels)
+    throw std::invalid_argument("compare: found images of different sizes, expected the same size and channels");
   Comparison found;
   found.unit = scale.unit;
   found.width = a.width;

@@ -1,8 +1,9 @@
 #pragma once
 // What compare() found, for people and for programs.
 
-#include "io/file/notes.h"
-#include "verify/compare/compare.h"
+#include <refraster/compare.h>
+#include <refraster/notes.h>
+
 #include "verify/transformations/block_compression.h"
 #include "verify/transformations/transformations.h"
 

@@ -1,5 +1,7 @@
 #include "verify/compare/heat_image.h"
 
+#include "verify/compare/compare.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -1,7 +1,7 @@
 #pragma once
 // A picture of where two images differ.
 
-#include "verify/compare/compare.h"
+#include <refraster/compare.h>
 
 #include <array>
 

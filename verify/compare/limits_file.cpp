@@ -3,6 +3,7 @@
 #include "io/file/input_file.h"
 #include "io/file/nearest.h"
 #include "io/json/json.h"
+#include "verify/compare/compare.h"
 
 #include <cmath>
 

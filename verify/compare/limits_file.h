@@ -1,7 +1,7 @@
 #pragma once
 // The limits of a comparison, kept in a file.
 
-#include "verify/compare/compare.h"
+#include <refraster/compare.h>
 
 #include <string>
 

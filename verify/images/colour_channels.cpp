@@ -1,6 +1,7 @@
 #include "verify/images/colour_channels.h"
 
-#include "io/file/input_error.h"
+#include <refraster/notes.h>
+
 #include "io/file/text.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 // Which channels of an image are its colour.
 
-#include "io/image/image_file.h"
+#include <refraster/files.h>
 
 #include <optional>
 #include <string>

@@ -1,7 +1,8 @@
 #pragma once
 // One image file, taken apart into what is compared and its alpha.
 
-#include "io/image/image_file.h"
+#include <refraster/files.h>
+
 #include "verify/images/colour_channels.h"
 #include "verify/images/image_pair.h"
 #include "verify/images/stored_precision.h"

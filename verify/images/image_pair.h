@@ -1,11 +1,11 @@
 #pragma once
 // Two image files, ready to be compared.
 
+#include <refraster/compare.h>
 #include <refraster/memory.h>
+#include <refraster/notes.h>
 
-#include "io/file/notes.h"
 #include "math/vec.h"
-#include "verify/compare/compare.h"
 #include "verify/images/stored_precision.h"
 
 #include <array>

@@ -1,6 +1,6 @@
-#include "verify/images/colour_image.h"
+#include <refraster/notes.h>
 
-#include "io/file/input_error.h"
+#include "verify/images/colour_image.h"
 
 #include <algorithm>
 #include <charconv>

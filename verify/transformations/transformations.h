@@ -1,9 +1,9 @@
 #pragma once
 // What kind of difference: known transformations, one of which may make two images equal.
 
+#include <refraster/compare.h>
 #include <refraster/image.h>
 
-#include "verify/compare/compare.h"
 #include "verify/images/stored_precision.h"
 
 #include <array>

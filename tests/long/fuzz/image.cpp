@@ -1,14 +1,14 @@
 
 
+#include <refraster/files.h>
 #include <refraster/mesh.h>
+#include <refraster/notes.h>
 
 #include "tests/long/fuzz/dirty_memory.h"
 #include "tests/long/fuzz/memory.h"
 #include "tests/long/fuzz/render_small.h"
 #include "tests/long/fuzz/targets.h"
 
-#include "io/file/input_error.h"
-#include "io/image/image_file.h"
 #include "tests/support/invariants.h"
 
 #include <cmath>

@@ -1,7 +1,8 @@
+#include <refraster/notes.h>
+
 #include "tests/long/fuzz/memory.h"
 #include "tests/long/fuzz/targets.h"
 
-#include "io/file/input_error.h"
 #include "verify/compare/limits_file.h"
 
 namespace refraster::fuzz {

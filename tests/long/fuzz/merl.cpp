@@ -1,13 +1,14 @@
 
 
+#include <refraster/files.h>
 #include <refraster/mesh.h>
+#include <refraster/notes.h>
 
 #include "tests/long/fuzz/memory.h"
 #include "tests/long/fuzz/render_small.h"
 #include "tests/long/fuzz/targets.h"
 
 #include "io/brdf/merl_file.h"
-#include "io/file/input_error.h"
 
 #include <cstring>
 #include <vector>

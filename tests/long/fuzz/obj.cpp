@@ -1,9 +1,10 @@
+#include <refraster/files.h>
+#include <refraster/notes.h>
+
 #include "tests/long/fuzz/memory.h"
 #include "tests/long/fuzz/render_small.h"
 #include "tests/long/fuzz/targets.h"
 
-#include "io/file/input_error.h"
-#include "io/mesh/obj_file.h"
 #include "tests/support/invariants.h"
 
 #include <cstring>

@@ -2,11 +2,10 @@
 // writers, the scenes of the repository, and the malformed inputs of tests/unit/io. image_seeds adds images of other
 // writers.
 
+#include <refraster/files.h>
 #include <refraster/mesh.h>
 
-#include "io/brdf/merl_file.h"
 #include "io/image/image_formats.h"
-#include "io/mesh/obj_file.h"
 #include "tests/support/files/image_clauses.h"
 #include "tests/support/files/malformed_inputs.h"
 #include "tests/support/files/png_bytes.h"

@@ -3,9 +3,9 @@
 // ones: not a byte more. Memory of the process that is not allocated may come and go; it must not grow by a page every
 // few rounds either.
 
-#include "io/file/input_error.h"
-#include "io/image/image_file.h"
-#include "io/scene/scene_file.h"
+#include <refraster/files.h>
+#include <refraster/notes.h>
+
 #include "tests/support/files/malformed_inputs.h"
 #include "tests/support/scenes/random_scene.h"
 

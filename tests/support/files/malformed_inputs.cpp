@@ -1,6 +1,7 @@
 #include "tests/support/files/malformed_inputs.h"
 
-#include "io/brdf/merl_file.h"
+#include <refraster/files.h>
+
 #include "io/image/image_formats.h"
 #include "io/json/json.h"
 #include "tests/support/files/malformed_images.h"

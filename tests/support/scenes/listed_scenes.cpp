@@ -1,6 +1,6 @@
 #include "tests/support/scenes/listed_scenes.h"
 
-#include "io/scene/scene_file.h"
+#include <refraster/files.h>
 
 #include <algorithm>
 #include <filesystem>

@@ -1,9 +1,10 @@
 // refraster compare
 
+#include <refraster/files.h>
+
 #include "tests/support/program/program.h"
 #include "tests/support/program/scenes.h"
 
-#include "io/image/image_file.h"
 #include "tests/support/files/png_bytes.h"
 
 #include <doctest/doctest.h>

@@ -1,8 +1,9 @@
 // Every limit of io/file/limits.h: what is said beyond it, with which exit code, and that no memory was taken for it.
 
+#include <refraster/files.h>
+
 #include "io/file/input_file.h"
 #include "io/file/limits.h"
-#include "io/image/image_file.h"
 #include "tests/support/files/jpeg_bytes.h"
 #include "tests/support/files/png_bytes.h"
 #include "tests/support/program/program.h"

@@ -1,10 +1,9 @@
 // refraster mesh, refraster merl
 
+#include <refraster/files.h>
 #include <refraster/mesh.h>
 
 #include "tests/support/program/program.h"
-
-#include "io/mesh/obj_file.h"
 
 #include <doctest/doctest.h>
 

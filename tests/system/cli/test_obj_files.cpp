@@ -1,6 +1,7 @@
 // OBJ files as real programs write them: what is said of them, and what is seen.
 
-#include "io/image/image_file.h"
+#include <refraster/files.h>
+
 #include "tests/support/files/png_bytes.h"
 #include "tests/support/program/program.h"
 

@@ -1,9 +1,9 @@
 // refraster render
 
+#include <refraster/files.h>
+
 #include "tests/support/program/program.h"
 #include "tests/support/program/scenes.h"
-
-#include "io/image/image_file.h"
 
 #include <doctest/doctest.h>
 

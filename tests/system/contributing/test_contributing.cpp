@@ -1,9 +1,9 @@
 // The worked example of CONTRIBUTING.md does what that page says.
 
+#include <refraster/files.h>
 #include <refraster/mesh.h>
 #include <refraster/render.h>
 
-#include "io/scene/scene_file.h"
 #include "minnaert.h"
 
 #include <doctest/doctest.h>

@@ -1,10 +1,10 @@
 // Renders scenes and prints one hash for each scene and precision. Where the same source gives another hash, on another
 // machine, from another compiler, with other flags, the promise of one image everywhere is broken.
 
+#include <refraster/files.h>
+#include <refraster/notes.h>
 #include <refraster/render.h>
 
-#include "io/file/input_error.h"
-#include "io/scene/scene_file.h"
 #include "math/precisions.h"
 #include "tests/support/scenes/hashed_scenes.h"
 

@@ -2,9 +2,9 @@
 // share, and scenes of their own; read scenes, images and files that are refused; and write images. Each must get what
 // one thread alone gets. Built with the preset tsan it shows data races; see run_tsan.
 
-#include "io/file/input_error.h"
-#include "io/image/image_file.h"
-#include "io/scene/scene_file.h"
+#include <refraster/files.h>
+#include <refraster/notes.h>
+
 #include "tests/support/files/malformed_inputs.h"
 #include "tests/support/invariants.h"
 #include "tests/support/scenes/random_scene.h"

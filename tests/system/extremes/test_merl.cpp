@@ -1,7 +1,8 @@
 // The extremes (docs/extremes.md), rows M: measured reflection.
 
-#include "io/brdf/merl_file.h"
-#include "io/file/input_error.h"
+#include <refraster/files.h>
+#include <refraster/notes.h>
+
 #include "shading/merl.h"
 #include "tests/support/for_all.h"
 #include "tests/support/ulp.h"

@@ -1,7 +1,8 @@
 // The extremes (docs/extremes.md), rows V11 to V15: the guard band, the viewport, many triangles.
 
-#include "io/file/input_error.h"
-#include "io/mesh/obj_file.h"
+#include <refraster/files.h>
+#include <refraster/notes.h>
+
 #include "tests/support/for_all.h"
 #include "tests/support/raster/oracle.h"
 #include "tests/support/raster/triangles.h"

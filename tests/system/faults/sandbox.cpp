@@ -1,6 +1,7 @@
 #include "tests/system/faults/sandbox.h"
 
-#include "io/image/image_file.h"
+#include <refraster/files.h>
+
 #include "tests/support/program/scenes.h"
 
 #include <algorithm>

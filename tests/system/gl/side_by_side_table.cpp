@@ -1,7 +1,8 @@
 // Prints the table of docs/verification.md: side_by_side_table PROFILE WIDTHxHEIGHT SCENE...
 
-#include "io/file/input_error.h"
-#include "io/scene/scene_file.h"
+#include <refraster/files.h>
+#include <refraster/notes.h>
+
 #include "tests/support/gl/side_by_side.h"
 
 #include <cstdio>

@@ -1,5 +1,7 @@
 // What gl finds out about programs and drivers, part by part.
 
+#include <refraster/notes.h>
+
 #include "gl/context/context.h"
 #include "gl/context/driver_environment.h"
 #include "gl/context/target.h"
@@ -7,7 +9,6 @@
 #include "gl/program/glsl_types.h"
 #include "gl/program/program.h"
 #include "gl/warning_list.h"
-#include "io/file/input_error.h"
 #include "scenes/synthesis/merl_synthesis.h"
 #include "tests/support/program/program.h"
 #include "tests/system/gl/small_scenes.h"

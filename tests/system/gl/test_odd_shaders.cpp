@@ -1,7 +1,8 @@
 // Every program that compiles draws an image that depends on nothing but scene and shaders, and what it asks for in
 // vain is said.
 
-#include "io/image/image_file.h"
+#include <refraster/files.h>
+
 #include "tests/support/program/program.h"
 #include "tests/system/gl/odd_shaders.h"
 

@@ -1,13 +1,14 @@
 // GLSL that a scene brings along.
 
+#include <refraster/compare.h>
+#include <refraster/notes.h>
+
 #include "gl/glsl/own_glsl.h"
 #include "gl/program/program.h"
 #include "gl/render_gl.h"
-#include "io/file/input_error.h"
 #include "scenes/synthesis/merl_synthesis.h"
 #include "tests/support/program/program.h"
 #include "tests/system/gl/small_scenes.h"
-#include "verify/compare/compare.h"
 
 #include <doctest/doctest.h>
 

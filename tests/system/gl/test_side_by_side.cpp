@@ -1,8 +1,8 @@
 // Every scene of the gallery through Mesa's drivers.
 
+#include <refraster/files.h>
 #include <refraster/mesh.h>
 
-#include "io/scene/scene_file.h"
 #include "tests/support/gl/side_by_side.h"
 #include "tests/support/scenes/half_textured.h"
 #include "tests/support/scenes/listed_scenes.h"

@@ -1,10 +1,9 @@
 // Laws that hold for every image of the gallery.
 
+#include <refraster/files.h>
 #include <refraster/image.h>
 
 #include "tests/support/scenes/listed_scenes.h"
-
-#include "io/image/image_file.h"
 
 #include <doctest/doctest.h>
 

@@ -3,8 +3,9 @@
 // RADIANCE and IDS are files of float32 RGBA, row 0 at the top; ids are object and triangle, counted from 1. Exit 1
 // where another surface is shown for no reason, or a colour is over its bound.
 
+#include <refraster/files.h>
+
 #include "io/file/input_file.h"
-#include "io/scene/scene_file.h"
 #include "tests/support/gl/side_by_side.h"
 
 #include <cmath>

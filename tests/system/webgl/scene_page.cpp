@@ -1,12 +1,13 @@
 // Writes a page that draws a scene with WebGL 2 and puts the pixels into its text:
 //     scene_page SCENE WIDTHxHEIGHT TEMPLATE.html OUT.html
 
+#include <refraster/files.h>
+
 #include "gl/draw/uniforms.h"
 #include "gl/glsl/own_glsl.h"
 #include "io/file/atomic_file.h"
 #include "io/file/input_file.h"
 #include "io/json/json_writer.h"
-#include "io/scene/scene_file.h"
 
 #include <algorithm>
 #include <cmath>

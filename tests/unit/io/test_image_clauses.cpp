@@ -1,4 +1,5 @@
-#include "io/file/input_error.h"
+#include <refraster/notes.h>
+
 #include "io/image/image_formats.h"
 #include "tests/support/files/image_clauses.h"
 #include "tests/support/files/jpeg_bytes.h"

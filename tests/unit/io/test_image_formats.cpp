@@ -1,6 +1,7 @@
 // The list of image formats, and what each format on it must have elsewhere.
 
-#include "io/file/input_error.h"
+#include <refraster/notes.h>
+
 #include "io/file/input_file.h"
 #include "io/file/text.h"
 #include "io/image/image_formats.h"

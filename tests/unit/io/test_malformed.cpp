@@ -1,8 +1,6 @@
-#include "io/brdf/merl_file.h"
-#include "io/file/input_error.h"
-#include "io/image/image_file.h"
-#include "io/mesh/obj_file.h"
-#include "io/scene/scene_file.h"
+#include <refraster/files.h>
+#include <refraster/notes.h>
+
 #include "tests/support/files/malformed_inputs.h"
 
 #include <doctest/doctest.h>

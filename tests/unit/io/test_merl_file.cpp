@@ -1,3 +1,5 @@
+#include <refraster/files.h>
+
 #include "io/brdf/merl_file.h"
 #include "io/file/sha256.h"
 #include "tests/support/files/malformed_inputs.h"

@@ -1,11 +1,11 @@
 // Meshes that are kept: found by what is in their OBJ file, and believed only byte for byte.
 
+#include <refraster/files.h>
 #include <refraster/mesh.h>
+#include <refraster/notes.h>
 
-#include "io/file/input_error.h"
 #include "io/file/sha256.h"
 #include "io/mesh/mesh_cache.h"
-#include "io/mesh/obj_file.h"
 #include "tests/support/files/malformed_inputs.h"
 
 #include <doctest/doctest.h>

@@ -1,9 +1,10 @@
 // The words that are suggested for those that are not known.
 
+#include <refraster/files.h>
+#include <refraster/notes.h>
+
 #include "io/file/nearest.h"
 
-#include "io/file/input_error.h"
-#include "io/scene/scene_file.h"
 #include "tests/support/files/malformed_inputs.h"
 #include "tests/support/random.h"
 

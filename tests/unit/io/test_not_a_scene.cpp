@@ -1,9 +1,10 @@
 // Files that are given for a scene: what they are called, and that the advice works when it is copied.
 
-#include "io/file/input_error.h"
+#include <refraster/files.h>
+#include <refraster/notes.h>
+
 #include "io/scene/example_scene.h"
 #include "io/scene/not_a_scene.h"
-#include "io/scene/scene_file.h"
 #include "raster/explain/explain_dark.h"
 #include "tests/support/files/malformed_inputs.h"
 

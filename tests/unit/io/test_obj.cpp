@@ -1,9 +1,9 @@
 
 
+#include <refraster/files.h>
 #include <refraster/mesh.h>
+#include <refraster/notes.h>
 
-#include "io/file/input_error.h"
-#include "io/mesh/obj_file.h"
 #include "tests/support/files/malformed_inputs.h"
 
 #include <doctest/doctest.h>

@@ -1,7 +1,8 @@
 // The clauses of the OBJ specification (Wavefront, Advanced Visualizer manual, appendix B1), one input after the other,
 // and what becomes of each.
 
-#include "io/file/input_error.h"
+#include <refraster/notes.h>
+
 #include "io/mesh/obj_file.h"
 
 #include <doctest/doctest.h>

@@ -1,6 +1,7 @@
 // Normals that are computed: which faces share one, what cancels, and what counts.
 
-#include "io/file/input_error.h"
+#include <refraster/notes.h>
+
 #include "io/mesh/obj_file.h"
 #include "tests/support/for_all.h"
 

@@ -1,6 +1,8 @@
-#include "io/file/input_error.h"
+#include <refraster/files.h>
+#include <refraster/notes.h>
+
 #include "io/file/input_file.h"
-#include "io/scene/scene_file.h"
+#include "io/scene/scene_markdown.h"
 #include "io/scene/shape_mesh.h"
 #include "tests/support/files/malformed_inputs.h"
 #include "tests/support/files/png_bytes.h"

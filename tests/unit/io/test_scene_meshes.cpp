@@ -1,7 +1,8 @@
 // What a scene says of the OBJ files that it names, and what is said of them.
 
-#include "io/file/input_error.h"
-#include "io/scene/scene_file.h"
+#include <refraster/files.h>
+#include <refraster/notes.h>
+
 #include "tests/support/files/malformed_inputs.h"
 #include "tests/support/files/png_bytes.h"
 

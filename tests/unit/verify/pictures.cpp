@@ -1,8 +1,7 @@
 #include "tests/unit/verify/pictures.h"
 
+#include <refraster/files.h>
 #include <refraster/render.h>
-
-#include "io/scene/scene_file.h"
 
 #include <algorithm>
 #include <array>

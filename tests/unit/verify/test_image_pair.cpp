@@ -1,9 +1,10 @@
 // Alpha, channels and layers of two files.
 
+#include <refraster/files.h>
+#include <refraster/notes.h>
+
 #include "verify/images/image_pair.h"
 
-#include "io/file/input_error.h"
-#include "io/image/image_file.h"
 #include "tests/support/files/malformed_inputs.h"
 #include "tests/support/files/png_bytes.h"
 #include "verify/images/colour_channels.h"

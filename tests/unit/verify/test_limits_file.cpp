@@ -1,6 +1,7 @@
+#include <refraster/notes.h>
+
 #include "verify/compare/limits_file.h"
 
-#include "io/file/input_error.h"
 #include "tests/support/files/malformed_inputs.h"
 
 #include <doctest/doctest.h>

@@ -1,8 +1,8 @@
 // moon SCENE: the scene in every precision that promises bits, with a fragment function that the library does not know.
 // Prints the precision, how many pixels show something, and a hash of their radiance.
 
+#include <refraster/files.h>
 #include <refraster/render.h>
-#include <refraster/scene_file.h>
 
 #include "minnaert.h"
 
