@@ -1,19 +1,11 @@
 #pragma once
 // Text of numbers, for tables and pictures.
 
-#include <cstdio>
+#include "io/file/text.h"
+
 #include <string>
 
 namespace refraster::bench {
-
-/// As printf.
-template <class... Arguments>
-std::string format(const char* pattern, Arguments... arguments) {
-  const int length = std::snprintf(nullptr, 0, pattern, arguments...);
-  std::string text(static_cast<std::size_t>(length), '\0');
-  std::snprintf(text.data(), text.size() + 1, pattern, arguments...);
-  return text;
-}
 
 /// "1,048,576".
 inline std::string with_commas(unsigned long long count) {

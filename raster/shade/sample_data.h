@@ -128,8 +128,8 @@ private:
     std::array<std::array<EdgeValue, 3>, 3> factor; // [v][k]
   };
 
-  template <class Edge>
-  void at(const Edge& edge, EdgeValue& value, EdgeValue& a, EdgeValue& b) const {
+  template <class AnyEdge>
+  void at(const AnyEdge& edge, EdgeValue& value, EdgeValue& a, EdgeValue& b) const {
     a = Edge::whole(edge.a), b = Edge::whole(edge.b);
     value = Edge::whole(edge.at(x_, y_)) + a * dx_ + b * dy_;
   }

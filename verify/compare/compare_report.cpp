@@ -1,24 +1,15 @@
 #include "verify/compare/compare_report.h"
 
+#include "io/file/text.h"
 #include "io/json/report_parts.h"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 
 namespace refraster {
 namespace {
-
-/// As printf.
-template <class... Arguments>
-std::string format(const char* pattern, Arguments... arguments) {
-  const int length = std::snprintf(nullptr, 0, pattern, arguments...);
-  std::string text(static_cast<std::size_t>(length), '\0');
-  std::snprintf(text.data(), text.size() + 1, pattern, arguments...);
-  return text;
-}
 
 std::string line(const char* label, const std::string& content) {
   return format("%-14s %s\n", label, content.c_str());
