@@ -8,7 +8,6 @@
 #include <fstream>
 #include <map>
 #include <optional>
-#include <regex>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -70,10 +69,12 @@ std::vector<std::string> lines_of(const std::string& path) {
 
 /// "scene/scene.h" for `#include "scene/scene.h"`.
 std::optional<std::string> included(const std::string& line) {
-  static const std::regex include(R"rx(^\s*#\s*include\s*"([^"]+)")rx");
-  std::smatch match;
-  if (!std::regex_search(line, match, include)) return std::nullopt;
-  return match[1];
+  const std::size_t hash = line.find_first_not_of(" \t"), begin = line.find('"');
+  if (hash == std::string::npos || line[hash] != '#' || begin == std::string::npos) return std::nullopt;
+  const std::size_t word = line.find_first_not_of(" \t", hash + 1), end = line.find('"', begin + 1);
+  if (word == std::string::npos || line.compare(word, 7, "include") != 0 || end == std::string::npos)
+    return std::nullopt;
+  return line.substr(begin + 1, end - begin - 1);
 }
 
 std::string folder_of(std::string_view path) {
