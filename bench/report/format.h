@@ -1,7 +1,7 @@
 #pragma once
 // Text of numbers, for tables and pictures.
 
-#include "verify/compare/format.h"
+#include "io/file/text.h"
 
 #include <string>
 

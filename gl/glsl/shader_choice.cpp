@@ -6,20 +6,57 @@
 #include "io/file/input_file.h"
 #include "io/file/limits.h"
 
+#include <algorithm>
 #include <filesystem>
-#include <regex>
+#include <string_view>
 
 namespace refraster {
 namespace {
 
+bool is_blank(char c) {
+  return c == ' ' || c == '\t';
+}
+bool is_digit(char c) {
+  return '0' <= c && c <= '9';
+}
+
+/// The three digits of `#version 330` if that is what a line says, however it is set out; else empty.
+std::string_view version_in(std::string_view line) {
+  const auto skip_blanks = [&line] {
+    std::size_t count = 0;
+    while (count < line.size() && is_blank(line[count])) ++count;
+    line.remove_prefix(count);
+    return count > 0;
+  };
+  const auto skip = [&line](std::string_view word) {
+    if (!line.starts_with(word)) return false;
+    line.remove_prefix(word.size());
+    return true;
+  };
+  skip_blanks();
+  if (!skip("#")) return {};
+  skip_blanks();
+  if (!skip("version") || !skip_blanks()) return {};
+  const std::string_view number = line.substr(0, 3);
+  if (number.size() < 3 || !std::all_of(number.begin(), number.end(), is_digit)) return {};
+  const bool goes_on = line.size() > 3 && (is_digit(line[3]) || line[3] == '_' || ('a' <= line[3] && line[3] <= 'z') ||
+                                           ('A' <= line[3] && line[3] <= 'Z'));
+  return goes_on ? std::string_view() : number;
+}
+
 /// Lowers the number after #version to the newest one; words for people where it did.
 std::string lower_version(std::string& text, int newest) {
-  static const std::regex line(R"((^|\n)[ \t]*#[ \t]*version[ \t]+(\d{3})\b)");
-  std::smatch found;
-  if (!std::regex_search(text, found, line) || std::stoi(found[2]) <= newest) return {};
-  const std::string words = " (#version " + found[2].str() + " taken as " + std::to_string(newest) + ")";
-  text.replace(static_cast<std::size_t>(found.position(2)), 3, std::to_string(newest));
-  return words;
+  const std::string_view all = text;
+  for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end + 1) {
+    end = std::min(all.find('\n', begin), all.size());
+    const std::string_view found = version_in(all.substr(begin, end - begin));
+    if (found.empty()) continue;
+    const std::string number(found);
+    if (std::stoi(number) <= newest) return {};
+    text.replace(static_cast<std::size_t>(found.data() - all.data()), 3, std::to_string(newest));
+    return " (#version " + number + " taken as " + std::to_string(newest) + ")";
+  }
+  return {};
 }
 
 /// A stage's text, and in words where it is from.

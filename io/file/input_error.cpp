@@ -1,4 +1,5 @@
 
+
 #include <refraster/notes.h>
 
 #include "io/file/text.h"

@@ -1,7 +1,8 @@
 #pragma once
-// Text of an input file, in messages.
+// Text of input files in messages, and of numbers in reports.
 
 #include <cstddef>
+#include <cstdio>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +18,15 @@ std::string one_line(std::string_view message);
 /// The text as UTF-8: each byte that is part of no character becomes U+FFFD. A path may hold any bytes, JSON may not.
 /// Well-formed is what The Unicode Standard, table 3-7, says.
 std::string as_utf8(std::string_view text);
+
+/// As printf.
+template <class... Arguments>
+std::string format(const char* pattern, Arguments... arguments) {
+  const int length = std::snprintf(nullptr, 0, pattern, arguments...);
+  std::string text(static_cast<std::size_t>(length), '\0');
+  std::snprintf(text.data(), text.size() + 1, pattern, arguments...);
+  return text;
+}
 
 /// "1 number", "2 numbers".
 std::string counted(std::size_t count, std::string_view noun);

@@ -1,4 +1,5 @@
 
+
 #include <refraster/files.h>
 #include <refraster/notes.h>
 

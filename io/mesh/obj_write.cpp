@@ -1,3 +1,5 @@
+
+
 #include <refraster/files.h>
 
 #include "io/file/atomic_file.h"

@@ -1,4 +1,5 @@
 
+
 #include <refraster/files.h>
 
 #include "io/brdf/merl_file.h"

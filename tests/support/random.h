@@ -14,6 +14,12 @@ namespace refraster {
 class Random {
 public:
   explicit Random(std::uint64_t seed) : state_(seed * 0x9E3779B97F4A7C15u + 0x6A09E667F3BCC909u) {}
+  /// Takes the state of Steele et al. itself, as others write the generator, instead of a seed.
+  static Random from_state(std::uint64_t state) {
+    Random random(0);
+    random.state_ = state;
+    return random;
+  }
 
   std::uint64_t bits() {
     std::uint64_t z = state_ += 0x9E3779B97F4A7C15u;

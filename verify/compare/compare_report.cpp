@@ -1,13 +1,12 @@
 #include "verify/compare/compare_report.h"
 
+#include "io/file/text.h"
 #include "io/json/report_parts.h"
-#include "verify/compare/format.h"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 
 namespace refraster {
 namespace {

@@ -1,3 +1,5 @@
+
+
 #include <refraster/notes.h>
 
 #include "verify/images/colour_image.h"

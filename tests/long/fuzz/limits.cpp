@@ -1,3 +1,5 @@
+
+
 #include <refraster/notes.h>
 
 #include "tests/long/fuzz/memory.h"

@@ -1,3 +1,5 @@
+
+
 #include <refraster/files.h>
 #include <refraster/notes.h>
 

@@ -1,9 +1,12 @@
 #pragma once
 // A terminal for tests of what is printed only there.
 
+#include "tests/support/program/program.h"
+
 #include <doctest/doctest.h>
 
 #include <array>
+#include <csignal>
 #include <cstdlib>
 #include <fcntl.h>
 #include <poll.h>
@@ -49,5 +52,28 @@ private:
   int screen_, device_ = -1;
   std::string path_;
 };
+
+/// What two runs of one command, ended by SIGINT, showed on a terminal of their own, and how they ended.
+struct OnTerminal {
+  std::string shown, shown_quietly; // the second with -q
+  int exit_code = -1, exit_code_quietly = -1;
+};
+
+/// Ends both as soon as the first has shown `text`: the command must take long.
+inline OnTerminal interrupt_on_terminal(const std::filesystem::path& folder, std::vector<std::string> command,
+                                        const std::string& text) {
+  const Terminal terminal, quiet_terminal;
+  Running run(folder, command, terminal.path());
+  command.push_back("-q");
+  Running quiet(folder, command, quiet_terminal.path());
+  OnTerminal result;
+  while (result.shown.find(text) == std::string::npos) result.shown += terminal.some();
+  for (const Running* one : {&run, &quiet}) one->send(SIGINT);
+  result.exit_code = run.wait().exit_code;
+  result.exit_code_quietly = quiet.wait().exit_code;
+  result.shown += terminal.rest();
+  result.shown_quietly = quiet_terminal.rest();
+  return result;
+}
 
 } // namespace refraster

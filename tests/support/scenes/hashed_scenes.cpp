@@ -3,6 +3,8 @@
 #include <refraster/mesh.h>
 
 #include "scenes/synthesis/merl_synthesis.h"
+#include "tests/support/random.h"
+
 #include <cstdint>
 #include <limits>
 
@@ -10,28 +12,11 @@ namespace refraster::test {
 
 namespace {
 
-/// Steele, Lea, Flood, "Fast splittable pseudorandom number generators", 2014: unlike the distributions of <random>,
-/// the same numbers everywhere.
-class Random {
-public:
-  explicit Random(std::uint64_t seed) : state_(seed) {}
-  std::uint64_t bits() {
-    std::uint64_t z = state_ += 0x9E3779B97F4A7C15u;
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
-    return z ^ (z >> 31);
-  }
-  int below(int n) { return static_cast<int>(bits() % static_cast<std::uint64_t>(n)); }
-  double uniform(double lo, double hi) { return lo + (hi - lo) * static_cast<double>(bits() >> 11) * 0x1p-53; }
-  /// In [-1, 1]^3. Drawn one after the other: compilers do not agree on the order in which they compute arguments.
-  Double3 in_cube() {
-    const double x = uniform(-1, 1), y = uniform(-1, 1), z = uniform(-1, 1);
-    return {x, y, z};
-  }
-
-private:
-  std::uint64_t state_;
-};
+/// In [-1, 1]^3. Drawn one after the other: compilers do not agree on the order in which they compute arguments.
+Double3 in_cube(Random& random) {
+  const double x = random.uniform(-1, 1), y = random.uniform(-1, 1), z = random.uniform(-1, 1);
+  return {x, y, z};
+}
 
 using MeshPointer = std::shared_ptr<const Mesh>;
 
@@ -71,7 +56,7 @@ Scene with(Scene scene, std::vector<Object> objects) {
 }
 
 std::shared_ptr<const Texture> noise_texture(int width, int height) {
-  Random random(5);
+  Random random = Random::from_state(5);
   auto texture = std::make_shared<Texture>();
   TextureLevel level{width, height, {}};
   for (int i = 0; i < 3 * width * height; ++i) level.rgb.push_back(static_cast<float>(random.below(256)));
@@ -111,17 +96,17 @@ Scene measured(const std::shared_ptr<const MerlTable>& table,
 
 // Triangles of all sizes at all places: many cross the eye plane, a depth plane or the guard band.
 Scene thrown(int triangles) {
-  Random random(11);
+  Random random = Random::from_state(11);
   Mesh mesh;
   for (int i = 0; i < triangles; ++i) {
     const auto first = static_cast<std::uint32_t>(mesh.positions.size());
     const double size = 0.01 * static_cast<double>(1 << random.below(12)); // up to 20
-    const auto spread = [&](double reach) { return reach * random.in_cube(); };
+    const auto spread = [&](double reach) { return reach * in_cube(random); };
     const Double3 centre = spread(4);
     for (int k = 0; k < 3; ++k) {
       mesh.positions.emplace_back(centre + spread(size));
       mesh.normals.emplace_back(spread(1));
-      const Double3 uv = 3.0 * random.in_cube();
+      const Double3 uv = 3.0 * in_cube(random);
       mesh.uvs.emplace_back(uv.x, uv.y);
     }
     mesh.triangles.push_back({first, first + 1, first + 2});
@@ -169,10 +154,10 @@ Scene extremes() {
 }
 
 Scene many_lights() {
-  Random random(3);
+  Random random = Random::from_state(3);
   Scene scene = lit();
   for (int i = 0; i < 100; ++i) {
-    const Double3 position = 4.0 * random.in_cube(), tint = random.in_cube(), direction = random.in_cube();
+    const Double3 position = 4.0 * in_cube(random), tint = in_cube(random), direction = in_cube(random);
     scene.point_lights.push_back({position, Double3(0.1) + 0.05 * tint, 1, 0, 0.3});
     scene.direction_lights.push_back({direction - Double3(0, 2, 0), Double3(0.01)});
   }

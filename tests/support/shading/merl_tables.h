@@ -4,6 +4,7 @@
 #include <refraster/material.h>
 
 #include "tests/support/shading/directions.h"
+#include "tests/support/shading/table_samples.h"
 
 #include <memory>
 
@@ -12,15 +13,7 @@ namespace refraster {
 /// A table whose value at (h, d, p) is f(h, d, p).
 template <class F>
 std::shared_ptr<const MerlTable> table_of(F&& f) {
-  PaddedVector<double> rgb;
-  rgb.reserve(3 * MerlTable::samples);
-  for (int h = 0; h < 90; ++h)
-    for (int d = 0; d < 90; ++d)
-      for (int p = 0; p < 180; ++p) {
-        const Rgb<double> value = f(h, d, p);
-        rgb.insert(rgb.end(), {value.x, value.y, value.z});
-      }
-  return std::make_shared<const MerlTable>(std::move(rgb));
+  return std::make_shared<const MerlTable>(table_samples(f));
 }
 
 /// Random values; a third of the samples was never measured, so that there are cells with every number of them.

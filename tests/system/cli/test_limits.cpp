@@ -5,6 +5,7 @@
 #include "io/file/input_file.h"
 #include "io/file/limits.h"
 #include "tests/support/files/jpeg_bytes.h"
+#include "tests/support/files/page_part.h"
 #include "tests/support/files/png_bytes.h"
 #include "tests/support/program/program.h"
 
@@ -169,11 +170,5 @@ TEST_CASE("no limit is without a test of what is said beyond it, and the documen
 
 TEST_CASE("docs/limits.md has exactly the table that the program prints") {
   const TemporaryFolder folder;
-  const std::string page = text_of(REFRASTER_SOURCE_DIR "/docs/limits.md");
-  const std::string begin = "<!-- refraster list limits -->\n", end = "<!-- end -->\n";
-  const std::size_t from = page.find(begin), to = page.find(end);
-  REQUIRE(from != std::string::npos);
-  REQUIRE(to != std::string::npos);
-  const std::string printed = run_program(folder.path, {"list", "limits"}).out;
-  CHECK(page.substr(from + begin.size(), to - from - begin.size()) == printed);
+  CHECK(test::page_part("docs/limits.md", "refraster list limits") == run_program(folder.path, {"list", "limits"}).out);
 }

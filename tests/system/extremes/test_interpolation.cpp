@@ -197,7 +197,17 @@ TEST_CASE("I4: an interpolated value lies between the values at the corners") {
 TEST_CASE("I4: on an edge where the texture coordinate is 0 the first texel is seen, not the last") {
   // Quads with sides through sample centres; the coordinate is 0 along the top and the left side, which own them. The
   // exact value there is 0: rounding must not make it negative.
-  const auto texture = index_texture(4, 4);
+  const auto nearest_texels = [](WindowScene& window, Object& object) {
+    object.material.texture = index_texture(4, 4);
+    object.material.texture_filter = TextureFilter::nearest;
+    std::vector<Frame> frames;
+    for (const Precision precision : {Precision::double_, Precision::float_}) {
+      RenderOptions options = window.options();
+      options.precision = precision;
+      frames.push_back(render(window.scene, options));
+    }
+    return frames;
+  };
   long wrong = 0, seen = 0;
   for_all(200, [&](Random& random) {
     WindowScene window(32);
@@ -210,12 +220,7 @@ TEST_CASE("I4: on an edge where the texture coordinate is 0 the first texel is s
     const bool fold = random.below(2) == 0;
     Object& object = fold ? window.add({a, b, c, a, c, d}, Double3(1), {at_a, at_b, at_c, at_a, at_c, at_d})
                           : window.add({b, c, d, b, d, a}, Double3(1), {at_b, at_c, at_d, at_b, at_d, at_a});
-    object.material.texture = texture;
-    object.material.texture_filter = TextureFilter::nearest;
-    for (const Precision precision : {Precision::double_, Precision::float_}) {
-      RenderOptions options = window.options();
-      options.precision = precision;
-      const Frame frame = render(window.scene, options);
+    for (const Frame& frame : nearest_texels(window, object)) {
       for (int x = static_cast<int>(x0); x < static_cast<int>(x1); ++x)
         ++seen, wrong += frame.radiance.at(x, static_cast<int>(y0))[1] != 0;
       for (int y = static_cast<int>(y0); y < static_cast<int>(y1); ++y)
@@ -231,12 +236,7 @@ TEST_CASE("I4: on an edge where the texture coordinate is 0 the first texel is s
     Object& object = window.add({window.place(x1 - random.below(4) - 1, y + 2 + random.below(13), w()),
                                  window.place(x1, y, w()), window.place(x2, y, w())},
                                 Double3(1), {{0, 1}, {0, 0}, {0, 0}});
-    object.material.texture = texture;
-    object.material.texture_filter = TextureFilter::nearest;
-    for (const Precision precision : {Precision::double_, Precision::float_}) {
-      RenderOptions options = window.options();
-      options.precision = precision;
-      const Frame frame = render(window.scene, options);
+    for (const Frame& frame : nearest_texels(window, object)) {
       for (int x = static_cast<int>(x1); x < static_cast<int>(x2); ++x)
         ++seen, wrong += frame.radiance.at(x, static_cast<int>(y))[1] != 0;
     }

@@ -5,6 +5,7 @@
 
 #include "shading/merl.h"
 #include "tests/support/for_all.h"
+#include "tests/support/shading/table_samples.h"
 #include "tests/support/ulp.h"
 
 #include <doctest/doctest.h>
@@ -71,15 +72,7 @@ Vec3<T> random_unit(Random& random) {
 /// A table whose sample (h, d, p) is f(h, d, p).
 template <class F>
 MerlTable table_of(F&& f) {
-  PaddedVector<double> rgb;
-  rgb.reserve(3 * MerlTable::samples);
-  for (int h = 0; h < 90; ++h)
-    for (int d = 0; d < 90; ++d)
-      for (int p = 0; p < 180; ++p) {
-        const Rgb<double> value = f(h, d, p);
-        rgb.insert(rgb.end(), {value.x, value.y, value.z});
-      }
-  return MerlTable(std::move(rgb));
+  return MerlTable(table_samples(f));
 }
 
 const MerlTable& index_table() {

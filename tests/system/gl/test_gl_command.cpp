@@ -7,7 +7,6 @@
 
 #include <doctest/doctest.h>
 
-#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <optional>
@@ -277,19 +276,12 @@ TEST_CASE("on a terminal gl says that it is drawing, and with -q nothing") {
   const TemporaryFolder folder;
   save_text(folder / "scene.json", scene_with(R"("fragment_function": "phong", )" + plastic));
   // Far more than a second's work on any machine; it is given up when it has said what it does.
-  const std::vector<std::string> endless = {"gl",       "scene.json", "--renderer", "softpipe",
-                                            "--frames", "1000000",    "-o",         "gl.png"};
-  std::vector<std::string> quiet_run = endless;
-  quiet_run.push_back("-q");
-  const Terminal terminal, quiet_terminal;
-  Running quiet(folder.path, quiet_run, quiet_terminal.path());
-  Running run(folder.path, endless, terminal.path());
-  std::string text;
-  while (!holds(text, "drawing scene.json")) text += terminal.some();
-  for (const Running* process : {&run, &quiet}) process->send(SIGINT);
-  CHECK(run.wait().exit_code == 130);
-  CHECK(quiet.wait().exit_code == 130);
-  CHECK(!holds(quiet_terminal.rest(), "scene.json"));
+  const OnTerminal found = interrupt_on_terminal(
+      folder.path, {"gl", "scene.json", "--renderer", "softpipe", "--frames", "1000000", "-o", "gl.png"},
+      "drawing scene.json");
+  CHECK(found.exit_code == 130);
+  CHECK(found.exit_code_quietly == 130);
+  CHECK(!holds(found.shown_quietly, "scene.json"));
 }
 
 TEST_CASE("NaN and infinity are counted where only 8 bits are asked for, and in the report") {

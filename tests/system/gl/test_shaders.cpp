@@ -118,6 +118,24 @@ TEST_CASE("a shader that needs none of the uniforms is drawn without a warning")
   CHECK(frame.radiance.at(80, 60)[2] == 0.25f);
 }
 
+TEST_CASE("a shader for a newer GLSL than the driver has is tried with the driver's, and a line says so") {
+  const std::string body = "out vec4 FragColor;\nvoid main() { FragColor = vec4(0.25, 0.5, 0.75, 1.0); }\n";
+  const auto said = [&](const std::string& first_lines) {
+    const GlFrame frame = with_fragment_shader(ball(Phong{}), first_lines + body);
+    std::string text;
+    for (const std::string& line : frame.shaders) text += line + "\n";
+    return text;
+  };
+  for (const char* const line : {"#version 990 core\n", " \t# version\t 990\n", "// a comment\n#version 990\r\n"}) {
+    CAPTURE(line);
+    CHECK(said(line).find(" (#version 990 taken as ") != std::string::npos);
+  }
+  for (const char* const line : {"#version 330 core\n", "// #version 990\n#version 330\n"}) {
+    CAPTURE(line);
+    CHECK(said(line).find(" taken as ") == std::string::npos);
+  }
+}
+
 TEST_CASE("an array of lights that is too short is a warning, and no light is read beyond its end") {
   Scene scene = ball(Phong{});
   const GlFrame two_lights_of_three = [&] {

@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <regex>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -121,17 +120,20 @@ std::string objection(const std::string& name, bool called) {
 
 /// Every objection to a text.
 std::vector<std::string> objections(const std::string& text) {
-  static const std::regex name(R"([A-Za-z_]\w*)");
   std::vector<std::string> result;
   for (const Word& phrase : phrases)
     if (text.find(phrase.old_word) != std::string::npos)
       result.push_back(std::string(phrase.old_word).append(": say ").append(phrase.word));
-  for (std::sregex_iterator it(text.begin(), text.end(), name), end; it != end; ++it) {
-    const auto at = static_cast<std::size_t>(it->position());
-    const std::size_t after = at + static_cast<std::size_t>(it->length());
+  const auto in_name = [&](std::size_t at) {
+    return at < text.size() && (std::isalnum(static_cast<unsigned char>(text[at])) != 0 || text[at] == '_');
+  };
+  for (std::size_t at = 0, after = 0; at < text.size(); at = std::max(after, at + 1)) {
+    if (!in_name(at) || std::isdigit(static_cast<unsigned char>(text[at])) != 0) continue;
+    for (after = at; in_name(after);) ++after;
     const bool qualified = at > 0 && (text[at - 1] == '.' || text[at - 1] == ':' || text[at - 1] == '>');
     const bool called = after < text.size() && text[after] == '(' && !qualified;
-    if (std::string wrong = objection(it->str(), called); !wrong.empty()) result.push_back(std::move(wrong));
+    if (std::string wrong = objection(text.substr(at, after - at), called); !wrong.empty())
+      result.push_back(std::move(wrong));
   }
   return result;
 }

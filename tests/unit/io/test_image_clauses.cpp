@@ -1,3 +1,5 @@
+
+
 #include <refraster/notes.h>
 
 #include "io/image/image_formats.h"

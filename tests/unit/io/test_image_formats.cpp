@@ -7,6 +7,7 @@
 #include "io/image/image_formats.h"
 #include "tests/support/files/image_clauses.h"
 #include "tests/support/files/malformed_inputs.h"
+#include "tests/support/files/page_part.h"
 
 #include <doctest/doctest.h>
 
@@ -176,12 +177,7 @@ TEST_CASE("floats stand beside an image in its own format if that holds grey and
 }
 
 TEST_CASE("docs/image-formats.md has the table of the formats") {
-  const std::string page = read_file(REFRASTER_SOURCE_DIR "/docs/image-formats.md", "the documentation", 1 << 20);
-  const std::string begin = "<!-- io/image/image_formats.h -->\n", end = "<!-- end -->\n";
-  const std::size_t from = page.find(begin), to = page.find(end);
-  REQUIRE(from != std::string::npos);
-  REQUIRE(to != std::string::npos);
-  CHECK(page.substr(from + begin.size(), to - from - begin.size()) == markdown());
+  CHECK(page_part("docs/image-formats.md", "io/image/image_formats.h") == markdown());
 }
 
 } // namespace refraster::test

@@ -1,3 +1,5 @@
+
+
 #include <refraster/files.h>
 
 #include "io/brdf/merl_file.h"

@@ -1,3 +1,5 @@
+
+
 #include <refraster/files.h>
 #include <refraster/notes.h>
 
@@ -5,6 +7,7 @@
 #include "io/scene/scene_markdown.h"
 #include "io/scene/shape_mesh.h"
 #include "tests/support/files/malformed_inputs.h"
+#include "tests/support/files/page_part.h"
 #include "tests/support/files/png_bytes.h"
 
 #include <doctest/doctest.h>
@@ -235,12 +238,7 @@ TEST_CASE("a shape's vertices and triangles are known before it is made, and no 
 }
 
 TEST_CASE("docs/scene-format.md has exactly the tables that the program prints") {
-  const std::string page = read_file(REFRASTER_SOURCE_DIR "/docs/scene-format.md", "the documentation", 1 << 20);
-  const std::string begin = "<!-- refraster list scene-format -->\n", end = "<!-- end -->\n";
-  const std::size_t from = page.find(begin), to = page.find(end);
-  REQUIRE(from != std::string::npos);
-  REQUIRE(to != std::string::npos);
-  CHECK(page.substr(from + begin.size(), to - from - begin.size()) == scene_format_markdown());
+  CHECK(page_part("docs/scene-format.md", "refraster list scene-format") == scene_format_markdown());
 }
 
 } // namespace refraster::test

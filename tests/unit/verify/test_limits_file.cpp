@@ -1,3 +1,5 @@
+
+
 #include <refraster/notes.h>
 
 #include "verify/compare/limits_file.h"
