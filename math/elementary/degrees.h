@@ -1,5 +1,6 @@
 #pragma once
-// Angles as people write them, in degrees: rotations and fields of view of a scene. Plain double, once per scene.
+// Angles as people write them, in degrees or as fractions of a turn. Plain double: once a scene, or a vertex of a
+// shape.
 
 #include "math/elementary/double_double.h"
 #include "math/elementary/polynomial.h"

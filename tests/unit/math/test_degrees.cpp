@@ -50,6 +50,29 @@ TEST_CASE("whole turns change nothing, quarter turns swap sine and cosine, exact
   });
 }
 
+TEST_CASE("sines of fractions of a turn are those of their angle, and as symmetrical as the fractions") {
+  for_all(5000, [](Random& random) {
+    const int whole = 1 + random.below(random.below(2) ? 1000 : 1 << 28), part = random.below(whole + 1);
+    const SineCosine at = sine_cosine_of_turn(part, whole);
+    const Mpfr angle = 2 * boost::math::constants::pi<Mpfr>() * part / whole;
+    // Rounding the angle, which is pi/4 at most, moves either by less than 2^-53; rounding what they are, as well.
+    CHECK(std::abs(at.sine - static_cast<double>(sin(angle))) <= 2 * 0x1p-53);
+    CHECK(std::abs(at.cosine - static_cast<double>(cos(angle))) <= 2 * 0x1p-53);
+    const SineCosine back = sine_cosine_of_turn(whole - part, whole);
+    CHECK(back.sine == -at.sine);
+    CHECK(back.cosine == at.cosine);
+    const SineCosine doubled = sine_cosine_of_turn(2 * (part / 2), 2 * (whole / 2 + 1));
+    const SineCosine reduced = sine_cosine_of_turn(part / 2, whole / 2 + 1);
+    CHECK(doubled.sine == reduced.sine);
+    CHECK(doubled.cosine == reduced.cosine);
+    if (whole % 4 == 0 && part + whole / 4 <= whole) {
+      const SineCosine turned = sine_cosine_of_turn(part + whole / 4, whole);
+      CHECK(turned.sine == at.cosine);
+      CHECK(turned.cosine == -at.sine);
+    }
+  });
+}
+
 TEST_CASE("angles that have simple sines have them exactly") {
   for (const double turn : {-720.0, -360.0, 0.0, 360.0, 360e9}) {
     CHECK(sin_degrees(turn) == 0);

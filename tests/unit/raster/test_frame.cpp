@@ -114,6 +114,21 @@ TEST_CASE("threads, tile sizes and crops change no byte, threads and tile sizes 
   });
 }
 
+TEST_CASE("an AOV is the same alone and among others, whatever the precision of the colours") {
+  for_each_rendering([](const Scene& scene, RenderOptions options) {
+    const Frame together = render(scene, options);
+    for (const char* const precision : {"double", "float"})
+      for (std::size_t i = 0; i < every_aov.size(); ++i) {
+        CAPTURE(precision);
+        CAPTURE(aov_names[i]);
+        options.precision = precision;
+        options.aovs = {every_aov[i]};
+        const Frame alone = render(scene, options);
+        REQUIRE(same_rows(alone.aovs[0], together.aovs[i], whole_image));
+      }
+  });
+}
+
 TEST_CASE("the nearer surface is seen, and of equal depths the first drawn") {
   const Double3 red(1, 0, 0), green(0, 1, 0);
   for (const double second : {1.0, 2.0, 4.0}) {
