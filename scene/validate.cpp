@@ -53,9 +53,9 @@ public:
   void check(const Scene& scene) {
     check(scene.camera);
     field([] { return ""; }, "background", scene.background, Range{});
-    for (std::size_t i = 0; i < scene.point_lights.size(); ++i) check(scene.point_lights[i], item("point_lights", i));
-    for (std::size_t i = 0; i < scene.direction_lights.size(); ++i)
-      check(scene.direction_lights[i], item("direction_lights", i));
+    for_each_light_list(scene, [&]<class Light>(const std::vector<Light>& lights) {
+      for (std::size_t i = 0; i < lights.size(); ++i) check_light(lights[i], item(Light::names.key.data(), i));
+    });
     for (std::size_t i = 0; i < scene.objects.size(); ++i) check(scene.objects[i], i);
   }
 
@@ -78,6 +78,7 @@ private:
     fault(owner() + name, text_of(value), expected_of(range), std::isfinite(value) ? Effect::drawn : Effect::refused);
   }
   void field(const Where& owner, const char* name, const Double3& value, const Range& range) {
+    if (range.zero == Zero::excluded && is_zero(value)) fault(owner() + name, text_of(value), "a direction");
     if (range.contains(value.x) && range.contains(value.y) && range.contains(value.z)) return;
     fault(owner() + name, text_of(value), expected_of(range), finite(value) ? Effect::drawn : Effect::refused);
   }
@@ -100,18 +101,10 @@ private:
     if (is_zero(camera.up)) fault("camera/up", text_of(camera.up), "a direction");
   }
 
-  void check(const PointLight& light, const Where& at) {
-    field(at, "position", light.position, any_number);
-    field(at, "radiance", light.radiance, Range{});
-    field(at, "constant", light.constant, Range{});
-    field(at, "linear", light.linear, Range{});
-    field(at, "quadratic", light.quadratic, Range{});
-  }
-
-  void check(const DirectionLight& light, const Where& at) {
-    field(at, "direction", light.direction, any_number);
-    field(at, "radiance", light.radiance, Range{});
-    if (is_zero(light.direction)) fault(at() + "direction", text_of(light.direction), "a direction");
+  template <class Light>
+  void check_light(const Light& light, const Where& at) {
+    Light::fields(
+        light, [&](const char* name, const auto& value, const Range& range, auto&&) { field(at, name, value, range); });
   }
 
   void check(const Object& object, std::size_t index) {

@@ -29,6 +29,9 @@ struct MatricesBlock {
 /// The camera's matrices, as an application would pass them: y is up in clip space.
 MatricesBlock matrices_block(const Camera& camera, double aspect);
 
+/// "pointLightCount".
+std::string count_uniform(const LightNames& names);
+
 /// For every object alike: the camera's position and the lights.
 UniformValues scene_uniforms(const Scene& scene);
 

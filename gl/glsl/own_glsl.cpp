@@ -63,6 +63,20 @@ bool has_own_glsl(const Material& material) {
          std::visit([](const auto& function) { return !formulas_of(function).empty(); }, material.fragment_function);
 }
 
+bool has_own_glsl(const LightNames& lights) {
+  const std::string element = std::string(lights.glsl) + "[";
+  return glsl_text.surface.find(" " + element + constant("", lights.key) + "]") != std::string_view::npos &&
+         glsl_text.main.find("arriving(" + element) != std::string_view::npos;
+}
+
+std::vector<std::string_view> lights_without_glsl(const Scene& scene) {
+  std::vector<std::string_view> without;
+  for_each_light_list(scene, [&]<class Light>(const std::vector<Light>& lights) {
+    if (!lights.empty() && !has_own_glsl(Light::names)) without.push_back(Light::names.words);
+  });
+  return without;
+}
+
 bool reads_logarithms(MerlLookup lookup) {
   return lookup == MerlLookup::trilinear_log || lookup == MerlLookup::tricubic_log;
 }
@@ -75,8 +89,9 @@ std::string own_fragment_glsl(const Scene& scene, const Material& material, Merl
   std::ostringstream text;
   text.imbue(std::locale::classic()); // whatever the program's own is
   text << version(dialect);
-  text << "#define POINT_LIGHTS " << scene.point_lights.size() << "\n";
-  text << "#define DIRECTION_LIGHTS " << scene.direction_lights.size() << "\n";
+  for_each_light_list(scene, [&]<class Light>(const std::vector<Light>& lights) {
+    text << "#define " << constant("", Light::names.key) << " " << lights.size() << "\n";
+  });
   const std::string_view formulas = std::visit(
       [&](const auto& function) {
         if constexpr (requires { define_function(text, function, material, filter); })

@@ -7,6 +7,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace refraster {
 
@@ -23,6 +24,12 @@ std::string own_vertex_glsl(GlslDialect dialect);
 
 /// Whether there is GLSL of ours for this fragment function.
 bool has_own_glsl(const Material& material);
+
+/// Whether our GLSL sums lights of this type.
+bool has_own_glsl(const LightNames& lights);
+
+/// The types of light in a scene that our GLSL would leave out: "point lights".
+std::vector<std::string_view> lights_without_glsl(const Scene& scene);
 
 /// For one object's material under the scene's lights: how many lights there are, whether there is a texture, how a
 /// table is read, is compiled in, so that no pixel pays for what the scene does not use.
