@@ -160,12 +160,15 @@ private:
     } else {
       std::visit([&](const auto& function) { check_parameters(function, at); }, material.fragment_function);
     }
-    if (material.texture && textures_.insert(material.texture.get()).second) check(*material.texture, at);
-    if (material.texture && material.texture_filter == TextureFilter::trilinear) {
-      const std::vector<TextureLevel>& levels = material.texture->levels;
-      if (!levels.empty() && (levels.back().width > 1 || levels.back().height > 1))
-        fault(at() + "texture", text_of(levels.size(), "levels"),
-              "levels down to 1 x 1 texel, for trilinear filtering");
+    for (const TextureSlot& slot : texture_slots) {
+      const Texture* const texture = (material.*slot.texture).get();
+      if (!texture) continue;
+      const Where at_texture = [&] { return at() + std::string(slot.name); };
+      if (textures_.insert(texture).second) check(*texture, at_texture);
+      const std::vector<TextureLevel>& levels = texture->levels;
+      if (material.*slot.filter == TextureFilter::trilinear && !levels.empty() &&
+          (levels.back().width > 1 || levels.back().height > 1))
+        fault(at_texture(), text_of(levels.size(), "levels"), "levels down to 1 x 1 texel, for trilinear filtering");
     }
   }
 
@@ -191,8 +194,8 @@ private:
     const Where& at;
   };
 
-  void check(const Texture& texture, const Where& material) {
-    const Where at = [&] { return material() + "texture/"; };
+  void check(const Texture& texture, const Where& at_texture) {
+    const Where at = [&] { return at_texture() + '/'; };
     field(at, "full_scale", texture.full_scale, {.ends = Ends::excluded});
     if (texture.levels.empty()) fault(at() + "levels", "no level", "at least one");
     for (std::size_t k = 0; k < texture.levels.size(); ++k) {

@@ -49,7 +49,8 @@ std::size_t lights(const Scene& scene) {
 
 Scene without_textures(Scene scene) {
   for (Object& object : scene.objects)
-    if (shows_texture(object)) object.material.texture = nullptr;
+    if (shows_texture(object))
+      for (const TextureSlot& slot : texture_slots) object.material.*slot.texture = nullptr;
   return scene;
 }
 
@@ -57,15 +58,20 @@ Scene with_textures(Scene scene) {
   const std::shared_ptr<const Texture> texture = small_texture();
   for (Object& object : scene.objects) {
     if (!shows_texture(object)) continue;
-    object.material.texture = texture;
-    object.material.texture_filter = TextureFilter::bilinear;
+    for (const TextureSlot& slot : texture_slots) {
+      object.material.*slot.texture = texture;
+      object.material.*slot.filter = TextureFilter::bilinear;
+    }
   }
   return scene;
 }
 
 bool has_textures(const Scene& scene) {
-  return std::any_of(scene.objects.begin(), scene.objects.end(),
-                     [](const Object& object) { return shows_texture(object) && object.material.texture; });
+  return std::any_of(scene.objects.begin(), scene.objects.end(), [](const Object& object) {
+    return shows_texture(object) &&
+           std::any_of(texture_slots.begin(), texture_slots.end(),
+                       [&](const TextureSlot& slot) { return object.material.*slot.texture != nullptr; });
+  });
 }
 
 bool shows_textures(const Scene& scene) {

@@ -7,6 +7,7 @@
 #include "gl/render_gl.h"
 #include "gl/warning_list.h"
 
+#include <array>
 #include <cstdint>
 #include <deque>
 #include <map>
@@ -38,12 +39,15 @@ public:
   std::vector<std::string> warnings() const { return warnings_.lines(); }
 
 private:
-  /// Triangles that follow one another and show one texture: white on those without texture coordinates.
+  /// In the order of texture_slots.
+  using SlotTextures = std::array<GLuint, texture_slots.size()>;
+  /// Triangles that follow one another and show the same textures: white on those without texture coordinates.
   struct TextureRun {
-    GLuint texture = 0;
+    SlotTextures textures{};
     std::size_t first_triangle = 0, triangles = 0;
   };
-  static std::vector<TextureRun> texture_runs(const Mesh& mesh, GLuint texture, GLuint white);
+  static std::vector<TextureRun> texture_runs(const Mesh& mesh, const SlotTextures& textures,
+                                              const SlotTextures& white);
 
   struct Program {
     ShaderText vertex, fragment;
@@ -80,6 +84,7 @@ private:
   void clear(GlPass pass) const;
   void prepare(const Item& item, const Part& part) const;
   void draw_item(const Item& item, GlPass pass) const;
+  void bind_textures(const SlotTextures& textures) const;
   void draw_runs(const Item& item) const;
   void draw_each(const Item& item) const;
   std::uint64_t samples_alone(const Item& item, const Part& part) const;

@@ -33,7 +33,8 @@ struct Expected {
   GLenum operator()(const Float3x3&) const { return GL_FLOAT_MAT3; }
   GLenum operator()(const Float4x4&) const { return GL_FLOAT_MAT4; }
   GLenum operator()(int) const {
-    if (name == "tex") return GL_SAMPLER_2D;
+    for (const TextureSlot& slot : texture_slots)
+      if (name == slot.sampler) return GL_SAMPLER_2D;
     if (name == "merlBrdf") return GL_SAMPLER_3D;
     return name == "specularGate" ? GL_BOOL : GL_INT;
   }

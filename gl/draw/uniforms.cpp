@@ -63,7 +63,8 @@ UniformValues object_uniforms(const Object& object, const Double4x4& clip_from_w
   values["model"] = Float4x4(transform.world_from_object);
   values["clipFromObject"] = Float4x4(transform.clip_from_object);
   values["normalMatrix"] = Float3x3(transform.world_from_normal);
-  values["tex"] = texture_unit;
+  for (std::size_t i = 0; i < texture_slots.size(); ++i)
+    values[std::string(texture_slots[i].sampler)] = static_cast<int>(i);
   if (object.material.user_function) {
     ParameterUniforms parameters(values);
     object.material.user_function->copy()->fields(parameters);

@@ -34,7 +34,8 @@ void define(std::ostream& text, std::string_view name, bool wanted) {
 }
 
 void define_function(std::ostream& text, const PhongParameters& function, const Material& material, MerlFilter) {
-  define(text, "TEXTURED", material.texture != nullptr);
+  for (const TextureSlot& slot : texture_slots)
+    define(text, constant("HAS_", slot.name), material.*slot.texture != nullptr);
   define(text, "SPECULAR", function.ks != Double3(0));
   define(text, "ZERO_GLOSSINESS", function.glossiness == 0);
   define(text, "SPECULAR_GATE", function.specular_gate == SpecularGate::cut_below_horizon);
@@ -69,8 +70,14 @@ bool has_own_glsl(const LightNames& lights) {
          glsl_text.main.find("arriving(" + element) != std::string_view::npos;
 }
 
-std::vector<std::string_view> lights_without_glsl(const Scene& scene) {
+bool has_own_glsl(const TextureSlot& slot) {
+  return glsl_text.phong.find("sampler2D " + std::string(slot.sampler) + ";") != std::string_view::npos;
+}
+
+std::vector<std::string_view> without_glsl(const Scene& scene, const Material& material) {
   std::vector<std::string_view> without;
+  for (const TextureSlot& slot : texture_slots)
+    if (material.*slot.texture && !has_own_glsl(slot)) without.push_back(slot.file_key);
   for_each_light_list(scene, [&]<class Light>(const std::vector<Light>& lights) {
     if (!lights.empty() && !has_own_glsl(Light::names)) without.push_back(Light::names.words);
   });

@@ -28,8 +28,11 @@ bool has_own_glsl(const Material& material);
 /// Whether our GLSL sums lights of this type.
 bool has_own_glsl(const LightNames& lights);
 
-/// The types of light in a scene that our GLSL would leave out: "point lights".
-std::vector<std::string_view> lights_without_glsl(const Scene& scene);
+/// Whether our GLSL reads this texture, where the fragment function shows any.
+bool has_own_glsl(const TextureSlot& slot);
+
+/// What our GLSL would leave out of a material's image: "point lights", "texture_file_path".
+std::vector<std::string_view> without_glsl(const Scene& scene, const Material& material);
 
 /// For one object's material under the scene's lights: how many lights there are, whether there is a texture, how a
 /// table is read, is compiled in, so that no pixel pays for what the scene does not use.

@@ -19,6 +19,7 @@
 #include "io/file/limits.h"
 #include "io/mesh/mesh_normals.h"
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <span>
@@ -121,7 +122,8 @@ struct ObjectText {
   PathText obj_file, vertex_shader, fragment_shader;
   MeshNormals normals; // of obj_file
   std::optional<Shape> shape;
-  PathText texture_file, brdf_file;
+  PathText brdf_file;
+  std::array<PathText, texture_slots.size()> texture_files; // in the order of texture_slots
 };
 
 /// The fragment function of an object: its own key, else the stem of fragment_shader_file_path. Empty: there is none.
@@ -192,10 +194,12 @@ void material_keys(auto& text, auto&& keys) {
   keys("brdf_file_path", text.brdf_file, Range{},
        "a MERL `.binary` file: must be there for `merl`, not loaded for others",
        needs_table ? required : otherwise("nothing"));
-  keys("texture_file_path", text.texture_file, Range{},
-       "a `.png`, `.jpg`, `.tga` or `.bmp` image; not loaded for `merl`", otherwise("white"));
-  keys("texture_filter", text.object.material.texture_filter, Range{}, "how the texture is read between its texels",
-       defaulted);
+  for (std::size_t i = 0; i < texture_slots.size(); ++i) {
+    const TextureSlot& slot = texture_slots[i];
+    keys(slot.file_key, text.texture_files[i], Range{}, slot.meaning, otherwise("white"));
+    keys(slot.filter_key, text.object.material.*slot.filter, Range{}, "how the texture is read between its texels",
+         defaulted);
+  }
 }
 
 void object_keys(auto& text, auto&& keys) {
