@@ -25,8 +25,8 @@ std::string text_of(double x) {
 std::string text_of(const Double3& a) {
   return text_of(a.x) + ", " + text_of(a.y) + ", " + text_of(a.z);
 }
-std::string text_of(std::size_t count, const char* what) {
-  return std::to_string(count) + " " + what;
+std::string text_of(std::size_t count, std::string_view what) {
+  return std::to_string(count) + " " + std::string(what);
 }
 
 std::string expected_of(const Range& range) {
@@ -120,16 +120,19 @@ private:
   void check(const Mesh& mesh, const Where& object) {
     const std::size_t count = mesh.positions.size();
     const Where at = [&] { return object() + "mesh/"; };
-    if (mesh.normals.size() != count)
-      fault(at() + "normals", text_of(mesh.normals.size(), "normals"), text_of(count, "normals: one a position"));
-    if (mesh.uvs.size() > count)
-      fault(at() + "uvs", text_of(mesh.uvs.size(), "texture coordinates"),
-            "at most one a position: " + text_of(count, "of them"));
+    for_each_vertex_attribute([&](const auto& attribute) {
+      const std::size_t values = (mesh.*attribute.values).size();
+      if (attribute.need == Need::required && values != count)
+        fault(at() + std::string(attribute.name), text_of(values, attribute.words),
+              text_of(count, attribute.words) + ": one a position");
+      else if (values > count)
+        fault(at() + std::string(attribute.name), text_of(values, attribute.words),
+              "at most one a position: " + text_of(count, "of them"));
+    });
     if (depth_ == Depth::parameters) return;
     check_indices(mesh, at);
-    check_finite(mesh.positions, at, "positions/");
-    check_finite(mesh.normals, at, "normals/");
-    check_finite(mesh.uvs, at, "uvs/");
+    for_each_vertex_attribute(
+        [&](const auto& attribute) { check_finite(mesh.*attribute.values, at, std::string(attribute.name) + '/'); });
   }
 
   void check_indices(const Mesh& mesh, const Where& at) {
@@ -142,7 +145,7 @@ private:
   }
 
   template <class Vector>
-  void check_finite(const std::vector<Vector>& list, const Where& at, const char* name) {
+  void check_finite(const std::vector<Vector>& list, const Where& at, const std::string& name) {
     for (std::size_t i = 0; i < list.size(); ++i)
       for (glm::length_t c = 0; c < Vector::length(); ++c)
         if (!std::isfinite(list[i][c]))

@@ -169,7 +169,11 @@ GlDrawing::Item GlDrawing::item(const Scene& scene, std::size_t number, const Gl
   Item item;
   item.name = object.name;
   item.cull = object.cull;
-  item.has_texture_coordinates = !object.mesh->uvs.empty();
+  GLuint place = 0;
+  for_each_vertex_attribute([&](const auto& attribute) {
+    if ((object.mesh.get()->*attribute.values).empty()) item.missing.emplace_back(place, attribute.otherwise);
+    ++place;
+  });
   SlotTextures white, shown;
   white.fill(white_);
   for (std::size_t i = 0; i < texture_slots.size(); ++i) {
@@ -237,8 +241,8 @@ void GlDrawing::prepare(const Item& item, const Part& part) const {
   gl_.BindTexture(GL_TEXTURE_3D, item.table);
   gl_.BindVertexArray(part.vertices);
   for (const ConstantAttribute& attribute : program.attributes.constants) set_constant(gl_, attribute);
-  if (!item.has_texture_coordinates && (program.attributes.arrays & 1u << 2) != 0)
-    set_constant(gl_, {2, GlslBase::float_});
+  for (const auto& [place, value] : item.missing)
+    if ((program.attributes.arrays & 1u << place) != 0) gl_.VertexAttrib4f(place, value, value, value, 1);
 }
 
 void GlDrawing::draw_item(const Item& item, GlPass pass) const {

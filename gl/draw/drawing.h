@@ -12,6 +12,8 @@
 #include <deque>
 #include <map>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 namespace refraster {
 
@@ -69,7 +71,8 @@ private:
     GLuint table = 0;
     std::vector<TextureRun> runs;
     Cull cull = Cull::none;
-    bool has_texture_coordinates = true, has_shaders_of_its_own = false;
+    std::vector<std::pair<GLuint, float>> missing; // attributes that the mesh has none of, and what stands for them
+    bool has_shaders_of_its_own = false;
     GLint triangle_number = -1; // place of that uniform in the program of ids
     Part parts[2];              // by pass
     Part plain;                 // with our shaders, for those that have shaders of their own

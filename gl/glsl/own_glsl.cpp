@@ -29,6 +29,40 @@ void define_choice(std::ostream& text, std::string_view what, std::string_view p
   text << "#define " << what << " " << constant(prefix, name_of(chosen)) << "\n";
 }
 
+std::string type_of(const auto& attribute) {
+  return "vec" + std::to_string(attribute.components);
+}
+
+/// What the shaders hand over, declared: `way` is "in" or "out". Reached as fs_in(name) and vs_out(name).
+std::string varyings(GlslDialect dialect, const std::string& way) {
+  const std::string block = way == "in" ? "fs_in" : "vs_out";
+  std::string members;
+  for_each_vertex_attribute([&](const auto& attribute) {
+    members += (dialect == GlslDialect::es_300 ? way + " " : "    ") + type_of(attribute) + " ";
+    members.append(attribute.varying).append(";\n");
+  });
+  if (dialect == GlslDialect::es_300) // has no blocks between stages
+    return members + "#define " + block + "(name) name\n";
+  return way + " VS_OUT {\n" + members + "} " + block + "_block;\n#define " + block + "(name) " + block +
+         "_block.name\n";
+}
+
+/// An attribute as the fragment shader gets it.
+std::string passed_on(const auto& attribute) {
+  const std::string in(attribute.input);
+  switch (attribute.transformed) {
+  case Transformed::as_position:
+    return "vec3(model * vec4(" + in + ", 1.0))";
+  case Transformed::as_normal:
+    return "normalMatrix * " + in;
+  case Transformed::as_direction:
+    return attribute.components == 4 ? "vec4(mat3(model) * " + in + ".xyz, " + in + ".w)" : "mat3(model) * " + in;
+  case Transformed::as_is:
+    return in;
+  }
+  return {};
+}
+
 void define(std::ostream& text, std::string_view name, bool wanted) {
   if (wanted) text << "#define " << name << "\n";
 }
@@ -74,10 +108,21 @@ bool has_own_glsl(const TextureSlot& slot) {
   return glsl_text.phong.find("sampler2D " + std::string(slot.sampler) + ";") != std::string_view::npos;
 }
 
-std::vector<std::string_view> without_glsl(const Scene& scene, const Material& material) {
+bool has_own_glsl(std::string_view varying) {
+  const std::string read = "fs_in(" + std::string(varying) + ")";
+  const std::string_view texts[] = {glsl_text.surface, glsl_text.phong, glsl_text.merl, glsl_text.main};
+  return std::any_of(std::begin(texts), std::end(texts),
+                     [&](std::string_view text) { return text.find(read) != std::string_view::npos; });
+}
+
+std::vector<std::string_view> without_glsl(const Scene& scene, const Object& object) {
   std::vector<std::string_view> without;
+  for_each_vertex_attribute([&](const auto& attribute) {
+    if (!(object.mesh.get()->*attribute.values).empty() && !has_own_glsl(attribute.varying))
+      without.push_back(attribute.words);
+  });
   for (const TextureSlot& slot : texture_slots)
-    if (material.*slot.texture && !has_own_glsl(slot)) without.push_back(slot.file_key);
+    if (object.material.*slot.texture && !has_own_glsl(slot)) without.push_back(slot.file_key);
   for_each_light_list(scene, [&]<class Light>(const std::vector<Light>& lights) {
     if (!lights.empty() && !has_own_glsl(Light::names)) without.push_back(Light::names.words);
   });
@@ -89,7 +134,15 @@ bool reads_logarithms(MerlLookup lookup) {
 }
 
 std::string own_vertex_glsl(GlslDialect dialect) {
-  return std::string(version(dialect)).append(glsl_text.vertex);
+  std::string inputs, assignments;
+  int location = 0;
+  for_each_vertex_attribute([&](const auto& attribute) {
+    inputs += "layout(location = " + std::to_string(location++) + ") in " + type_of(attribute) + " ";
+    inputs.append(attribute.input).append(";\n");
+    assignments.append("    vs_out(").append(attribute.varying).append(") = ").append(passed_on(attribute)) += ";\n";
+  });
+  return std::string(version(dialect)).append(inputs).append(varyings(dialect, "out")).append(glsl_text.vertex) +
+         "\nvoid pass_attributes() {\n" + assignments + "}\n";
 }
 
 std::string own_fragment_glsl(const Scene& scene, const Material& material, MerlFilter filter, GlslDialect dialect) {
@@ -106,7 +159,7 @@ std::string own_fragment_glsl(const Scene& scene, const Material& material, Merl
         return formulas_of(function);
       },
       material.fragment_function);
-  text << glsl_text.surface << formulas << glsl_text.main;
+  text << varyings(dialect, "in") << glsl_text.surface << formulas << glsl_text.main;
   return text.str();
 }
 

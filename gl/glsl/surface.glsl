@@ -1,17 +1,4 @@
 // What every fragment function starts from: shading/fragment.h and shading/light.h.
-#ifdef GL_ES // has no blocks between stages
-in vec3 FragPos;
-in vec3 Normal;
-in vec2 TexCoord;
-#define fs_in(name) name
-#else
-in VS_OUT {
-    vec3 FragPos;
-    vec3 Normal;
-    vec2 TexCoord;
-} fs_in_block;
-#define fs_in(name) fs_in_block.name
-#endif
 out vec4 FragColor;
 
 struct PointLight {

@@ -37,8 +37,7 @@ Rgb<T> texture_colour(const Material& material, const Data& data, const PacketBa
   Vec2<T> right(T(0)), down(T(0));
   if (filter == TextureFilter::trilinear) {
     const auto change = [&](const Barycentric<T>& by) {
-      const int first = static_cast<int>(Attribute::uv);
-      return Vec2<T>(changed(data.row(first), by), changed(data.row(first + 1), by));
+      return Vec2<T>(changed(data.row(uv_row), by), changed(data.row(uv_row + 1), by));
     };
     right = change(at.right);
     down = change(at.down);
@@ -60,8 +59,8 @@ PacketSurface<T> packet_surface(const FrameContext& context, const Material& mat
   const PacketBarycentrics<T> at =
       derivatives ? barycentrics<Derivatives::yes>(data) : barycentrics<Derivatives::no>(data);
   PacketSurface<T> surface;
-  surface.position = interpolated3(data, Attribute::position, at.at);
-  surface.normal = shading_normal(context, data, interpolated3(data, Attribute::normal, at.at), tally);
+  surface.position = attribute_value<&Mesh::positions>(context, data, at.at);
+  surface.normal = shading_normal(context, data, attribute_value<&Mesh::normals>(context, data, at.at), tally);
   surface.to_eye = normalize(as<T>(context.scene.camera.position) - surface.position);
   tally.note(Undefined::eye_at_surface, dot(surface.to_eye, surface.to_eye) <= T(0));
   surface.texture = texture_colour<base_texture>(material, data, at, tally);
