@@ -63,6 +63,26 @@ std::string passed_on(const auto& attribute) {
   return {};
 }
 
+/// "PointLight" of "pointLights".
+std::string type_of(const LightNames& lights) {
+  std::string type(lights.glsl.substr(0, lights.glsl.size() - 1));
+  type[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(type[0])));
+  return type;
+}
+
+/// The arrays of lights, and with_lights(), which adds what is reflected of each in the order of the lists.
+std::string light_sum(const Scene& scene) {
+  std::string arrays, loops;
+  for_each_light_list(scene, [&]<class Light>(const std::vector<Light>& lights) {
+    if (lights.empty()) return;
+    const std::string name(Light::names.glsl), count = std::to_string(lights.size());
+    arrays += "uniform " + type_of(Light::names) + " " + name + "[" + count + "];\n";
+    loops += "    for (int i = 0; i < " + count + "; ++i) sum += reflected(n, v, t, arriving(" + name +
+             "[i], fs_in(FragPos)));\n";
+  });
+  return arrays + "vec3 with_lights(vec3 sum, vec3 n, vec3 v, vec3 t) {\n" + loops + "    return sum;\n}\n";
+}
+
 void define(std::ostream& text, std::string_view name, bool wanted) {
   if (wanted) text << "#define " << name << "\n";
 }
@@ -99,9 +119,7 @@ bool has_own_glsl(const Material& material) {
 }
 
 bool has_own_glsl(const LightNames& lights) {
-  const std::string element = std::string(lights.glsl) + "[";
-  return glsl_text.surface.find(" " + element + constant("", lights.key) + "]") != std::string_view::npos &&
-         glsl_text.main.find("arriving(" + element) != std::string_view::npos;
+  return glsl_text.surface.find("arriving(" + type_of(lights) + " ") != std::string_view::npos;
 }
 
 bool has_own_glsl(const TextureSlot& slot) {
@@ -149,9 +167,6 @@ std::string own_fragment_glsl(const Scene& scene, const Material& material, Merl
   std::ostringstream text;
   text.imbue(std::locale::classic()); // whatever the program's own is
   text << version(dialect);
-  for_each_light_list(scene, [&]<class Light>(const std::vector<Light>& lights) {
-    text << "#define " << constant("", Light::names.key) << " " << lights.size() << "\n";
-  });
   const std::string_view formulas = std::visit(
       [&](const auto& function) {
         if constexpr (requires { define_function(text, function, material, filter); })
@@ -159,7 +174,7 @@ std::string own_fragment_glsl(const Scene& scene, const Material& material, Merl
         return formulas_of(function);
       },
       material.fragment_function);
-  text << varyings(dialect, "in") << glsl_text.surface << formulas << glsl_text.main;
+  text << varyings(dialect, "in") << glsl_text.surface << formulas << light_sum(scene) << glsl_text.main;
   return text.str();
 }
 

@@ -18,9 +18,9 @@ namespace refraster {
 
 /// What a list of lights of one type is called.
 struct LightNames {
-  std::string_view key = {};   ///< in a scene file: "point_lights"; in capitals, what our GLSL calls their number
+  std::string_view key = {};   ///< in a scene file: "point_lights"
   std::string_view words = {}; ///< in a message: "point lights"
-  std::string_view glsl = {};  ///< the array of uniforms: "pointLights"; their number is "pointLightCount"
+  std::string_view glsl = {};  ///< the array of uniforms: "pointLights", of PointLight; how many: "pointLightCount"
   Need need = Need::optional;  ///< whether a scene file must have the list
 };
 

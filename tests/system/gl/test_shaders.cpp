@@ -193,7 +193,7 @@ TEST_CASE("our GLSL does not depend on the locale") {
 TEST_CASE("our GLSL knows every type of light, texture slot and vertex attribute") {
   const Scene none;
   for_each_light_list(none, []<class Light>(const std::vector<Light>&) {
-    CHECK_MESSAGE(has_own_glsl(Light::names), "gl/glsl/surface.glsl and main.glsl do not sum " << Light::names.words);
+    CHECK_MESSAGE(has_own_glsl(Light::names), "gl/glsl/surface.glsl has no arriving() of " << Light::names.words);
   });
   for (const TextureSlot& slot : texture_slots)
     CHECK_MESSAGE(has_own_glsl(slot), "gl/glsl/phong.glsl does not read the sampler " << slot.sampler);
