@@ -103,8 +103,9 @@ private:
 
   template <class Light>
   void check_light(const Light& light, const Where& at) {
-    Light::fields(
-        light, [&](const char* name, const auto& value, const Range& range, auto&&) { field(at, name, value, range); });
+    Light::fields(light, [&](const char* name, const auto& value, const Range& range, auto&&) {
+      if constexpr (requires { field(at, name, value, range); }) field(at, name, value, range);
+    });
   }
 
   void check(const Object& object, std::size_t index) {

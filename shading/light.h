@@ -42,7 +42,9 @@ template <class T, class Light>
   }
 Light within_range(const Light& light) {
   Light result = light;
-  Light::fields(result, [](auto&&, auto& value, auto&&...) { value = within_range<T>(value); });
+  Light::fields(result, [](auto&&, auto& value, auto&&...) {
+    if constexpr (requires { value = within_range<T>(value); }) value = within_range<T>(value);
+  });
   return result;
 }
 template <class T>
