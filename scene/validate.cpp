@@ -25,8 +25,8 @@ std::string text_of(double x) {
 std::string text_of(const Double3& a) {
   return text_of(a.x) + ", " + text_of(a.y) + ", " + text_of(a.z);
 }
-std::string text_of(std::size_t count, const char* what) {
-  return std::to_string(count) + " " + what;
+std::string text_of(std::size_t count, std::string_view what) {
+  return std::to_string(count) + " " + std::string(what);
 }
 
 std::string expected_of(const Range& range) {
@@ -53,9 +53,9 @@ public:
   void check(const Scene& scene) {
     check(scene.camera);
     field([] { return ""; }, "background", scene.background, Range{});
-    for (std::size_t i = 0; i < scene.point_lights.size(); ++i) check(scene.point_lights[i], item("point_lights", i));
-    for (std::size_t i = 0; i < scene.direction_lights.size(); ++i)
-      check(scene.direction_lights[i], item("direction_lights", i));
+    for_each_light_list(scene, [&]<class Light>(const std::vector<Light>& lights) {
+      for (std::size_t i = 0; i < lights.size(); ++i) check_light(lights[i], item(Light::names.key.data(), i));
+    });
     for (std::size_t i = 0; i < scene.objects.size(); ++i) check(scene.objects[i], i);
   }
 
@@ -78,6 +78,7 @@ private:
     fault(owner() + name, text_of(value), expected_of(range), std::isfinite(value) ? Effect::drawn : Effect::refused);
   }
   void field(const Where& owner, const char* name, const Double3& value, const Range& range) {
+    if (range.zero == Zero::excluded && is_zero(value)) fault(owner() + name, text_of(value), "a direction");
     if (range.contains(value.x) && range.contains(value.y) && range.contains(value.z)) return;
     fault(owner() + name, text_of(value), expected_of(range), finite(value) ? Effect::drawn : Effect::refused);
   }
@@ -100,18 +101,11 @@ private:
     if (is_zero(camera.up)) fault("camera/up", text_of(camera.up), "a direction");
   }
 
-  void check(const PointLight& light, const Where& at) {
-    field(at, "position", light.position, any_number);
-    field(at, "radiance", light.radiance, Range{});
-    field(at, "constant", light.constant, Range{});
-    field(at, "linear", light.linear, Range{});
-    field(at, "quadratic", light.quadratic, Range{});
-  }
-
-  void check(const DirectionLight& light, const Where& at) {
-    field(at, "direction", light.direction, any_number);
-    field(at, "radiance", light.radiance, Range{});
-    if (is_zero(light.direction)) fault(at() + "direction", text_of(light.direction), "a direction");
+  template <class Light>
+  void check_light(const Light& light, const Where& at) {
+    Light::fields(light, [&](const char* name, const auto& value, const Range& range, auto&&) {
+      if constexpr (requires { field(at, name, value, range); }) field(at, name, value, range);
+    });
   }
 
   void check(const Object& object, std::size_t index) {
@@ -127,16 +121,19 @@ private:
   void check(const Mesh& mesh, const Where& object) {
     const std::size_t count = mesh.positions.size();
     const Where at = [&] { return object() + "mesh/"; };
-    if (mesh.normals.size() != count)
-      fault(at() + "normals", text_of(mesh.normals.size(), "normals"), text_of(count, "normals: one a position"));
-    if (mesh.uvs.size() > count)
-      fault(at() + "uvs", text_of(mesh.uvs.size(), "texture coordinates"),
-            "at most one a position: " + text_of(count, "of them"));
+    for_each_vertex_attribute([&](const auto& attribute) {
+      const std::size_t values = (mesh.*attribute.values).size();
+      if (attribute.need == Need::required && values != count)
+        fault(at() + std::string(attribute.name), text_of(values, attribute.words),
+              text_of(count, attribute.words) + ": one a position");
+      else if (values > count)
+        fault(at() + std::string(attribute.name), text_of(values, attribute.words),
+              "at most one a position: " + text_of(count, "of them"));
+    });
     if (depth_ == Depth::parameters) return;
     check_indices(mesh, at);
-    check_finite(mesh.positions, at, "positions/");
-    check_finite(mesh.normals, at, "normals/");
-    check_finite(mesh.uvs, at, "uvs/");
+    for_each_vertex_attribute(
+        [&](const auto& attribute) { check_finite(mesh.*attribute.values, at, std::string(attribute.name) + '/'); });
   }
 
   void check_indices(const Mesh& mesh, const Where& at) {
@@ -149,7 +146,7 @@ private:
   }
 
   template <class Vector>
-  void check_finite(const std::vector<Vector>& list, const Where& at, const char* name) {
+  void check_finite(const std::vector<Vector>& list, const Where& at, const std::string& name) {
     for (std::size_t i = 0; i < list.size(); ++i)
       for (glm::length_t c = 0; c < Vector::length(); ++c)
         if (!std::isfinite(list[i][c]))
@@ -167,12 +164,15 @@ private:
     } else {
       std::visit([&](const auto& function) { check_parameters(function, at); }, material.fragment_function);
     }
-    if (material.texture && textures_.insert(material.texture.get()).second) check(*material.texture, at);
-    if (material.texture && material.texture_filter == TextureFilter::trilinear) {
-      const std::vector<TextureLevel>& levels = material.texture->levels;
-      if (!levels.empty() && (levels.back().width > 1 || levels.back().height > 1))
-        fault(at() + "texture", text_of(levels.size(), "levels"),
-              "levels down to 1 x 1 texel, for trilinear filtering");
+    for (const TextureSlot& slot : texture_slots) {
+      const Texture* const texture = (material.*slot.texture).get();
+      if (!texture) continue;
+      const Where at_texture = [&] { return at() + std::string(slot.name); };
+      if (textures_.insert(texture).second) check(*texture, at_texture);
+      const std::vector<TextureLevel>& levels = texture->levels;
+      if (material.*slot.filter == TextureFilter::trilinear && !levels.empty() &&
+          (levels.back().width > 1 || levels.back().height > 1))
+        fault(at_texture(), text_of(levels.size(), "levels"), "levels down to 1 x 1 texel, for trilinear filtering");
     }
   }
 
@@ -198,8 +198,8 @@ private:
     const Where& at;
   };
 
-  void check(const Texture& texture, const Where& material) {
-    const Where at = [&] { return material() + "texture/"; };
+  void check(const Texture& texture, const Where& at_texture) {
+    const Where at = [&] { return at_texture() + '/'; };
     field(at, "full_scale", texture.full_scale, {.ends = Ends::excluded});
     if (texture.levels.empty()) fault(at() + "levels", "no level", "at least one");
     for (std::size_t k = 0; k < texture.levels.size(); ++k) {

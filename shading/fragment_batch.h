@@ -3,10 +3,10 @@
 // instruction set on either side.
 
 #include <refraster/frame.h>
-#include <refraster/scene.h>
+
+#include "shading/light_spans.h"
 
 #include <cstdint>
-#include <span>
 
 namespace refraster {
 
@@ -38,8 +38,7 @@ struct FragmentBatch {
   std::uint32_t stride = 0;     // values from one row to the next: a multiple of `padding`
   const void* values = nullptr; // `rows` rows
   void* rgb = nullptr;          // three rows: what is made
-  std::span<const PointLight> point_lights;
-  std::span<const DirectionLight> direction_lights;
+  LightSpans lights;
   UndefinedCounts* undefined = nullptr; // to be added to
 };
 

@@ -15,19 +15,37 @@ struct DirectionToLight {
   Double3 radiance;
 };
 
-/// What is the same for all fragments is computed once: the light as arriving() takes it.
-inline PointLight prepared_light(const PointLight& light) {
+/// What is the same for all fragments is computed once: the light as arriving() takes it. Most are taken as they are.
+template <class Light>
+Light prepared_light(const Light& light) {
   return light;
 }
 inline DirectionToLight prepared_light(const DirectionLight& light) {
   return {-normalize(light.direction), light.radiance};
 }
 
+/// The same light for a formula that knows of no exception.
+template <class Light>
+Light textbook_light(const Light& light) {
+  return light;
+}
+inline PointLight textbook_light(PointLight light) {
+  const bool attenuated = light.constant > 0 || light.linear > 0 || light.quadratic > 0;
+  if (!attenuated) light.constant = 1, light.linear = 0, light.quadratic = 0; // all 0 means none
+  return light;
+}
+
 /// A light as the numbers of a precision can hold it.
-template <class T>
-PointLight within_range(const PointLight& light) {
-  return {within_range<T>(light.position), within_range<T>(light.radiance), within_range<T>(light.constant),
-          within_range<T>(light.linear), within_range<T>(light.quadratic)};
+template <class T, class Light>
+  requires requires {
+    Light::names;
+  }
+Light within_range(const Light& light) {
+  Light result = light;
+  Light::fields(result, [](auto&&, auto& value, auto&&...) {
+    if constexpr (requires { value = within_range<T>(value); }) value = within_range<T>(value);
+  });
+  return result;
 }
 template <class T>
 DirectionToLight within_range(const DirectionToLight& light) {

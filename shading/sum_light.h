@@ -1,16 +1,15 @@
 #pragma once
 // From a surface to its radiance: the ambient term, then light by light, for many fragments of one material.
 
-#include <refraster/scene.h>
-
 #include "math/constants.h"
 #include "shading/light.h"
+#include "shading/light_spans.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <span>
+#include <tuple>
 
 namespace refraster::inline REFRASTER_KIT {
 
@@ -60,11 +59,9 @@ struct PacketBatch {
   }
 };
 
-/// Radiance toward the eye, into batch.sum: the ambient term, then point lights and direction lights, summed in this
-/// order; finite.
+/// Radiance toward the eye, into batch.sum: the ambient term, then light by light, summed in this order; finite.
 template <class T, class Function>
-void sum_light(std::span<const PointLight> point_lights, std::span<const DirectionLight> direction_lights,
-               const Function& function, PacketBatch<T>& batch, UndefinedCounts& counts) {
+void sum_light(const LightSpans& lights, const Function& function, PacketBatch<T>& batch, UndefinedCounts& counts) {
   Function copy = function; // nothing that is written below can be part of it
   if constexpr (NumberTraits<T>::largest < std::numeric_limits<double>::max())
     Function::fields(copy, [](auto&&, auto& value, auto&&...) {
@@ -72,26 +69,24 @@ void sum_light(std::span<const PointLight> point_lights, std::span<const Directi
     });
   const Function& here = copy;
   batch.for_each(counts, [&](Rgb<T>& sum, const Fragment<T>& at, const auto&) { sum = ambient(here, at); });
-  const auto add = [&](const auto& lights) {
-    for (const auto& light : lights) {
+  const auto add = [&](const auto& of_one_type) {
+    for (const auto& light : of_one_type) {
       const auto prepared = within_range<T>(prepared_light(light));
       batch.for_each(counts, [&](Rgb<T>& sum, const Fragment<T>& at, const auto&) {
         sum += reflected(here, at, arriving(prepared, at));
       });
     }
   };
-  add(point_lights);
-  add(direction_lights);
+  std::apply([&](const auto&... list) { (add(list), ...); }, lights);
   batch.for_each(counts,
                  [](Rgb<T>& sum, const Fragment<T>&, const UndefinedTally<T>& tally) { sum = finite(sum, tally); });
 }
 
 /// The same for lanes: one piece of code, without a call.
 template <class T, class Function>
-[[gnu::flatten, gnu::noinline]] void
-add_light(std::span<const PointLight> point_lights, std::span<const DirectionLight> direction_lights,
-          const Function& function, PacketBatch<T>& batch, UndefinedCounts& counts) {
-  sum_light(point_lights, direction_lights, function, batch, counts);
+[[gnu::flatten, gnu::noinline]] void add_light(const LightSpans& lights, const Function& function,
+                                               PacketBatch<T>& batch, UndefinedCounts& counts) {
+  sum_light(lights, function, batch, counts);
 }
 
 /// The colour a surface would be called by: what it reflects of white light from the front. For a function with `kd`,

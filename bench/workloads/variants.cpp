@@ -26,25 +26,31 @@ std::shared_ptr<const Texture> small_texture() {
 } // namespace
 
 Scene without_lights(Scene scene) {
-  scene.point_lights.clear();
-  scene.direction_lights.clear();
+  for_each_light_list(scene, [](auto& lights) { lights.clear(); });
   return scene;
 }
 
 Scene with_one_more_light(Scene scene) {
-  if (!scene.direction_lights.empty()) scene.direction_lights.push_back(scene.direction_lights.back());
-  else if (!scene.point_lights.empty()) scene.point_lights.push_back(scene.point_lights.back());
-  else scene.point_lights.push_back({.position = scene.camera.position});
+  if (lights(scene) == 0) {
+    scene.point_lights.push_back({.position = scene.camera.position});
+    return scene;
+  }
+  std::size_t of_later_types = lights(scene);
+  for_each_light_list(scene, [&](auto& list) {
+    of_later_types -= list.size();
+    if (!list.empty() && of_later_types == 0) list.push_back(list.back());
+  });
   return scene;
 }
 
 std::size_t lights(const Scene& scene) {
-  return scene.point_lights.size() + scene.direction_lights.size();
+  return light_count(scene);
 }
 
 Scene without_textures(Scene scene) {
   for (Object& object : scene.objects)
-    if (shows_texture(object)) object.material.texture = nullptr;
+    if (shows_texture(object))
+      for (const TextureSlot& slot : texture_slots) object.material.*slot.texture = nullptr;
   return scene;
 }
 
@@ -52,15 +58,20 @@ Scene with_textures(Scene scene) {
   const std::shared_ptr<const Texture> texture = small_texture();
   for (Object& object : scene.objects) {
     if (!shows_texture(object)) continue;
-    object.material.texture = texture;
-    object.material.texture_filter = TextureFilter::bilinear;
+    for (const TextureSlot& slot : texture_slots) {
+      object.material.*slot.texture = texture;
+      object.material.*slot.filter = TextureFilter::bilinear;
+    }
   }
   return scene;
 }
 
 bool has_textures(const Scene& scene) {
-  return std::any_of(scene.objects.begin(), scene.objects.end(),
-                     [](const Object& object) { return shows_texture(object) && object.material.texture; });
+  return std::any_of(scene.objects.begin(), scene.objects.end(), [](const Object& object) {
+    return shows_texture(object) &&
+           std::any_of(texture_slots.begin(), texture_slots.end(),
+                       [&](const TextureSlot& slot) { return object.material.*slot.texture != nullptr; });
+  });
 }
 
 bool shows_textures(const Scene& scene) {

@@ -152,12 +152,13 @@ GlDrawing::Part GlDrawing::part(const Object& object, const ShaderText& vertex, 
 
 // Whatever a shader does with its texture, white is what it gets where there are no coordinates to read another at. The
 // order of triangles stays: of equally near ones the first is seen.
-std::vector<GlDrawing::TextureRun> GlDrawing::texture_runs(const Mesh& mesh, GLuint texture, GLuint white) {
-  if (texture == white || mesh.uvs.size() == mesh.positions.size()) return {{texture, 0, mesh.triangles.size()}};
+std::vector<GlDrawing::TextureRun> GlDrawing::texture_runs(const Mesh& mesh, const SlotTextures& textures,
+                                                           const SlotTextures& white) {
+  if (textures == white || mesh.uvs.size() == mesh.positions.size()) return {{textures, 0, mesh.triangles.size()}};
   std::vector<TextureRun> runs;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const GLuint here = has_uvs(mesh, mesh.triangles[i]) ? texture : white;
-    if (runs.empty() || runs.back().texture != here) runs.push_back({here, i, 0});
+    const SlotTextures& here = has_uvs(mesh, mesh.triangles[i]) ? textures : white;
+    if (runs.empty() || runs.back().textures != here) runs.push_back({here, i, 0});
     ++runs.back().triangles;
   }
   return runs;
@@ -169,12 +170,20 @@ GlDrawing::Item GlDrawing::item(const Scene& scene, std::size_t number, const Gl
   Item item;
   item.name = object.name;
   item.cull = object.cull;
-  item.has_texture_coordinates = !object.mesh->uvs.empty();
-  GLuint shown = white_;
-  if (const Texture* const texture = object.material.texture.get())
-    shown = once(textures_, {texture, object.material.texture_filter},
-                 [&] { return upload_texture(gl_, *texture, object.material.texture_filter); });
-  item.runs = texture_runs(*object.mesh, shown, white_);
+  GLuint place = 0;
+  for_each_vertex_attribute([&](const auto& attribute) {
+    if ((object.mesh.get()->*attribute.values).empty()) item.missing.emplace_back(place, attribute.otherwise);
+    ++place;
+  });
+  SlotTextures white, shown;
+  white.fill(white_);
+  for (std::size_t i = 0; i < texture_slots.size(); ++i) {
+    const Texture* const texture = (object.material.*texture_slots[i].texture).get();
+    const TextureFilter filter = object.material.*texture_slots[i].filter;
+    shown[i] =
+        texture ? once(textures_, {texture, filter}, [&] { return upload_texture(gl_, *texture, filter); }) : white_;
+  }
+  item.runs = texture_runs(*object.mesh, shown, white);
   if (const Merl* const merl = object.material.measured())
     item.table = once(tables_, {merl->table.get(), merl->lookup}, [&] {
       const TableContent content = reads_logarithms(merl->lookup) ? TableContent::logarithms : TableContent::values;
@@ -231,11 +240,10 @@ void GlDrawing::prepare(const Item& item, const Part& part) const {
   }
   gl_.ActiveTexture(GL_TEXTURE0 + merl_unit);
   gl_.BindTexture(GL_TEXTURE_3D, item.table);
-  gl_.ActiveTexture(GL_TEXTURE0 + texture_unit); // of each run: draw_runs, draw_each
   gl_.BindVertexArray(part.vertices);
   for (const ConstantAttribute& attribute : program.attributes.constants) set_constant(gl_, attribute);
-  if (!item.has_texture_coordinates && (program.attributes.arrays & 1u << 2) != 0)
-    set_constant(gl_, {2, GlslBase::float_});
+  for (const auto& [place, value] : item.missing)
+    if ((program.attributes.arrays & 1u << place) != 0) gl_.VertexAttrib4f(place, value, value, value, 1);
 }
 
 void GlDrawing::draw_item(const Item& item, GlPass pass) const {
@@ -246,9 +254,16 @@ void GlDrawing::draw_item(const Item& item, GlPass pass) const {
   else draw_each(item);
 }
 
+void GlDrawing::bind_textures(const SlotTextures& textures) const {
+  for (std::size_t i = 0; i < textures.size(); ++i) {
+    gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
+    gl_.BindTexture(GL_TEXTURE_2D, textures[i]);
+  }
+}
+
 void GlDrawing::draw_runs(const Item& item) const {
   for (const TextureRun& run : item.runs) {
-    gl_.BindTexture(GL_TEXTURE_2D, run.texture);
+    bind_textures(run.textures);
     gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * run.triangles), GL_UNSIGNED_INT,
                      place_of(run.first_triangle));
   }
@@ -262,7 +277,7 @@ void GlDrawing::draw(GlPass pass) const {
 // gl_PrimitiveID would be the way, but Mesa's softpipe has none in fragment shaders.
 void GlDrawing::draw_each(const Item& item) const {
   for (const TextureRun& run : item.runs) {
-    gl_.BindTexture(GL_TEXTURE_2D, run.texture);
+    bind_textures(run.textures);
     for (std::size_t i = run.first_triangle; i < run.first_triangle + run.triangles; ++i) {
       gl_.Uniform1f(item.triangle_number, static_cast<float>(i + 1));
       gl_.DrawElements(GL_TRIANGLES, 3, GL_UNSIGNED_INT, place_of(i));

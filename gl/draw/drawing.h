@@ -7,10 +7,13 @@
 #include "gl/render_gl.h"
 #include "gl/warning_list.h"
 
+#include <array>
 #include <cstdint>
 #include <deque>
 #include <map>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 namespace refraster {
 
@@ -38,12 +41,15 @@ public:
   std::vector<std::string> warnings() const { return warnings_.lines(); }
 
 private:
-  /// Triangles that follow one another and show one texture: white on those without texture coordinates.
+  /// In the order of texture_slots.
+  using SlotTextures = std::array<GLuint, texture_slots.size()>;
+  /// Triangles that follow one another and show the same textures: white on those without texture coordinates.
   struct TextureRun {
-    GLuint texture = 0;
+    SlotTextures textures{};
     std::size_t first_triangle = 0, triangles = 0;
   };
-  static std::vector<TextureRun> texture_runs(const Mesh& mesh, GLuint texture, GLuint white);
+  static std::vector<TextureRun> texture_runs(const Mesh& mesh, const SlotTextures& textures,
+                                              const SlotTextures& white);
 
   struct Program {
     ShaderText vertex, fragment;
@@ -65,7 +71,8 @@ private:
     GLuint table = 0;
     std::vector<TextureRun> runs;
     Cull cull = Cull::none;
-    bool has_texture_coordinates = true, has_shaders_of_its_own = false;
+    std::vector<std::pair<GLuint, float>> missing; // attributes that the mesh has none of, and what stands for them
+    bool has_shaders_of_its_own = false;
     GLint triangle_number = -1; // place of that uniform in the program of ids
     Part parts[2];              // by pass
     Part plain;                 // with our shaders, for those that have shaders of their own
@@ -80,6 +87,7 @@ private:
   void clear(GlPass pass) const;
   void prepare(const Item& item, const Part& part) const;
   void draw_item(const Item& item, GlPass pass) const;
+  void bind_textures(const SlotTextures& textures) const;
   void draw_runs(const Item& item) const;
   void draw_each(const Item& item) const;
   std::uint64_t samples_alone(const Item& item, const Part& part) const;

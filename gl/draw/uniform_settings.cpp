@@ -4,8 +4,11 @@
 #include "gl/program/introspection.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <optional>
+#include <tuple>
+#include <vector>
 
 namespace refraster {
 namespace {
@@ -16,11 +19,8 @@ std::optional<int> element_of(const std::string& uniform, std::string_view list)
   return std::atoi(uniform.c_str() + list.size() + 1);
 }
 
-struct LightList {
-  const char *list, *count, *lights;
-};
-constexpr LightList light_lists[] = {{"pointLights", "pointLightCount", "point lights"},
-                                     {"directionLights", "directionLightCount", "direction lights"}};
+constexpr std::array all_light_names =
+    std::apply([]<class... Light>(std::vector<Light> Scene::*...) { return std::array{Light::names...}; }, light_lists);
 
 /// Set for some fragment functions only.
 constexpr std::string_view of_some_functions[] = {"ka", "kd", "ks", "glossiness", "specularGate", "merlBrdf"};
@@ -33,7 +33,8 @@ struct Expected {
   GLenum operator()(const Float3x3&) const { return GL_FLOAT_MAT3; }
   GLenum operator()(const Float4x4&) const { return GL_FLOAT_MAT4; }
   GLenum operator()(int) const {
-    if (name == "tex") return GL_SAMPLER_2D;
+    for (const TextureSlot& slot : texture_slots)
+      if (name == slot.sampler) return GL_SAMPLER_2D;
     if (name == "merlBrdf") return GL_SAMPLER_3D;
     return name == "specularGate" ? GL_BOOL : GL_INT;
   }
@@ -101,24 +102,24 @@ std::string leave(const GlApi& gl, GLuint program, const std::vector<const Progr
 /// Cuts the counts of lights to the room in the program's arrays.
 void cut_lights(const std::vector<ProgramVariable>& uniforms, UniformValues& given,
                 std::vector<std::string>& warnings) {
-  for (const LightList& lights : light_lists) {
-    const int count = std::get<int>(given.at(lights.count));
+  for (const LightNames& lights : all_light_names) {
+    const int count = std::get<int>(given.at(count_uniform(lights)));
     int room = 0;
     for (const ProgramVariable& uniform : uniforms)
-      room = std::max(room, element_of(uniform.name, lights.list).value_or(-1) + 1);
+      room = std::max(room, element_of(uniform.name, lights.glsl).value_or(-1) + 1);
     if (room > 0 && room < count) {
-      warnings.push_back(std::string(lights.list) + " has room for " + std::to_string(room) + " of the scene's " +
-                         std::to_string(count) + " " + lights.lights + ": the others are left out");
-      given[lights.count] = room;
+      warnings.push_back(std::string(lights.glsl) + " has room for " + std::to_string(room) + " of the scene's " +
+                         std::to_string(count) + " " + std::string(lights.words) + ": the others are left out");
+      given[count_uniform(lights)] = room;
     }
   }
 }
 
 /// Elements beyond the scene's lights, which stay 0.
 bool is_spare(const ProgramVariable& uniform, const UniformValues& given) {
-  return std::any_of(std::begin(light_lists), std::end(light_lists), [&](const LightList& lights) {
-    const auto element = element_of(uniform.name, lights.list);
-    return element && *element >= std::get<int>(given.at(lights.count));
+  return std::any_of(all_light_names.begin(), all_light_names.end(), [&](const LightNames& lights) {
+    const auto element = element_of(uniform.name, lights.glsl);
+    return element && *element >= std::get<int>(given.at(count_uniform(lights)));
   });
 }
 

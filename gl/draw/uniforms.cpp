@@ -1,5 +1,7 @@
 #include "gl/draw/uniforms.h"
 
+#include "shading/light.h"
+
 namespace refraster {
 namespace {
 
@@ -18,7 +20,22 @@ struct ParameterUniforms final : FieldVisitor {
   UniformValues& values;
 };
 
+UniformValue uniform_of(double value, const Range&) {
+  return static_cast<float>(value);
+}
+UniformValue uniform_of(const Double3& value, const Range& range) {
+  return Float3(range.zero == Zero::excluded ? normalize(value) : value);
+}
+template <NamedEnum Enum>
+UniformValue uniform_of(Enum value, const Range&) {
+  return static_cast<int>(value);
+}
+
 } // namespace
+
+std::string count_uniform(const LightNames& names) {
+  return std::string(names.glsl.substr(0, names.glsl.size() - 1)) + "Count"; // of one of them
+}
 
 MatricesBlock matrices_block(const Camera& camera, double aspect) {
   return {Float4x4(view_from_world(camera)), Float4x4(clip_from_view(camera, aspect))};
@@ -27,23 +44,16 @@ MatricesBlock matrices_block(const Camera& camera, double aspect) {
 UniformValues scene_uniforms(const Scene& scene) {
   UniformValues values;
   values["viewPos"] = Float3(scene.camera.position);
-  values["pointLightCount"] = static_cast<int>(scene.point_lights.size());
-  for (std::size_t i = 0; i < scene.point_lights.size(); ++i) {
-    const PointLight& light = scene.point_lights[i];
-    const bool attenuated = light.constant > 0 || light.linear > 0 || light.quadratic > 0;
-    const std::string at = "pointLights[" + std::to_string(i) + "].";
-    values[at + "position"] = Float3(light.position);
-    values[at + "radiance"] = Float3(light.radiance);
-    values[at + "constant"] = attenuated ? static_cast<float>(light.constant) : 1.0f; // all 0 means none
-    values[at + "linear"] = static_cast<float>(light.linear);
-    values[at + "quadratic"] = static_cast<float>(light.quadratic);
-  }
-  values["directionLightCount"] = static_cast<int>(scene.direction_lights.size());
-  for (std::size_t i = 0; i < scene.direction_lights.size(); ++i) {
-    const std::string at = "directionLights[" + std::to_string(i) + "].";
-    values[at + "direction"] = Float3(normalize(scene.direction_lights[i].direction));
-    values[at + "radiance"] = Float3(scene.direction_lights[i].radiance);
-  }
+  for_each_light_list(scene, [&]<class Light>(const std::vector<Light>& lights) {
+    values[count_uniform(Light::names)] = static_cast<int>(lights.size());
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+      const std::string at = std::string(Light::names.glsl) + "[" + std::to_string(i) + "].";
+      const Light light = textbook_light(lights[i]);
+      Light::fields(light, [&](const std::string& name, const auto& value, const Range& range, auto&&) {
+        values[at + name] = uniform_of(value, range);
+      });
+    }
+  });
   return values;
 }
 
@@ -53,7 +63,8 @@ UniformValues object_uniforms(const Object& object, const Double4x4& clip_from_w
   values["model"] = Float4x4(transform.world_from_object);
   values["clipFromObject"] = Float4x4(transform.clip_from_object);
   values["normalMatrix"] = Float3x3(transform.world_from_normal);
-  values["tex"] = texture_unit;
+  for (std::size_t i = 0; i < texture_slots.size(); ++i)
+    values[std::string(texture_slots[i].sampler)] = static_cast<int>(i);
   if (object.material.user_function) {
     ParameterUniforms parameters(values);
     object.material.user_function->copy()->fields(parameters);

@@ -18,8 +18,8 @@ using Float4x4 = glm::mat4;
 using UniformValue = std::variant<float, int, Float3, Float3x3, Float4x4>;
 using UniformValues = std::map<std::string, UniformValue>;
 
-/// The texture units that samplers are set to.
-inline constexpr int texture_unit = 0, merl_unit = 1, first_dummy_unit = 2;
+/// The texture units that samplers are set to: those of texture_slots in their order, then these.
+inline constexpr int merl_unit = static_cast<int>(texture_slots.size()), first_dummy_unit = merl_unit + 1;
 
 /// The std140 block Matrices.
 struct MatricesBlock {
@@ -28,6 +28,9 @@ struct MatricesBlock {
 
 /// The camera's matrices, as an application would pass them: y is up in clip space.
 MatricesBlock matrices_block(const Camera& camera, double aspect);
+
+/// "pointLightCount".
+std::string count_uniform(const LightNames& names);
 
 /// For every object alike: the camera's position and the lights.
 UniformValues scene_uniforms(const Scene& scene);

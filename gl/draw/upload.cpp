@@ -17,8 +17,9 @@ void fill_buffer(const GlApi& gl, GLenum target, const std::vector<Item>& items)
   gl.BufferData(target, static_cast<GLsizeiptr>(items.size() * sizeof(Item)), items.data(), GL_STATIC_DRAW);
 }
 
-template <int components, class Item>
+template <class Item>
 void add_attribute(const GlApi& gl, GLuint place, const std::vector<Item>& items) {
+  constexpr int components = Item::length();
   static_assert(sizeof(Item) == components * sizeof(float));
   fill_buffer(gl, GL_ARRAY_BUFFER, items);
   gl.VertexAttribPointer(place, components, GL_FLOAT, GL_FALSE, 0, nullptr);
@@ -52,16 +53,16 @@ GLuint upload_mesh(const GlApi& gl, const Mesh& mesh, unsigned attributes) {
   GLuint vertices = 0;
   gl.GenVertexArrays(1, &vertices);
   gl.BindVertexArray(vertices);
-  if ((attributes & 1) != 0) add_attribute<3>(gl, 0, mesh.positions);
-  if ((attributes & 2) != 0) add_attribute<3>(gl, 1, mesh.normals);
-  if ((attributes & 4) != 0) {
-    if (mesh.uvs.size() == mesh.positions.size()) add_attribute<2>(gl, 2, mesh.uvs);
-    else if (!mesh.uvs.empty()) { // where there are none at all, GL's initial value is (0, 0)
-      std::vector<Float2> uvs = mesh.uvs;
-      uvs.resize(mesh.positions.size(), Float2(0.0f));
-      add_attribute<2>(gl, 2, uvs);
-    }
-  }
+  GLuint place = 0;
+  for_each_vertex_attribute([&]<class Value>(const VertexAttribute<Value>& attribute) {
+    const GLuint here = place++;
+    const std::vector<Value>& values = mesh.*attribute.values;
+    if ((attributes & 1u << here) == 0 || values.empty()) return;
+    if (values.size() == mesh.positions.size()) return add_attribute(gl, here, values);
+    std::vector<Value> all = values;
+    all.resize(mesh.positions.size(), Value(attribute.otherwise));
+    add_attribute(gl, here, all);
+  });
   fill_buffer(gl, GL_ELEMENT_ARRAY_BUFFER, mesh.triangles);
   return vertices;
 }

@@ -7,8 +7,8 @@
 
 namespace refraster {
 
-/// A vertex array with positions, normals and, if the mesh has any, texture coordinates at 0, 1, 2, and its indices. Of
-/// the three those whose bit is set in `attributes`. Vertices without texture coordinates have (0, 0).
+/// A vertex array with the attributes that the mesh has, each at its place in vertex_attributes, and its indices. Of
+/// them those whose bit is set in `attributes`.
 GLuint upload_mesh(const GlApi& gl, const Mesh& mesh, unsigned attributes);
 
 /// In RGB8 or RGB16, whichever holds the image's values exactly; repeating; with the mip levels that it has, rounded to

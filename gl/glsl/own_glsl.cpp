@@ -29,12 +29,67 @@ void define_choice(std::ostream& text, std::string_view what, std::string_view p
   text << "#define " << what << " " << constant(prefix, name_of(chosen)) << "\n";
 }
 
+std::string type_of(const auto& attribute) {
+  return "vec" + std::to_string(attribute.components);
+}
+
+/// What the shaders hand over, declared: `way` is "in" or "out". Reached as fs_in(name) and vs_out(name).
+std::string varyings(GlslDialect dialect, const std::string& way) {
+  const std::string block = way == "in" ? "fs_in" : "vs_out";
+  std::string members;
+  for_each_vertex_attribute([&](const auto& attribute) {
+    members += (dialect == GlslDialect::es_300 ? way + " " : "    ") + type_of(attribute) + " ";
+    members.append(attribute.varying).append(";\n");
+  });
+  if (dialect == GlslDialect::es_300) // has no blocks between stages
+    return members + "#define " + block + "(name) name\n";
+  return way + " VS_OUT {\n" + members + "} " + block + "_block;\n#define " + block + "(name) " + block +
+         "_block.name\n";
+}
+
+/// An attribute as the fragment shader gets it.
+std::string passed_on(const auto& attribute) {
+  const std::string in(attribute.input);
+  switch (attribute.transformed) {
+  case Transformed::as_position:
+    return "vec3(model * vec4(" + in + ", 1.0))";
+  case Transformed::as_normal:
+    return "normalMatrix * " + in;
+  case Transformed::as_direction:
+    return attribute.components == 4 ? "vec4(mat3(model) * " + in + ".xyz, " + in + ".w)" : "mat3(model) * " + in;
+  case Transformed::as_is:
+    return in;
+  }
+  return {};
+}
+
+/// "PointLight" of "pointLights".
+std::string type_of(const LightNames& lights) {
+  std::string type(lights.glsl.substr(0, lights.glsl.size() - 1));
+  type[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(type[0])));
+  return type;
+}
+
+/// The arrays of lights, and with_lights(), which adds what is reflected of each in the order of the lists.
+std::string light_sum(const Scene& scene) {
+  std::string arrays, loops;
+  for_each_light_list(scene, [&]<class Light>(const std::vector<Light>& lights) {
+    if (lights.empty()) return;
+    const std::string name(Light::names.glsl), count = std::to_string(lights.size());
+    arrays += "uniform " + type_of(Light::names) + " " + name + "[" + count + "];\n";
+    loops += "    for (int i = 0; i < " + count + "; ++i) sum += reflected(n, v, t, arriving(" + name +
+             "[i], fs_in(FragPos)));\n";
+  });
+  return arrays + "vec3 with_lights(vec3 sum, vec3 n, vec3 v, vec3 t) {\n" + loops + "    return sum;\n}\n";
+}
+
 void define(std::ostream& text, std::string_view name, bool wanted) {
   if (wanted) text << "#define " << name << "\n";
 }
 
 void define_function(std::ostream& text, const PhongParameters& function, const Material& material, MerlFilter) {
-  define(text, "TEXTURED", material.texture != nullptr);
+  for (const TextureSlot& slot : texture_slots)
+    define(text, constant("HAS_", slot.name), material.*slot.texture != nullptr);
   define(text, "SPECULAR", function.ks != Double3(0));
   define(text, "ZERO_GLOSSINESS", function.glossiness == 0);
   define(text, "SPECULAR_GATE", function.specular_gate == SpecularGate::cut_below_horizon);
@@ -63,20 +118,55 @@ bool has_own_glsl(const Material& material) {
          std::visit([](const auto& function) { return !formulas_of(function).empty(); }, material.fragment_function);
 }
 
+bool has_own_glsl(const LightNames& lights) {
+  return glsl_text.surface.find("arriving(" + type_of(lights) + " ") != std::string_view::npos;
+}
+
+bool has_own_glsl(const TextureSlot& slot) {
+  return glsl_text.phong.find("sampler2D " + std::string(slot.sampler) + ";") != std::string_view::npos;
+}
+
+bool has_own_glsl(std::string_view varying) {
+  const std::string read = "fs_in(" + std::string(varying) + ")";
+  const std::string_view texts[] = {glsl_text.surface, glsl_text.phong, glsl_text.merl, glsl_text.main};
+  return std::any_of(std::begin(texts), std::end(texts),
+                     [&](std::string_view text) { return text.find(read) != std::string_view::npos; });
+}
+
+std::vector<std::string_view> without_glsl(const Scene& scene, const Object& object) {
+  std::vector<std::string_view> without;
+  for_each_vertex_attribute([&](const auto& attribute) {
+    if (!(object.mesh.get()->*attribute.values).empty() && !has_own_glsl(attribute.varying))
+      without.push_back(attribute.words);
+  });
+  for (const TextureSlot& slot : texture_slots)
+    if (object.material.*slot.texture && !has_own_glsl(slot)) without.push_back(slot.file_key);
+  for_each_light_list(scene, [&]<class Light>(const std::vector<Light>& lights) {
+    if (!lights.empty() && !has_own_glsl(Light::names)) without.push_back(Light::names.words);
+  });
+  return without;
+}
+
 bool reads_logarithms(MerlLookup lookup) {
   return lookup == MerlLookup::trilinear_log || lookup == MerlLookup::tricubic_log;
 }
 
 std::string own_vertex_glsl(GlslDialect dialect) {
-  return std::string(version(dialect)).append(glsl_text.vertex);
+  std::string inputs, assignments;
+  int location = 0;
+  for_each_vertex_attribute([&](const auto& attribute) {
+    inputs += "layout(location = " + std::to_string(location++) + ") in " + type_of(attribute) + " ";
+    inputs.append(attribute.input).append(";\n");
+    assignments.append("    vs_out(").append(attribute.varying).append(") = ").append(passed_on(attribute)) += ";\n";
+  });
+  return std::string(version(dialect)).append(inputs).append(varyings(dialect, "out")).append(glsl_text.vertex) +
+         "\nvoid pass_attributes() {\n" + assignments + "}\n";
 }
 
 std::string own_fragment_glsl(const Scene& scene, const Material& material, MerlFilter filter, GlslDialect dialect) {
   std::ostringstream text;
   text.imbue(std::locale::classic()); // whatever the program's own is
   text << version(dialect);
-  text << "#define POINT_LIGHTS " << scene.point_lights.size() << "\n";
-  text << "#define DIRECTION_LIGHTS " << scene.direction_lights.size() << "\n";
   const std::string_view formulas = std::visit(
       [&](const auto& function) {
         if constexpr (requires { define_function(text, function, material, filter); })
@@ -84,7 +174,7 @@ std::string own_fragment_glsl(const Scene& scene, const Material& material, Merl
         return formulas_of(function);
       },
       material.fragment_function);
-  text << glsl_text.surface << formulas << glsl_text.main;
+  text << varyings(dialect, "in") << glsl_text.surface << formulas << light_sum(scene) << glsl_text.main;
   return text.str();
 }
 

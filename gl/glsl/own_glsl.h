@@ -7,6 +7,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace refraster {
 
@@ -23,6 +24,18 @@ std::string own_vertex_glsl(GlslDialect dialect);
 
 /// Whether there is GLSL of ours for this fragment function.
 bool has_own_glsl(const Material& material);
+
+/// Whether our GLSL sums lights of this type.
+bool has_own_glsl(const LightNames& lights);
+
+/// Whether our GLSL reads this texture, where the fragment function shows any.
+bool has_own_glsl(const TextureSlot& slot);
+
+/// Whether our fragment shaders read this varying of a vertex attribute.
+bool has_own_glsl(std::string_view varying);
+
+/// What our GLSL would leave out of an object's image: "point lights", "texture_file_path", "texture coordinates".
+std::vector<std::string_view> without_glsl(const Scene& scene, const Object& object);
 
 /// For one object's material under the scene's lights: how many lights there are, whether there is a texture, how a
 /// table is read, is compiled in, so that no pixel pays for what the scene does not use.

@@ -5,12 +5,12 @@ uniform vec3 ka;
 uniform vec3 kd;
 uniform vec3 ks;
 uniform float glossiness;
-#ifdef TEXTURED
+#ifdef HAS_TEXTURE
 uniform sampler2D tex;
 #endif
 
 vec3 surface_colour() {
-#ifdef TEXTURED
+#ifdef HAS_TEXTURE
     return texture(tex, fs_in(TexCoord)).rgb;
 #else
     return vec3(1.0);

@@ -83,6 +83,10 @@ ShaderChoice choose_shaders(const Scene& scene, const Object& object, MerlFilter
     throw InputError({object.name, 0, 0, "/fragment_shader_file_path",
                       object.fragment_shader_path.empty() ? "none" : "no file " + object.fragment_shader_path,
                       "a GLSL file: there is none of ours of " + std::string(function)});
+  if (const auto without = without_glsl(scene, object); !without.empty())
+    if (std::error_code ignored; !std::filesystem::exists(object.fragment_shader_path, ignored))
+      throw InputError({object.name, 0, 0, "/fragment_shader_file_path", "none that can be read",
+                        "a GLSL file: there is none of ours of " + std::string(without.front())});
   const auto [vertex, vertex_from] =
       choose(object.vertex_shader_path, own_vertex_glsl(GlslDialect::core_330), "our vertex shader", newest_version);
   const auto [fragment, fragment_from] =

@@ -1,19 +1,7 @@
 // What every fragment function starts from: shading/fragment.h and shading/light.h.
-#ifdef GL_ES // has no blocks between stages
-in vec3 FragPos;
-in vec3 Normal;
-in vec2 TexCoord;
-#define fs_in(name) name
-#else
-in VS_OUT {
-    vec3 FragPos;
-    vec3 Normal;
-    vec2 TexCoord;
-} fs_in_block;
-#define fs_in(name) fs_in_block.name
-#endif
 out vec4 FragColor;
 
+// Of each type of light a struct and a function arriving(). The arrays, and the sum over them, are made from the list.
 struct PointLight {
     vec3 position;
     vec3 radiance;
@@ -27,12 +15,6 @@ struct DirectionLight {
 };
 
 uniform vec3 viewPos;
-#if POINT_LIGHTS > 0
-uniform PointLight pointLights[POINT_LIGHTS];
-#endif
-#if DIRECTION_LIGHTS > 0
-uniform DirectionLight directionLights[DIRECTION_LIGHTS];
-#endif
 
 // Light that reaches the surface: the unit direction to it, and radiance times attenuation.
 struct Incident {
@@ -53,6 +35,6 @@ Incident arriving(PointLight light, vec3 position) {
     return Incident(way * (d > 0.0 ? 1.0 / d : 0.0), light.radiance * (d > 0.0 ? attenuation : 0.0));
 }
 
-Incident arriving(DirectionLight light) {
+Incident arriving(DirectionLight light, vec3 position) {
     return Incident(-light.direction, light.radiance);
 }

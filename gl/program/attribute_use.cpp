@@ -2,17 +2,25 @@
 #include "gl/program/program_use.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
+#include <string_view>
 
 namespace refraster {
 namespace {
 
 struct MeshAttribute {
-  const char *name, *type, *what;
+  std::string_view name;
+  int components;
+  std::string_view what;
+  std::string type() const { return "vec" + std::to_string(components); }
 };
 /// By location.
-constexpr MeshAttribute of_mesh[] = {
-    {"vPos", "vec3", "positions"}, {"vNormal", "vec3", "normals"}, {"vTexCoord", "vec2", "texture coordinates"}};
+constexpr std::array of_mesh = std::apply(
+    [](const auto&... each) {
+      return std::array{MeshAttribute{each.input, each.components, each.words}...};
+    },
+    vertex_attributes);
 constexpr const char* stays = "it stays (0, 0, 0, 1)";
 
 } // namespace
@@ -39,11 +47,11 @@ AttributeUse attribute_use(const GlApi& gl, const GlProgram& program, std::vecto
                          std::to_string(own - std::begin(of_mesh)) + ": " +
                          (fed ? "it gets " + std::string(of_mesh[first].what) : stays));
     else if (own != std::end(of_mesh) && !fed)
-      warnings.push_back("attribute " + attribute.name + ": found " + type.name + ", expected " + own->type + ": " +
+      warnings.push_back("attribute " + attribute.name + ": found " + type.name + ", expected " + own->type() + ": " +
                          stays);
     else if (own == std::end(of_mesh) && first < std::size(of_mesh) && !fed)
-      warnings.push_back("attribute " + what + " is at location " + place + ", where " + of_mesh[first].type + " " +
-                         of_mesh[first].name + " is expected: " + stays);
+      warnings.push_back("attribute " + what + " is at location " + place + ", where " + of_mesh[first].type() + " " +
+                         std::string(of_mesh[first].name) + " is expected: " + stays);
     else if (own == std::end(of_mesh) &&
              std::count(program.moved_attributes.begin(), program.moved_attributes.end(), attribute.name) > 0)
       warnings.push_back("attribute " + what +

@@ -1,15 +1,18 @@
 #include "gl/program/program.h"
 
+#include <refraster/mesh.h>
 #include <refraster/notes.h>
 
 #include "gl/program/glsl_types.h"
 #include "gl/program/introspection.h"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <iterator>
 #include <regex>
 #include <sstream>
+#include <tuple>
 
 namespace refraster {
 namespace {
@@ -53,7 +56,9 @@ GLuint compiled(const GlApi& gl, ShaderStage stage, const ShaderText& source, st
   throw InputError(std::move(faults));
 }
 
-constexpr const char* own_attributes[] = {"vPos", "vNormal", "vTexCoord"}; // by location
+/// By location.
+constexpr std::array own_attributes =
+    std::apply([](const auto&... attribute) { return std::array{attribute.input...}; }, vertex_attributes);
 
 bool linked(const GlApi& gl, GLuint program) {
   gl.LinkProgram(program);
@@ -150,7 +155,8 @@ GlProgram link_program(const GlApi& gl, const ShaderText& vertex, const ShaderTe
                            compiled(gl, ShaderStage::fragment, fragment, program.warnings)};
   program.name = gl.CreateProgram();
   for (const GLuint stage : stages) gl.AttachShader(program.name, stage);
-  for (GLuint i = 0; i < std::size(own_attributes); ++i) gl.BindAttribLocation(program.name, i, own_attributes[i]);
+  for (GLuint i = 0; i < std::size(own_attributes); ++i)
+    gl.BindAttribLocation(program.name, i, own_attributes[i].data());
   bool good = linked(gl, program.name);
   if (good) good = move_attributes(gl, program);
 

@@ -1,17 +1,20 @@
 #pragma once
 // What a program needs besides uniforms before it draws, found by asking OpenGL what the program declares.
 
+#include <refraster/mesh.h>
+
 #include "gl/program/glsl_types.h"
 #include "gl/program/program.h"
 
 #include <array>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace refraster {
 
-/// Places of attributes, as bits: vPos, vNormal, vTexCoord.
-inline constexpr unsigned mesh_attributes = 0b111;
+/// Places of attributes, as bits: those of vertex_attributes.
+inline constexpr unsigned mesh_attributes = (1u << std::tuple_size_v<decltype(vertex_attributes)>)-1;
 
 /// An attribute that no array feeds: it is (0, 0, 0, 1), in its own type.
 struct ConstantAttribute {

@@ -1,6 +1,6 @@
 #pragma once
-// How a fragment function declares its parameters: once, beside the member, with range and meaning. The scene reader,
-// its error messages and the documentation all follow from that declaration.
+// How fragment functions and lights declare their parameters: once, beside the member, with range and meaning. The
+// scene reader, its error messages and the documentation all follow from that declaration.
 
 #include <refraster/vector.h>
 
@@ -17,11 +17,15 @@ namespace refraster {
 /// Whether the ends of a range belong to it.
 enum class Ends { included, excluded };
 
+/// Whether the vector of length 0 belongs to a range.
+enum class Zero { included, excluded };
+
 /// What a number may be: finite, and from min to max; each channel for a colour, each coordinate for a vector.
 struct Range {
   double min = 0;                                  ///< the least
   double max = std::numeric_limits<double>::max(); ///< the greatest
   Ends ends = Ends::included;                      ///< whether those two belong to it
+  Zero zero = Zero::included;                      ///< for a vector: whether it may have no direction
 
   /// False for NaN.
   constexpr bool contains(double x) const { return ends == Ends::included ? min <= x && x <= max : min < x && x < max; }
@@ -29,6 +33,12 @@ struct Range {
 
 /// Every finite number.
 inline constexpr Range any_number{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max()};
+
+/// Every vector that has a direction, at any length.
+inline constexpr Range any_direction{any_number.min, any_number.max, Ends::included, Zero::excluded};
+
+/// Whether a scene file must have a key.
+enum class Need { required, optional };
 
 /// The words that stand for the values of an enum in a scene file. Specialise beside the enum, one line a value:
 ///     static constexpr std::pair<Enum, std::string_view> names[] = {{Enum::a, "a"}, …};
@@ -56,7 +66,7 @@ constexpr std::optional<Enum> value_named(std::string_view name) {
   return std::nullopt;
 }
 
-// A fragment function declares each parameter in its function `fields`, by one call:
+// A fragment function, or a type of light, declares each parameter in its function `fields`, by one call:
 //     field("kd", self.kd, Range{}, "diffuse reflection, r g b");
 // for a Double3 (a colour), a double, or a named enum. A scene must give every colour and number; an enum, which
 // chooses between conventions, may be left out and then keeps the value that the member has from the start.

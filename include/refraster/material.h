@@ -7,6 +7,7 @@
 #include <refraster/texture.h>
 #include <refraster/vector.h>
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <string_view>
@@ -220,5 +221,29 @@ struct Material {
     return std::visit([](const auto& function) { return function.name; }, fragment_function);
   }
 };
+
+/// A texture that a material may have, and how it is read. Where there is none, or no texture coordinates, it is white.
+struct TextureSlot {
+  std::shared_ptr<const Texture> Material::*texture = nullptr; ///< the member that holds it
+  TextureFilter Material::*filter = nullptr;                   ///< the member that says how it is read
+  std::string_view name = {};                                  ///< in faults and, in capitals, in our GLSL
+  std::string_view file_key = {};                              ///< in a scene file: its image
+  std::string_view filter_key = {};                            ///< and its filter; the member's value if left out
+  std::string_view sampler = {};                               ///< the uniform
+  std::string_view meaning = {};                               ///< of the image, for the documentation
+};
+
+/// t of the formulas: the colour that the surface has everywhere else from its parameters alone.
+inline constexpr TextureSlot base_texture{&Material::texture,
+                                          &Material::texture_filter,
+                                          "texture",
+                                          "texture_file_path",
+                                          "texture_filter",
+                                          "tex",
+                                          "a `.png`, `.jpg`, `.tga` or `.bmp` image; not loaded for `merl`"};
+
+/// Every texture that a material may have. Scene files and their documentation, loading, checks and OpenGL's texture
+/// units follow from this list; what a texture's colour is for is in raster/shade/shade_packet.h.
+inline constexpr std::array texture_slots{base_texture};
 
 } // namespace refraster

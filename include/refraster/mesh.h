@@ -1,11 +1,15 @@
 #pragma once
 // Meshes, and those that need no file.
 
+#include <refraster/fields.h>
 #include <refraster/vector.h>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
 #include <vector>
 
 namespace refraster {
@@ -18,6 +22,56 @@ struct Mesh {
   std::vector<Float2> uvs = {};       ///< of the first vertices, all or some; the others have none
   std::vector<std::array<std::uint32_t, 3>> triangles = {}; ///< indices into the above, each < positions.size()
 };
+
+/// What turns an attribute of the mesh into one of the world.
+enum class Transformed {
+  as_position,  ///< the object's matrix
+  as_normal,    ///< its cofactors: stays perpendicular to what it was perpendicular to
+  as_direction, ///< its 3x3 part; a fourth component stays
+  as_is         ///< nothing
+};
+
+/// What vertices bring and triangles interpolate.
+template <class Value>
+struct VertexAttribute {
+  std::vector<Value> Mesh::*values = nullptr;   ///< the list
+  std::string_view name = {};                   ///< in faults: "uvs"
+  std::string_view words = {};                  ///< in messages: "texture coordinates"
+  std::string_view input = {};                  ///< of a vertex shader, at the location that is its place in the list
+  std::string_view varying = {};                ///< what our GLSL calls it between the shaders
+  Transformed transformed = Transformed::as_is; ///< between the two
+  Need need = Need::optional; ///< required: every vertex has one; optional: the first ones have, all, some or none
+  float otherwise = 0;        ///< each component where a vertex has none
+
+  /// Of each value.
+  static constexpr int components = Value::length();
+};
+
+/// The attributes there are. Checks, the cache of meshes, set-up and interpolation in every precision, OpenGL's arrays
+/// and what our vertex shader passes on follow from this list; what an attribute is for is in
+/// raster/shade/shade_packet.h. A mesh without an optional one pays nothing for it.
+inline constexpr std::tuple vertex_attributes{
+    VertexAttribute<Float3>{&Mesh::positions, "positions", "positions", "vPos", "FragPos", Transformed::as_position,
+                            Need::required},
+    VertexAttribute<Float3>{&Mesh::normals, "normals", "normals", "vNormal", "Normal", Transformed::as_normal,
+                            Need::required},
+    VertexAttribute<Float2>{&Mesh::uvs, "uvs", "texture coordinates", "vTexCoord", "TexCoord"}};
+
+/// Calls visit(attribute) with each.
+constexpr void for_each_vertex_attribute(auto&& visit) {
+  std::apply([&](const auto&... attribute) { (visit(attribute), ...); }, vertex_attributes);
+}
+
+/// The one that has this list.
+template <class Value>
+constexpr VertexAttribute<Value> declared(std::vector<Value> Mesh::*list) {
+  VertexAttribute<Value> found;
+  for_each_vertex_attribute([&](const auto& attribute) {
+    if constexpr (std::is_same_v<decltype(attribute), const VertexAttribute<Value>&>)
+      if (attribute.values == list) found = attribute;
+  });
+  return found;
+}
 
 /// Whether a triangle of the mesh has texture coordinates: all its corners do. Without them a texture is not shown on
 /// it, as OBJ has it (statement f): it is white.

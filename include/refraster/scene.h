@@ -6,11 +6,26 @@
 #include <refraster/mesh.h>
 #include <refraster/vector.h>
 
+#include <cstddef>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace refraster {
+
+/// What a list of lights of one type is called.
+struct LightNames {
+  std::string_view key = {};   ///< in a scene file: "point_lights"
+  std::string_view words = {}; ///< in a message: "point lights"
+  std::string_view glsl = {};  ///< the array of uniforms: "pointLights", of PointLight; how many: "pointLightCount"
+  Need need = Need::optional;  ///< whether a scene file must have the list
+};
+
+// A type of light declares its names and, as a fragment function does, its parameters: <refraster/fields.h>. What
+// arrives of it at a surface is in shading/light.h.
 
 /// A light that shines from one point in all directions: attenuated by 1 / (Kc + Kl d + Kq d^2), d in world units. All
 /// three 0 means no attenuation.
@@ -20,12 +35,31 @@ struct PointLight {
   double constant = 1;  ///< Kc >= 0
   double linear = 0;    ///< Kl >= 0
   double quadratic = 0; ///< Kq >= 0
+
+  /// Of the list.
+  static constexpr LightNames names{"point_lights", "point lights", "pointLights", Need::required};
+  /// Declares the parameters.
+  static void fields(auto& self, auto&& field) {
+    field("position", self.position, any_number, "world space");
+    field("radiance", self.radiance, Range{}, "red, green, blue");
+    field("constant", self.constant, Range{}, "Kc of the attenuation 1 / (Kc + Kl d + Kq d²); all three 0: none");
+    field("linear", self.linear, Range{}, "Kl");
+    field("quadratic", self.quadratic, Range{}, "Kq");
+  }
 };
 
 /// A light infinitely far away. Not attenuated.
 struct DirectionLight {
   Double3 direction{0, 0, -1}; ///< world space: where the light travels to; any length but 0
   Double3 radiance{1};         ///< linear; each channel >= 0
+
+  /// Of the list.
+  static constexpr LightNames names{"direction_lights", "direction lights", "directionLights", Need::required};
+  /// Declares the parameters.
+  static void fields(auto& self, auto&& field) {
+    field("direction", self.direction, any_direction, "where the light travels to, world space; not zero");
+    field("radiance", self.radiance, Range{}, "red, green, blue");
+  }
 };
 
 /// OpenGL's camera: right-handed, looks down its own -Z.
@@ -65,10 +99,26 @@ struct Object {
 struct Scene {
   Camera camera = {};                                ///< from where
   Double3 background{0};                             ///< linear colour where there is no surface; each channel >= 0
-  std::vector<PointLight> point_lights = {};         ///< light is summed in this order, points first
-  std::vector<DirectionLight> direction_lights = {}; ///< then these
+  std::vector<PointLight> point_lights = {};         ///< light is summed in the order of light_lists and of each list
+  std::vector<DirectionLight> direction_lights = {}; ///< after all point lights
   std::vector<Object> objects = {};                  ///< drawn in this order
 };
+
+/// The types of light there are: every list of them that a scene has, in the order in which light is summed. Scene
+/// files and their documentation, checks, all precisions and OpenGL's uniforms follow from this list.
+inline constexpr std::tuple light_lists{&Scene::point_lights, &Scene::direction_lights};
+
+/// Calls visit(list) with each list of lights of a scene.
+void for_each_light_list(auto& scene, auto&& visit) {
+  std::apply([&](auto... list) { (visit(scene.*list), ...); }, light_lists);
+}
+
+/// Of all types.
+inline std::size_t light_count(const Scene& scene) {
+  std::size_t count = 0;
+  for_each_light_list(scene, [&](const auto& lights) { count += lights.size(); });
+  return count;
+}
 
 /// Something about a scene that is not as it should be.
 struct SceneFault {

@@ -2,12 +2,17 @@
 // How large anything may be. Each limit is checked before memory is taken for what it limits, so that a small file
 // cannot make a large demand. docs/limits.md is printed from this list; --max-memory bounds what is left.
 
+#include <refraster/scene.h>
+
 #include "raster/vertex/subpixel.h"
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <string>
 #include <string_view>
+#include <tuple>
+#include <vector>
 
 namespace refraster {
 
@@ -46,10 +51,9 @@ inline constexpr Limit texture_side{"a texture, each side", 16384, "texels a sid
                                     "the most that OpenGL drivers take: `gl` must draw the same"};
 // The scene
 inline constexpr Limit objects{"objects", 65536, "values", "an array of N values", "each may load four files"};
-inline constexpr Limit point_lights{"point lights", 65536, "values", "an array of N values",
-                                    "each shines on every fragment"};
-inline constexpr Limit direction_lights{"direction lights", 65536, "values", "an array of N values",
-                                        "each shines on every fragment"};
+template <class Light>
+inline constexpr Limit lights{Light::names.words, 65536, "values", "an array of N values",
+                              "each shines on every fragment"};
 inline constexpr Limit vertices{"vertices of all objects", std::uint64_t{1} << 28, "vertices", "N vertices",
                                 "in the frame a vertex takes 72 bytes: 19 GB; they are numbered in 32 bits"};
 inline constexpr Limit triangles{"triangles of all objects", std::uint64_t{1} << 28, "triangles", "N triangles",
@@ -68,11 +72,16 @@ inline constexpr Limit threads{
 
 } // namespace limit
 
-inline constexpr const Limit* all_limits[] = {
-    &limit::scene_bytes, &limit::json_depth,    &limit::obj_bytes,        &limit::image_bytes, &limit::glsl_bytes,
-    &limit::image_side,  &limit::image_pixels,  &limit::image_channels,   &limit::jpeg_scans,  &limit::texture_side,
-    &limit::objects,     &limit::point_lights,  &limit::direction_lights, &limit::vertices,    &limit::triangles,
-    &limit::frame_side,  &limit::frame_samples, &limit::threads};
+/// In the order of docs/limits.md.
+inline constexpr std::array all_limits = std::apply(
+    []<class... Light>(std::vector<Light> Scene::*...) {
+      return std::array{&limit::scene_bytes, &limit::json_depth,   &limit::obj_bytes,    &limit::image_bytes,
+                        &limit::glsl_bytes,  &limit::image_side,   &limit::image_pixels, &limit::image_channels,
+                        &limit::jpeg_scans,  &limit::texture_side, &limit::objects,      &limit::lights<Light>...,
+                        &limit::vertices,    &limit::triangles,    &limit::frame_side,   &limit::frame_samples,
+                        &limit::threads};
+    },
+    light_lists);
 
 /// What a message says was expected: "at most 65536 pixels a side".
 std::string at_most(const Limit& limit);

@@ -23,17 +23,23 @@ namespace refraster {
 namespace {
 namespace fs = std::filesystem;
 
-// A file: Header, positions, normals, uvs, triangles, notes as text, and the sha256 of what it is found by and all
-// that: under another name it is not believed.
+// A file: Header, the vertex attributes in the order of their list, triangles, notes as text, and the sha256 of what it
+// is found by and all that: under another name it is not believed.
 static_assert(std::endian::native == std::endian::little);
 constexpr std::array<char, 16> magic = {'r', 'e', 'f', 'r', 'a', 's', 't',  'e',
                                         'r', ' ', 'm', 'e', 's', 'h', '\r', '\n'};
+constexpr std::size_t optional_attributes = std::apply(
+    [](const auto&... attribute) { return (std::size_t{attribute.need == Need::optional} + ...); }, vertex_attributes);
 struct Header {
   std::array<char, 16> magic;
   std::uint32_t version, notes_bytes;
-  std::uint64_t vertices, uvs, triangles;
+  std::uint64_t vertices;
+  std::array<std::uint64_t, optional_attributes> values; // of each optional attribute, in the order of the list
+  std::uint64_t triangles;
 };
-static_assert(std::has_unique_object_representations_v<Header> && sizeof(Header) == 48);
+static_assert(std::has_unique_object_representations_v<Header> && sizeof(Header) == 40 + 8 * optional_attributes);
+/// A list of other attributes makes other files.
+constexpr std::uint32_t version_of_header = mesh_cache_version + 256 * (optional_attributes - 1);
 
 std::string file_of(const std::string& folder, const std::string& key) {
   return (fs::path(folder) / (key + "." + std::to_string(mesh_cache_version) + ".mesh")).string();
@@ -42,10 +48,17 @@ std::string file_of(const std::string& folder, const std::string& key) {
 /// body(array of the mesh) for each that is stored.
 template <class AnyMesh, class Body>
 void for_each_array(AnyMesh& mesh, const Body& body) {
-  body(mesh.positions);
-  body(mesh.normals);
-  body(mesh.uvs);
+  for_each_vertex_attribute([&](const auto& attribute) { body(mesh.*attribute.values); });
   body(mesh.triangles);
+}
+
+/// body(attribute, its count) for each attribute; optional ones have counts of their own.
+template <class AnyHeader, class Body>
+void for_each_count(AnyHeader& header, const Body& body) {
+  std::size_t i = 0;
+  for_each_vertex_attribute([&](const auto& attribute) {
+    body(attribute, attribute.need == Need::required ? header.vertices : header.values[i++]);
+  });
 }
 
 template <class Array>
@@ -57,10 +70,14 @@ std::size_t bytes_of(const Array& array) {
 /// Whether a mesh of these counts makes a file of this size.
 bool has_size(const Header& header, std::uint64_t file_bytes) {
   constexpr std::uint64_t most = std::uint64_t{1} << 32; // the products below stay far from overflow
-  if (header.vertices >= most || header.triangles >= most || header.uvs > header.vertices) return false;
-  const std::uint64_t triangle_bytes = sizeof(std::array<std::uint32_t, 3>);
-  return file_bytes == sizeof header + header.vertices * 2 * sizeof(Float3) + header.uvs * sizeof(Float2) +
-                           header.triangles * triangle_bytes + header.notes_bytes + sha256_bytes;
+  if (header.vertices >= most || header.triangles >= most) return false;
+  std::uint64_t bytes = sizeof header + header.triangles * sizeof(std::array<std::uint32_t, 3>) + header.notes_bytes;
+  bool are_within = true;
+  for_each_count(header, [&]<class Value>(const VertexAttribute<Value>&, std::uint64_t count) {
+    are_within &= count <= header.vertices;
+    bytes += count * sizeof(Value);
+  });
+  return are_within && file_bytes == bytes + sha256_bytes;
 }
 
 /// A line a note: its line, its count, what was found, what is done about it, with tabs between.
@@ -116,13 +133,11 @@ std::optional<KeptMesh> cached_mesh(const std::string& folder, const std::string
   };
   Header header{};
   read(&header, sizeof header);
-  if (header.magic != magic || header.version != mesh_cache_version || !has_size(header, size)) return {};
+  if (header.magic != magic || header.version != version_of_header || !has_size(header, size)) return {};
 
   KeptMesh kept;
   Mesh& mesh = kept.mesh;
-  mesh.positions.resize(header.vertices);
-  mesh.normals.resize(header.vertices);
-  mesh.uvs.resize(header.uvs);
+  for_each_count(header, [&](const auto& attribute, std::uint64_t count) { (mesh.*attribute.values).resize(count); });
   mesh.triangles.resize(header.triangles);
   for_each_array(mesh, [&](auto& array) { read(array.data(), bytes_of(array)); });
   std::string text(header.notes_bytes, '\0');
@@ -150,9 +165,12 @@ void store_mesh(const std::string& folder, const std::string& key, const KeptMes
     digest.add(from, bytes);
   };
   const std::string notes = notes_text(kept.notes);
-  const Header header{
-      magic,           mesh_cache_version,   static_cast<std::uint32_t>(notes.size()), mesh.positions.size(),
-      mesh.uvs.size(), mesh.triangles.size()};
+  Header header{magic, version_of_header,    static_cast<std::uint32_t>(notes.size()), mesh.positions.size(),
+                {},    mesh.triangles.size()};
+  std::size_t i = 0;
+  for_each_vertex_attribute([&](const auto& attribute) {
+    if (attribute.need == Need::optional) header.values[i++] = (mesh.*attribute.values).size();
+  });
   write(&header, sizeof header);
   for_each_array(mesh, [&](const auto& array) { write(array.data(), bytes_of(array)); });
   write(notes.data(), notes.size());

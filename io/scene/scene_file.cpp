@@ -33,8 +33,10 @@ public:
   /// whether it needs a mip chain; and shapes that are too many are not made.
   void note(const ObjectText& text) {
     if (text.shape) add(mesh_counts(*text.shape));
-    if (!text.texture_file.given.empty() && text.object.material.texture_filter == TextureFilter::trilinear)
-      trilinear_.insert(canonical_path(path_of(text.texture_file)));
+    for (std::size_t i = 0; i < texture_slots.size(); ++i)
+      if (const PathText& file = text.texture_files[i];
+          !file.given.empty() && text.object.material.*texture_slots[i].filter == TextureFilter::trilinear)
+        trilinear_.insert(canonical_path(path_of(file)));
   }
 
   Object object(const ObjectText& text) {
@@ -56,23 +58,33 @@ public:
             return read_merl(path);
           });
     } else {
-      result.material.texture = load(textures_, text.texture_file, "an image", [&](const std::string& path) {
-        auto texture = std::make_shared<Texture>(read_texture(path, options_.memory, options_.notes));
-        if (trilinear_.contains(canonical_path(path))) {
-          options_.memory.need(texture->levels.front().rgb.size() * sizeof(float) / 3, path); // 1/4 + 1/16 + …
-          build_mip_levels(*texture);
-        }
-        return texture;
-      });
-      if (result.mesh && result.material.texture) note_untextured(text, *result.mesh);
+      bool any_texture = false;
+      for (std::size_t i = 0; i < texture_slots.size(); ++i) {
+        const auto loaded = texture(text.texture_files[i]);
+        result.material.*texture_slots[i].texture = loaded;
+        any_texture |= loaded != nullptr;
+      }
+      if (result.mesh && any_texture) note_untextured(text, *result.mesh);
     }
-    for (const PathText* const path :
-         {&text.obj_file, &text.vertex_shader, &text.fragment_shader, &text.texture_file, &text.brdf_file})
+    for (const PathText* const path : {&text.obj_file, &text.vertex_shader, &text.fragment_shader})
       note_backslashes(*path);
+    for (const PathText& path : text.texture_files) note_backslashes(path);
+    note_backslashes(text.brdf_file);
     return result;
   }
 
 private:
+  std::shared_ptr<const Texture> texture(const PathText& file) {
+    return load(textures_, file, "an image", [&](const std::string& path) {
+      auto texture = std::make_shared<Texture>(read_texture(path, options_.memory, options_.notes));
+      if (trilinear_.contains(canonical_path(path))) {
+        options_.memory.need(texture->levels.front().rgb.size() * sizeof(float) / 3, path); // 1/4 + 1/16 + …
+        build_mip_levels(*texture);
+      }
+      return texture;
+    });
+  }
+
   std::shared_ptr<const Mesh> mesh(const ObjectText& text) {
     const auto read = [&](const std::string& path) {
       options_.memory.need(2 * file_size_bytes(path), path); // its text, and no less than as much for what it says
@@ -159,13 +171,15 @@ private:
     if (!options_.notes) return;
     const Material& material = text.object.material;
     const bool measured = material.measured() != nullptr;
-    const PathText& path = measured ? text.texture_file : text.brdf_file;
-    if (path.given.empty()) return;
-    const std::string key = measured ? "texture_file_path" : "brdf_file_path";
-    const std::string name(material.function_name());
-    options_.notes->add(
-        {document_.file(), document_.fault_at(path.offset, "", "", "").line, key + ' ' + in_quotes(path.given),
-         "not read: the fragment function " + name + (measured ? " shows no texture" : " uses no measured table")});
+    const auto note = [&](std::string_view key, const PathText& path, const char* why) {
+      if (path.given.empty()) return;
+      options_.notes->add({document_.file(), document_.fault_at(path.offset, "", "", "").line,
+                           std::string(key) + ' ' + in_quotes(path.given),
+                           "not read: the fragment function " + std::string(material.function_name()) + why});
+    };
+    if (!measured) return note("brdf_file_path", text.brdf_file, " uses no measured table");
+    for (std::size_t i = 0; i < texture_slots.size(); ++i)
+      note(texture_slots[i].file_key, text.texture_files[i], " shows no texture");
   }
 
   std::string plain_path_of(const PathText& text) const {

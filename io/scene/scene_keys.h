@@ -5,10 +5,12 @@
 // `keys` is the reading. It is called
 //   keys("fov_y", value, range, "meaning", presence)                 a value; its type says what JSON may stand there
 //   keys.object("camera", presence, "meaning", declare)              an object; declare(keys) has its members
-//   keys.list("objects", limit::objects, "meaning", items, declare)  objects; declare(item, keys) has those of each
+//   keys.list("objects", presence, limit::objects, "meaning", items, declare)
+//                                                                    objects; declare(item, keys) has those of each
 //   keys.shape("mesh", shape, "meaning")                             one of the shapes below
 //   keys.normals("normals", normals, "meaning")                      a word, or an object with an angle
 //   keys.check(value)                                                what a single key cannot show
+//   keys.check_light(light)                                          the same of a light
 //   keys.parameters(function, use)                                   what a fragment function declares (fields.h)
 // A value that may be left out keeps what the member is initialised with.
 
@@ -17,6 +19,7 @@
 
 #include "io/file/limits.h"
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <span>
@@ -119,7 +122,8 @@ struct ObjectText {
   PathText obj_file, vertex_shader, fragment_shader;
   MeshNormals normals; // of obj_file
   std::optional<Shape> shape;
-  PathText texture_file, brdf_file;
+  PathText brdf_file;
+  std::array<PathText, texture_slots.size()> texture_files; // in the order of texture_slots
 };
 
 /// The fragment function of an object: its own key, else the stem of fragment_shader_file_path. Empty: there is none.
@@ -157,19 +161,13 @@ void camera_keys(auto& camera, auto&& keys) {
   keys.check(camera);
 }
 
-void point_light_keys(auto& light, auto&& keys) {
-  keys("position", light.position, any_number, "world space", required);
-  keys("radiance", light.radiance, Range{}, "red, green, blue", required);
-  keys("constant", light.constant, Range{}, "Kc of the attenuation 1 / (Kc + Kl d + Kq d²); all three 0: none",
-       required);
-  keys("linear", light.linear, Range{}, "Kl", required);
-  keys("quadratic", light.quadratic, Range{}, "Kq", required);
-}
-
-void direction_light_keys(auto& light, auto&& keys) {
-  keys("direction", light.direction, any_number, "where the light travels to, world space; not zero", required);
-  keys("radiance", light.radiance, Range{}, "red, green, blue", required);
-  keys.check(light);
+template <class Light>
+void light_keys(Light& light, auto&& keys) {
+  Light::fields(light,
+                [&]<class Value>(std::string_view key, Value& value, const Range& range, std::string_view meaning) {
+                  keys(key, value, range, meaning, NamedEnum<Value> ? defaulted : required);
+                });
+  keys.check_light(light);
 }
 
 void material_keys(auto& text, auto&& keys) {
@@ -196,10 +194,12 @@ void material_keys(auto& text, auto&& keys) {
   keys("brdf_file_path", text.brdf_file, Range{},
        "a MERL `.binary` file: must be there for `merl`, not loaded for others",
        needs_table ? required : otherwise("nothing"));
-  keys("texture_file_path", text.texture_file, Range{},
-       "a `.png`, `.jpg`, `.tga` or `.bmp` image; not loaded for `merl`", otherwise("white"));
-  keys("texture_filter", text.object.material.texture_filter, Range{}, "how the texture is read between its texels",
-       defaulted);
+  for (std::size_t i = 0; i < texture_slots.size(); ++i) {
+    const TextureSlot& slot = texture_slots[i];
+    keys(slot.file_key, text.texture_files[i], Range{}, slot.meaning, otherwise("white"));
+    keys(slot.filter_key, text.object.material.*slot.filter, Range{}, "how the texture is read between its texels",
+         defaulted);
+  }
 }
 
 void object_keys(auto& text, auto&& keys) {
@@ -232,14 +232,15 @@ void object_keys(auto& text, auto&& keys) {
 void scene_keys(auto& scene, std::vector<ObjectText>& objects, UserFunctions user_functions, auto&& keys) {
   keys.object("camera", required, "", [&](auto& inner) { camera_keys(scene.camera, inner); });
   keys("background", scene.background, Range{}, "colour where there is no surface", defaulted);
-  keys.list("point_lights", limit::point_lights, "may be empty", scene.point_lights,
-            [](auto& light, auto& k) { point_light_keys(light, k); });
-  keys.list("direction_lights", limit::direction_lights, "may be empty", scene.direction_lights,
-            [](auto& light, auto& k) { direction_light_keys(light, k); });
-  keys.list("objects", limit::objects, "drawn in this order; may be empty", objects, [&](auto& object, auto& k) {
-    object.fragment_function.user_functions = user_functions;
-    object_keys(object, k);
+  for_each_light_list(scene, [&]<class Light>(std::vector<Light>& lights) {
+    keys.list(Light::names.key, Light::names.need == Need::required ? required : otherwise("none"),
+              limit::lights<Light>, "may be empty", lights, [](Light& light, auto& k) { light_keys(light, k); });
   });
+  keys.list("objects", required, limit::objects, "drawn in this order; may be empty", objects,
+            [&](auto& object, auto& k) {
+              object.fragment_function.user_functions = user_functions;
+              object_keys(object, k);
+            });
 }
 
 } // namespace refraster

@@ -62,8 +62,9 @@ public:
   }
 
   template <class Item, class Declare>
-  void list(std::string_view key, const Limit& most, std::string_view meaning, std::vector<Item>&, Declare&& declare) {
-    row(key, "an array of objects, " + at_most(most), "", meaning);
+  void list(std::string_view key, Presence presence, const Limit& most, std::string_view meaning, std::vector<Item>&,
+            Declare&& declare) {
+    row(key, "an array of objects, " + at_most(most), presence.otherwise, meaning);
     Item item;
     inside(place_ + '/' + std::string(key) + "/0", [&](MarkdownKeys& keys) { declare(item, keys); });
   }
@@ -94,6 +95,7 @@ public:
   void parameters(UserFunction&, Use) {}
 
   void check(const auto&) const {}
+  void check_light(const auto&) const {}
 
   std::string text() const {
     return "#### " + place_ + "\n\n| key | value | if left out | meaning |\n|---|---|---|---|\n" + rows_ + "\n" +

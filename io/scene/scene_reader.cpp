@@ -198,8 +198,8 @@ void SceneReader::check(Camera& camera) {
     fault(find("up") ? "up" : "target", "an up vector along the line of sight", "up not parallel to target - position");
 }
 
-void SceneReader::check(const DirectionLight& light) {
-  if (sound_ && is_zero(light.direction)) fault("direction", "a vector of length 0", "a direction");
+void SceneReader::check_direction(std::string_view key, const Double3& value, const Range& range) {
+  if (sound_ && range.zero == Zero::excluded && is_zero(value)) fault(key, "a vector of length 0", "a direction");
 }
 
 void SceneReader::check(ObjectText& text) {

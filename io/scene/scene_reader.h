@@ -34,8 +34,9 @@ public:
   }
 
   template <class Item, class Declare>
-  void list(std::string_view key, const Limit& most, std::string_view, std::vector<Item>& items, Declare&& declare) {
-    const JsonIndex found = claim(key, required, "an array");
+  void list(std::string_view key, Presence presence, const Limit& most, std::string_view, std::vector<Item>& items,
+            Declare&& declare) {
+    const JsonIndex found = claim(key, presence, "an array");
     if (!found) return;
     if (document_[found].kind != JsonKind::array) return not_expected(found, key, "an array");
     if (document_[found].children > most.value) return not_expected(found, key, at_most(most));
@@ -62,8 +63,13 @@ public:
 
   // Judged only where every key is sound by itself.
   void check(Camera& camera);
-  void check(const DirectionLight& light);
   void check(ObjectText& text);
+  template <class Light>
+  void check_light(const Light& light) {
+    Light::fields(light, [&](std::string_view key, const auto& value, const Range& range, std::string_view) {
+      if constexpr (std::is_same_v<decltype(value), const Double3&>) check_direction(key, value, range);
+    });
+  }
 
   /// Whether the key was called.
   bool is_known(std::string_view key) const;
@@ -86,6 +92,8 @@ private:
   /// The same without a fault: 0 if it is not there.
   JsonIndex find(std::string_view key) const;
   std::string path_of(std::string_view key) const;
+
+  void check_direction(std::string_view key, const Double3& value, const Range& range);
 
   void missing(std::string_view key, const std::string& expected);
   void not_expected(JsonIndex found, std::string_view key, const std::string& expected);

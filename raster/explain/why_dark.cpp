@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <tuple>
 #include <vector>
 
 namespace refraster {
@@ -41,11 +42,9 @@ bool is_above_horizon(double n_l, const Double3& position, double distance) {
   return n_l > components * float_rounding * (1 + length(position) / distance);
 }
 
-double distance_to(const PointLight& light, const Double3& position) {
-  return length(light.position - position);
-}
-double distance_to(const DirectionToLight&, const Double3&) {
-  return std::numeric_limits<double>::infinity();
+double distance_to(const auto& light, const Double3& position) {
+  if constexpr (requires { light.position; }) return length(light.position - position);
+  else return std::numeric_limits<double>::infinity();
 }
 
 template <class Light>
@@ -73,10 +72,10 @@ Findings findings(const Scene& scene, const Frame& frame) {
     const float* const at = &image.values[3 * pixel];
     return Double3(Float3(at[0], at[1], at[2]));
   };
-  auto point_lights = lights_to_try(scene.point_lights);
-  auto direction_lights = lights_to_try(scene.direction_lights);
+  auto lights = std::apply([&](auto... list) { return std::tuple(lights_to_try(scene.*list)...); }, light_lists);
+  const auto for_each_list = [&](const auto& visit) { std::apply([&](auto&... list) { (visit(list), ...); }, lights); };
   Findings found;
-  found.lights = point_lights.size() + direction_lights.size();
+  for_each_list([&](const auto& tried) { found.lights += tried.size(); });
   found.objects.resize(scene.objects.size());
   // A second or so of work at most.
   constexpr std::size_t max_pairs = std::size_t{1} << 25;
@@ -92,18 +91,17 @@ Findings findings(const Scene& scene, const Frame& frame) {
     const bool from_behind = dot(normal, at.to_eye) < 0;
     if (from_behind) ++found.seen_from_behind;
     Double3 arriving_here(0);
-    shine(point_lights, at, arriving_here);
-    shine(direction_lights, at, arriving_here);
+    for_each_list([&](auto& tried) { shine(tried, at, arriving_here); });
     if (from_behind && scene.objects[object].material.measured()) {
       ++found.measured_from_behind;
       continue; // whatever arrives
     }
     found.arriving = std::max(found.arriving, brightest(arriving_here));
   }
-  const auto behind = [](const auto& tried) {
-    return static_cast<std::size_t>(std::count_if(tried.begin(), tried.end(), [](auto& t) { return !t.reaches; }));
-  };
-  found.behind = behind(point_lights) + behind(direction_lights);
+  for_each_list([&](const auto& tried) {
+    found.behind +=
+        static_cast<std::size_t>(std::count_if(tried.begin(), tried.end(), [](auto& t) { return !t.reaches; }));
+  });
   return found;
 }
 
@@ -192,7 +190,7 @@ std::string all_lights(std::size_t lights, const std::string& verb_of_one, const
 std::string why_dark(const Scene& scene, const Frame& frame, double white_is_dark) {
   const Findings found = findings(scene, frame);
   if (found.pixels == 0) return {};
-  const std::size_t in_scene = scene.point_lights.size() + scene.direction_lights.size();
+  const std::size_t in_scene = light_count(scene);
   const std::string ambient = any_ambient(scene, found) ? ", only ambient reflection (ka)" : " and ambient is 0";
   if (in_scene == 0) return "the scene has no light" + ambient;
   if (found.lights == 0) return all_lights(in_scene, "has", "have") + " radiance 0";

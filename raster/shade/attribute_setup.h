@@ -10,11 +10,36 @@
 #include <cstdint>
 #include <deque>
 #include <span>
+#include <tuple>
+#include <type_traits>
+#include <vector>
 
 namespace refraster {
 
-/// The attributes of an AttributeSetup: each component has a row, and these are the first ones.
-enum class Attribute : std::uint8_t { position = 0, normal = 3, uv = 6 };
+/// Calls visit(attribute, its first row) with each vertex attribute. Each component has a row in an AttributeSetup.
+constexpr void for_each_attribute_row(auto&& visit) {
+  int row = 0;
+  for_each_vertex_attribute([&](const auto& attribute) {
+    visit(attribute, row);
+    row += attribute.components;
+  });
+}
+
+/// The first row of an attribute.
+template <class Value>
+constexpr int first_row(std::vector<Value> Mesh::*list) {
+  int found = -1;
+  for_each_attribute_row([&](const auto& attribute, int row) {
+    if constexpr (std::is_same_v<decltype(attribute.values), std::vector<Value> Mesh::*>)
+      if (attribute.values == list) found = row;
+  });
+  return found;
+}
+inline constexpr int position_row = first_row(&Mesh::positions), normal_row = first_row(&Mesh::normals),
+                     uv_row = first_row(&Mesh::uvs);
+static_assert(position_row == 0 && normal_row == 3 && uv_row == 6); // the fourth column is divided among these
+inline constexpr int attribute_rows =
+    std::apply([](const auto&... each) { return (each.components + ...); }, vertex_attributes);
 
 /// a, b, c of an edge function modulo 2^32.
 struct alignas(16) WrappedEdge {
@@ -53,8 +78,9 @@ struct AttributeSetup {
   /// Row r: the component at the anchor, its differences to the other two corners; and one number more: in rows 0 to 2
   /// the weights of perspective_weights (1 if projective); in rows 6 and 7 the least, in rows 4 and 5 the
   /// greatest u and v of the three corners. Without texture coordinates the anchor's is NaN, so that every one that is
-  /// interpolated is, and the least is 1 and the greatest 0, so that it is known for what it is.
-  std::array<std::array<Real, 4>, 8> row;
+  /// interpolated is, and the least is 1 and the greatest 0, so that it is known for what it is. Rows of a further
+  /// attribute are set, and read, only where the mesh has it.
+  std::array<std::array<Real, 4>, attribute_rows> row;
   const LargeEdges* large = nullptr;
   const ProjectiveEdges* projective = nullptr;
   std::uint32_t object = 0;

@@ -2,6 +2,7 @@
 // What a triangle's corners bring to interpolation, before it is rounded to any precision.
 
 #include "math/vec.h"
+#include "raster/shade/attribute_setup.h"
 #include "raster/vertex/transform.h"
 
 #include <algorithm>
@@ -26,6 +27,35 @@ inline constexpr double min_weight = sizeof(Real) == 4 ? 0x1p-70 : 0x1p-900;
   const auto is_ordinary = [](double s) { return s >= 1 / ordinary && s <= ordinary; };
   if (is_ordinary(s0) && is_ordinary(s1) && is_ordinary(s2)) return 1;
   return min(reciprocal_binade(s0), min(reciprocal_binade(s1), reciprocal_binade(s2)));
+}
+
+/// What a corner brings of an attribute, in world space. `vertex`: in the mesh.
+template <class Value>
+std::array<double, static_cast<std::size_t>(Value::length())>
+corner_value(const Mesh& mesh, const ObjectTransform& transform, const VertexAttribute<Value>& attribute,
+             std::uint32_t vertex) {
+  std::array<double, static_cast<std::size_t>(Value::length())> result;
+  const std::vector<Value>& values = mesh.*attribute.values;
+  const Value value = vertex < values.size() ? values[vertex] : Value(attribute.otherwise);
+  for (std::size_t c = 0; c < result.size(); ++c) result[c] = static_cast<double>(value[static_cast<glm::length_t>(c)]);
+  if constexpr (Value::length() >= 3) {
+    Double3 xyz(result[0], result[1], result[2]);
+    if (attribute.transformed == Transformed::as_position) xyz = Double3(transform.world_from_object * Double4(xyz, 1));
+    if (attribute.transformed == Transformed::as_normal) xyz = transform.world_from_normal * xyz;
+    if (attribute.transformed == Transformed::as_direction) xyz = Double3x3(transform.world_from_object) * xyz;
+    for (std::size_t c = 0; c < 3; ++c) result[c] = xyz[static_cast<glm::length_t>(c)];
+  }
+  return result;
+}
+
+/// Calls body(first row, values of the three corners) with each attribute that the mesh has beyond texture coordinates.
+void for_each_further_attribute(const Mesh& mesh, const ObjectTransform& transform,
+                                const std::array<std::uint32_t, 3>& vertices, auto&& body) {
+  for_each_attribute_row([&](const auto& attribute, int row) {
+    if (row <= uv_row || (mesh.*attribute.values).empty()) return;
+    const auto value = [&](std::size_t k) { return corner_value(mesh, transform, attribute, vertices[k]); };
+    body(row, std::array{value(0), value(1), value(2)});
+  });
 }
 
 /// Component c of the corners' texture coordinates, without whole repeats.

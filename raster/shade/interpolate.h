@@ -76,6 +76,9 @@ public:
 
   const Packet<T>& packet() const { return packet_; }
 
+  /// Of all lanes.
+  std::uint32_t object() const { return packet_.triangle(0).object; }
+
   /// Lanes differ in that: without_uv() says which have none.
   static constexpr bool may_have_texture_coordinates() { return true; }
 
@@ -251,10 +254,10 @@ T changed(const std::array<T, 4>& row, const Barycentric<T>& by) {
   return by.b1 * row[1] + by.b2 * row[2];
 }
 
-/// Component c of an attribute.
+/// A component of an attribute, by its row.
 template <class Data, class T = typename Data::Number>
-T interpolated(const Data& data, Attribute attribute, int c, const Barycentric<T>& at) {
-  const std::array<T, 4> row = data.row(static_cast<int>(attribute) + c);
+T interpolated(const Data& data, int component_row, const Barycentric<T>& at) {
+  const std::array<T, 4> row = data.row(component_row);
   if constexpr (is_fast<T>) return multiply_add(at.b1, row[1], multiply_add(at.b2, row[2], row[0]));
   else return row[0] + changed(row, at);
 }
@@ -263,7 +266,7 @@ T interpolated(const Data& data, Attribute attribute, int c, const Barycentric<T
 /// rounding would else show the last texel beside the first. NaN stays NaN.
 template <class Data, class T = typename Data::Number>
 T interpolated_uv(const Data& data, int c, const PacketBarycentrics<T>& at) {
-  const T uv = interpolated(data, Attribute::uv, c, at.at);
+  const T uv = interpolated(data, uv_row + c, at.at);
   return select(at.inside, min(data.row(max_uv_row + c)[3], max(data.row(min_uv_row + c)[3], uv)), uv);
 }
 
@@ -273,10 +276,16 @@ MaskOf<T> without_uv(const Data& data) {
   return data.row(min_uv_row)[3] > data.row(max_uv_row)[3];
 }
 
-template <class Data, class T = typename Data::Number>
-Vec3<T> interpolated3(const Data& data, Attribute attribute, const Barycentric<T>& at) {
-  return {interpolated(data, attribute, 0, at), interpolated(data, attribute, 1, at),
-          interpolated(data, attribute, 2, at)};
+/// An attribute, interpolated; where the mesh has none of it, what stands for it.
+template <auto list, class Data, class T = typename Data::Number>
+auto attribute_value(const FrameContext& context, const Data& data, const Barycentric<T>& at) {
+  constexpr auto attribute = declared(list);
+  glm::vec<attribute.components, T, glm::defaultp> value;
+  if constexpr (attribute.need == Need::optional)
+    if ((context.scene.objects[data.object()].mesh.get()->*list).empty())
+      return value = decltype(value)(T(attribute.otherwise));
+  for (int c = 0; c < attribute.components; ++c) value[c] = interpolated(data, first_row(list) + c, at);
+  return value;
 }
 
 } // namespace refraster

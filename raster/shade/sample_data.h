@@ -101,6 +101,9 @@ public:
     return edges;
   }
 
+  /// Of the triangle.
+  std::uint32_t object() const { return ref_.object; }
+
   bool may_have_texture_coordinates() const {
     const Mesh& mesh = *context_.scene.objects[ref_.object].mesh;
     return has_uvs(mesh, mesh.triangles[ref_.triangle]);
@@ -154,16 +157,23 @@ private:
       row_[static_cast<std::size_t>(r)] = {f0, f1 - f0, f2 - f0, T(0)};
     };
     for (int c = 0; c < 3; ++c) {
-      set(static_cast<int>(Attribute::position) + c, corner.position[0][c], corner.position[1][c],
-          corner.position[2][c]);
-      set(static_cast<int>(Attribute::normal) + c, corner.normal[0][c], corner.normal[1][c], corner.normal[2][c]);
+      set(position_row + c, corner.position[0][c], corner.position[1][c], corner.position[2][c]);
+      set(normal_row + c, corner.normal[0][c], corner.normal[1][c], corner.normal[2][c]);
     }
     for (int c = 0; c < 2; ++c) {
       const auto& uv = corner.uv;
-      set(static_cast<int>(Attribute::uv) + c, uv[0][c], uv[1][c], uv[2][c]);
+      set(uv_row + c, uv[0][c], uv[1][c], uv[2][c]);
       row_[static_cast<std::size_t>(min_uv_row + c)][3] = min(uv[0][c], min(uv[1][c], uv[2][c]));
       row_[static_cast<std::size_t>(max_uv_row + c)][3] = max(uv[0][c], max(uv[1][c], uv[2][c]));
     }
+    const Mesh& mesh = *context_.scene.objects[ref_.object].mesh;
+    const auto& indices = mesh.triangles[ref_.triangle];
+    for_each_further_attribute(
+        mesh, context_.geometry.transforms[ref_.object],
+        {indices[corner_[0]], indices[corner_[1]], indices[corner_[2]]}, [&](int row, const auto& value) {
+          for (std::size_t c = 0; c < value[0].size(); ++c)
+            set(row + static_cast<int>(c), as<T>(value[0][c]), as<T>(value[1][c]), as<T>(value[2][c]));
+        });
     // Of projective triangles, edges() bring their weights.
     const std::array<T, 3> weight =
         snapped_ ? perspective_weights(corner.inverse_w) : std::array<T, 3>{T(1), T(1), T(1)};
@@ -248,7 +258,7 @@ private:
   const ProjectiveTriangle* projective_ = nullptr;
   std::vector<ExactPiece> exact_; // of a projective triangle, if T is Exact
   std::array<std::uint8_t, 3> corner_{};
-  std::array<std::array<T, 4>, 8> row_;
+  std::array<std::array<T, 4>, attribute_rows> row_;
   std::int32_t x_ = 0, y_ = 0;
   EdgeValue dx_{}, dy_{};
 };

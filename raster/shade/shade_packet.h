@@ -5,6 +5,8 @@
 #include "shading/sum_light.h"
 #include "shading/texture.h"
 
+#include <algorithm>
+
 namespace refraster {
 
 /// The interpolated normal at unit length; where that is 0, the triangle's own; where that is 0 too, 0.
@@ -20,25 +22,27 @@ Vec3<T> shading_normal(const FrameContext& context, const Data& data, const Vec3
   return normalize(select<T>(zero, own, interpolated));
 }
 
-/// The texture's colour; white where the triangle has no texture coordinates. Those are looked for only where some are
-/// not finite, which those are not.
-template <class Data, class T = typename Data::Number>
+/// The colour of a texture of the material; white where there is none, or the triangle has no texture coordinates.
+/// Those are looked for only where some are not finite, which those are not.
+template <const TextureSlot& slot, class Data, class T = typename Data::Number>
 Rgb<T> texture_colour(const Material& material, const Data& data, const PacketBarycentrics<T>& at,
                       const UndefinedTally<T>& tally) {
+  const Texture* const texture = (material.*slot.texture).get();
+  const TextureFilter filter = material.*slot.filter;
+  if (!texture || !data.may_have_texture_coordinates()) return Rgb<T>(T(1));
   const auto uv = [&](int c) { return interpolated_uv(data, c, at); };
   const Vec2<T> point(uv(0), uv(1));
   const auto finite = [](const T& x) { return abs(x) <= largest_number<T>(); };
   const MaskOf<T> bad = !(finite(point.x) & finite(point.y));
   Vec2<T> right(T(0)), down(T(0));
-  if (material.texture_filter == TextureFilter::trilinear) {
+  if (filter == TextureFilter::trilinear) {
     const auto change = [&](const Barycentric<T>& by) {
-      const int first = static_cast<int>(Attribute::uv);
-      return Vec2<T>(changed(data.row(first), by), changed(data.row(first + 1), by));
+      return Vec2<T>(changed(data.row(uv_row), by), changed(data.row(uv_row + 1), by));
     };
     right = change(at.right);
     down = change(at.down);
   }
-  const Rgb<T> colour = sample(*material.texture, material.texture_filter, point, right, down);
+  const Rgb<T> colour = sample(*texture, filter, point, right, down);
   if (!any(bad)) [[likely]]
     return colour;
   const MaskOf<T> none = without_uv(data);
@@ -49,16 +53,17 @@ Rgb<T> texture_colour(const Material& material, const Data& data, const PacketBa
 template <class Data, class T = typename Data::Number>
 PacketSurface<T> packet_surface(const FrameContext& context, const Material& material, const Data& data,
                                 const UndefinedTally<T>& tally) {
-  const bool derivatives = material.texture && material.texture_filter == TextureFilter::trilinear;
+  const bool derivatives = std::any_of(texture_slots.begin(), texture_slots.end(), [&](const TextureSlot& slot) {
+    return material.*slot.texture && material.*slot.filter == TextureFilter::trilinear;
+  });
   const PacketBarycentrics<T> at =
       derivatives ? barycentrics<Derivatives::yes>(data) : barycentrics<Derivatives::no>(data);
   PacketSurface<T> surface;
-  surface.position = interpolated3(data, Attribute::position, at.at);
-  surface.normal = shading_normal(context, data, interpolated3(data, Attribute::normal, at.at), tally);
+  surface.position = attribute_value<&Mesh::positions>(context, data, at.at);
+  surface.normal = shading_normal(context, data, attribute_value<&Mesh::normals>(context, data, at.at), tally);
   surface.to_eye = normalize(as<T>(context.scene.camera.position) - surface.position);
   tally.note(Undefined::eye_at_surface, dot(surface.to_eye, surface.to_eye) <= T(0));
-  const bool shows_texture = material.texture && data.may_have_texture_coordinates();
-  surface.texture = shows_texture ? texture_colour(material, data, at, tally) : Rgb<T>(T(1));
+  surface.texture = texture_colour<base_texture>(material, data, at, tally);
   return surface;
 }
 

@@ -91,8 +91,8 @@ private:
       const Scene& scene = context.scene;
       if constexpr (std::is_same_v<SomeFunction, UserFunction>)
         user_shading_.sum_light(scene, function, batch_, undefined);
-      else if constexpr (has_lanes) add_light(scene.point_lights, scene.direction_lights, function, batch_, undefined);
-      else refraster::sum_light(scene.point_lights, scene.direction_lights, function, batch_, undefined);
+      else if constexpr (has_lanes) add_light(light_spans(scene), function, batch_, undefined);
+      else refraster::sum_light(light_spans(scene), function, batch_, undefined);
       for (int i = 0; i < batch_.packets; ++i)
         colours_.store(batch_.first_fragment + static_cast<std::uint32_t>(i) * lanes,
                        batch_.sum[static_cast<std::size_t>(i)]);

@@ -23,7 +23,7 @@ public:
     FragmentBatch asked;
     asked.wanted = FragmentBatch::Wanted::radiance;
     asked.fragments = fragments;
-    asked.point_lights = scene.point_lights, asked.direction_lights = scene.direction_lights;
+    asked.lights = light_spans(scene);
     asked.undefined = &counts;
     ask(function, asked, {batch.surface.data(), static_cast<std::size_t>(batch.packets)}, batch.sum.data());
   }

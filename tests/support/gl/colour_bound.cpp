@@ -173,8 +173,10 @@ private:
       both_ways(shift_, [&](double dy) {
         const Fragment<double> there = shader_.fragment(shifted(dx, dy));
         double turned = length(there.to_eye - here.to_eye);
-        for (const PointLight& light : shader_.scene.point_lights)
-          turned = std::max(turned, length(arriving(light, there).direction - arriving(light, here).direction));
+        for_each_light_list(shader_.scene, [&](const auto& lights) {
+          for (const auto& light : lights)
+            turned = std::max(turned, length(arriving(light, there).direction - arriving(light, here).direction));
+        });
         most = std::max(most, length(there.normal - here.normal) + turned);
       });
     });
@@ -350,7 +352,7 @@ AllowedColour ColourBound::at(std::size_t object, std::uint32_t triangle, int pi
   // Blocks of 2 x 2 pixels begin at OpenGL's row 0, the lowest: in an image of odd height they begin at our odd rows.
   const std::array<int, 2> place_in_block = {pixel_x & 1, (height_ - pixel_y) & 1};
   const PixelBound pixel(shader, driver_, inverse_w, planes, setup.corner_error, shift, place_in_block, snapped_detail);
-  return pixel.allowed(scene_.point_lights.size() + scene_.direction_lights.size(), part);
+  return pixel.allowed(light_count(scene_), part);
 }
 
 double ColourBound::depth(std::size_t object, std::uint32_t triangle, int x, int y) const {

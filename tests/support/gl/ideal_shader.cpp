@@ -39,8 +39,9 @@ MerlPoint<double> table_error(const IdealShader& shader, const Varyings& at, dou
         azimuth > 0 ? std::min(16 * u * s * std::max(d, 4 * u) / azimuth, std::numbers::pi / 2) : std::numbers::pi / 2;
     most.w = std::max(most.w, bins_per_radian * (atan_ulp * u * angles.phi_d + 4 * u + turn));
   };
-  for (const PointLight& light : shader.scene.point_lights) widen_for(arriving(light, here));
-  for (const DirectionLight& light : shader.scene.direction_lights) widen_for(arriving(light, here));
+  for_each_light_list(shader.scene, [&](const auto& lights) {
+    for (const auto& light : lights) widen_for(arriving(light, here));
+  });
   return most;
 }
 

@@ -69,8 +69,9 @@ struct IdealShader {
   Rgb<double> colour(const SomeFunction& function, const Varyings& at) const {
     const Fragment<double> here = fragment(at);
     Rgb<double> sum = ambient(function, here);
-    for (const PointLight& light : scene.point_lights) sum += reflected(function, here, arriving(light, here));
-    for (const DirectionLight& light : scene.direction_lights) sum += reflected(function, here, arriving(light, here));
+    for_each_light_list(scene, [&](const auto& lights) {
+      for (const auto& light : lights) sum += reflected(function, here, arriving(light, here));
+    });
     return sum;
   }
   Rgb<double> colour(const Varyings& at) const {

@@ -114,9 +114,9 @@ std::vector<Beyond> beyond_each() {
             "t.png: found 16385 x 1 pixels, expected at most 16384 texels a side", {{"t.png", png_of(16385, 1)}});
   add_scene(limit::objects, scene_of("", "", repeated("{}", 65537)),
             "s.json:1:100: /scene/objects: found an array of 65537 values, expected at most 65536 values");
-  add_scene(limit::point_lights, scene_of(repeated("{}", 65537), "", ""),
+  add_scene(limit::lights<PointLight>, scene_of(repeated("{}", 65537), "", ""),
             "s.json:1:61: /scene/point_lights: found an array of 65537 values, expected at most 65536 values");
-  add_scene(limit::direction_lights, scene_of("", repeated("{}", 65537), ""),
+  add_scene(limit::lights<DirectionLight>, scene_of("", repeated("{}", 65537), ""),
             "s.json:1:85: /scene/direction_lights: found an array of 65537 values, expected at most 65536 values");
   add_scene(limit::vertices, scene_of("", "", repeated(object_of(with_file("obj_file_path", "m.obj")), 8948)),
             "s.json: /scene/objects: found 268440000 vertices, expected at most 268435456 vertices",

@@ -209,6 +209,25 @@ TEST_CASE("our GLSL does not depend on the locale") {
   CHECK(before == with_commas);
 }
 
+TEST_CASE("our GLSL knows every type of light, texture slot and vertex attribute") {
+  const Scene none;
+  for_each_light_list(none, []<class Light>(const std::vector<Light>&) {
+    CHECK_MESSAGE(has_own_glsl(Light::names), "gl/glsl/surface.glsl has no arriving() of " << Light::names.words);
+  });
+  for (const TextureSlot& slot : texture_slots)
+    CHECK_MESSAGE(has_own_glsl(slot), "gl/glsl/phong.glsl does not read the sampler " << slot.sampler);
+  for_each_vertex_attribute([](const auto& attribute) {
+    CHECK_MESSAGE(has_own_glsl(attribute.varying), "no file of gl/glsl reads fs_in(" << attribute.varying << ")");
+  });
+}
+
+TEST_CASE("an entry of a declared list without GLSL of ours is not left out silently") {
+  CHECK_FALSE(has_own_glsl(LightNames{"laser_lights", "laser lights", "laserLights"}));
+  CHECK_FALSE(has_own_glsl(TextureSlot{.sampler = "bumpTex"}));
+  CHECK_FALSE(has_own_glsl("Fur"));
+  CHECK(without_glsl(ball(Phong{}), ball(Phong{}).objects[0]).empty());
+}
+
 TEST_CASE("our GLSL compiles for every fragment function, lookup, angle method and filter") {
   const std::shared_ptr<const MerlTable> table(new MerlTable(merl_table_from(Lambert{})));
   for (const auto& lookup : EnumNames<MerlLookup>::names)

@@ -1,8 +1,9 @@
 // Every scene against a second renderer that shares no arithmetic with the first: tests/system/scenes/slow_visibility.h
 // and slow_shading.h.
 
-#include "tests/support/scenes/listed_scenes.h"
+#include "tests/support/scenes/declared_scenes.h"
 #include "tests/support/scenes/half_textured.h"
+#include "tests/support/scenes/listed_scenes.h"
 #include "tests/system/scenes/slow_shading.h"
 
 #include <doctest/doctest.h>
@@ -93,6 +94,13 @@ TEST_CASE("at chosen pixels, colours are those of a ray of long doubles and the 
 TEST_CASE("so they are of a mesh of which only some triangles have texture coordinates") {
   for (const TextureFilter filter : {TextureFilter::nearest, TextureFilter::bilinear, TextureFilter::trilinear})
     check_colours(half_textured(filter), 19);
+}
+
+TEST_CASE("so they are with every type of light, texture slot and vertex attribute") {
+  for (const DeclaredEntry& entry : declared_entries()) {
+    INFO("slow_shading.cpp and slow_visibility.cpp may not know " << entry.name);
+    check_colours(entry.with, 38);
+  }
 }
 
 TEST_SUITE("slow") {
