@@ -3,8 +3,11 @@
 
 #include "bench/precision/errors.h"
 #include "bench/precision/inputs.h"
+#include "raster/vertex/error_bounds.h"
 #include "shading/precision_bounds.h"
 
+#include <functional>
+#include <string_view>
 #include <vector>
 
 namespace refraster::precision {
@@ -24,7 +27,10 @@ struct ShadingRow {
   Error double_terms, float_terms, double_result, float_result, float_from_double;
   double double_other_bin = 0, float_other_bin = 0; // share of inputs that `nearest` reads from the neighbouring bin
 };
-std::vector<ShadingRow> measure_shading(int trials);
+/// Whether a family of inputs is measured, by its name.
+using WantedInputs = std::function<bool(std::string_view)>;
+std::vector<ShadingRow> measure_shading(
+    int trials, const WantedInputs& wanted = [](std::string_view) { return true; });
 
 /// A coordinate of the MERL table by one method, on one family of inputs.
 struct CoordinateRow {
@@ -32,6 +38,16 @@ struct CoordinateRow {
   Error double_bins, float_bins;
 };
 std::vector<CoordinateRow> measure_coordinates(int trials);
+
+/// A value that the vertex stage stores, over one kind of scenes.
+struct VertexRow {
+  VertexBound bound;
+  Error units;
+};
+/// Over these scene files.
+std::vector<VertexRow> measure_gallery_vertices(const std::vector<std::string>& paths);
+/// Over the first so many scenes of the soak test's generator.
+std::vector<VertexRow> measure_random_vertices(int scenes);
 
 /// In float: |error| of u in bins against the angle from the normal to the half vector, by the arc cosine and by the
 /// closed form; the largest and the median of many pairs at each angle.

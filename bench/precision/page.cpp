@@ -176,6 +176,25 @@ std::string updated_page(std::string page, const Measurements& measured) {
   return page;
 }
 
+std::string updated_page(std::string page, const std::vector<VertexRow>& measured) {
+  std::string table = "| stored | scenes | double, units |\n|---|---|---|\n", worst = "```\n";
+  for (const VertexRow& row : measured) {
+    table += row_name(row.bound.stored, row.bound.scenes) + cell(row.units, row.bound.units) + "\n";
+    worst += worst_line(row.bound.stored, row.bound.scenes, "double", row.units);
+  }
+  replace_part(page, "vertices", table);
+  replace_part(page, "worst vertices", worst + "```\n");
+  return page;
+}
+
+std::string suggested_bounds(const std::vector<VertexRow>& measured) {
+  std::string text;
+  for (const VertexRow& row : measured)
+    text +=
+        joined({"    {", quoted(row.bound.stored), ", ", quoted(row.bound.scenes), ", ", braces(row.units), "},\n"});
+  return text;
+}
+
 std::string suggested_bounds(const Measurements& measured) {
   std::string text;
   for (const ShadingRow& row : measured.shading)

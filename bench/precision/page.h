@@ -15,9 +15,13 @@ struct Measurements {
 
 /// The page with its tables replaced: everything between `<!-- refraster_precision NAME -->` and `<!-- end -->`.
 std::string updated_page(std::string page, const Measurements& measured);
+/// The same for the tables of the vertex stage, which are measured in seconds.
+std::string updated_page(std::string page, const std::vector<VertexRow>& measured);
 
 /// The initialisers of shading/precision_bounds.h for what was measured: a quarter more, rounded up to two digits.
 std::string suggested_bounds(const Measurements& measured);
+/// The same of raster/vertex/error_bounds.h.
+std::string suggested_bounds(const std::vector<VertexRow>& measured);
 
 /// "≤ 2.5 (1.5)": how a bound stands in the page.
 std::string bound_text(double max, double mostly);

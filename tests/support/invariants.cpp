@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <string_view>
+#include <type_traits>
 #include <variant>
 
 namespace refraster::test {
@@ -30,13 +32,23 @@ std::string fault_of(const Camera& camera) {
   return "";
 }
 
-struct FunctionFault {
-  std::string operator()(const PhongParameters& m) const {
-    if (!at_least_0(m.ka) || !at_least_0(m.kd) || !at_least_0(m.ks)) return "material: reflection";
-    return m.glossiness >= 0 && std::isfinite(m.glossiness) ? "" : "material: glossiness";
-  }
-  std::string operator()(const Merl& m) const { return m.table ? "" : "material: no table"; }
-};
+/// Each parameter within the range that the fragment function declares.
+template <class Function>
+std::string function_fault(const Function& function) {
+  std::string fault;
+  const auto judge = [&](std::string_view name, const auto& value, const Range& range, std::string_view) {
+    using Value = std::decay_t<decltype(value)>;
+    bool good = true;
+    if constexpr (std::is_same_v<Value, double>) good = range.contains(value);
+    if constexpr (std::is_same_v<Value, Double3>)
+      good = range.contains(value.x) && range.contains(value.y) && range.contains(value.z);
+    if (!good && fault.empty()) fault = "material: " + std::string(name);
+  };
+  Function::fields(function, judge);
+  if constexpr (requires { function.table; })
+    if (!function.table) return "material: no table";
+  return fault;
+}
 
 bool within(const Image<float>& image, double low, double high) {
   return std::all_of(image.values.begin(), image.values.end(),
@@ -112,8 +124,8 @@ std::string fault_of(const Scene& scene) {
     if (object.mesh.get() != last_mesh)
       if (std::string fault = fault_of(*object.mesh); !fault.empty()) return fault;
     last_mesh = object.mesh.get();
-    if (std::string fault = std::visit(FunctionFault{}, object.material.fragment_function); !fault.empty())
-      return fault;
+    const auto judge = [](const auto& function) { return function_fault(function); };
+    if (std::string fault = std::visit(judge, object.material.fragment_function); !fault.empty()) return fault;
     if (!object.material.texture) continue;
     if (std::string fault = fault_of(*object.material.texture); !fault.empty()) return fault;
     if (object.material.texture_filter == TextureFilter::trilinear) {

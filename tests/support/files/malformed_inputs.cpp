@@ -6,7 +6,9 @@
 #include "io/json/json.h"
 #include "tests/support/files/malformed_images.h"
 #include "tests/support/files/png_bytes.h"
+#include "tests/support/shading/each_fragment_function.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 #include <limits>
@@ -78,6 +80,38 @@ void add_json(List& list) {
       "s.json:1:65: found 65 levels of nesting, expected at most 64 levels");
 }
 
+/// "a" or "b" or "c": every fragment function.
+std::string function_names() {
+  std::string text;
+  for (const FragmentFunction& function : each_fragment_function())
+    text += (text.empty() ? "\"" : " or \"") + std::string(name_of(function)) + '"';
+  return text;
+}
+
+/// a, b, c: the names of files that stand for one.
+std::string shader_stems() {
+  std::string text;
+  const auto append = [&](const auto& function) {
+    for (const std::string_view stem : function.shader_stems) text += (text.empty() ? "" : ", ") + std::string(stem);
+  };
+  for (const FragmentFunction& function : each_fragment_function()) std::visit(append, function);
+  return text;
+}
+
+/// a, b, c: the parameters of all fragment functions, each once.
+std::string parameter_names() {
+  std::vector<std::string_view> names;
+  const auto append = [&]<class Function>(const Function& function) {
+    Function::fields(function, [&](std::string_view name, const auto&, const Range&, std::string_view) {
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    });
+  };
+  for (const FragmentFunction& function : each_fragment_function()) std::visit(append, function);
+  std::string text;
+  for (const std::string_view name : names) text += (text.empty() ? "" : ", ") + std::string(name);
+  return text;
+}
+
 void add_scenes(List& list) {
   const auto add = [&](const std::string& name, const std::string& from, const std::string& to,
                        const std::string& expected) {
@@ -89,8 +123,8 @@ void add_scenes(List& list) {
                   {{"s.json", "{}"}},
                   "s.json:1:1: /scene: found nothing, expected an object"});
   add("an unknown key", "\"glossiness\"", "\"shininess\": 1, \"glossiness\"",
-      "s.json:9:69: /scene/objects/0/material/shininess: found an unknown key, expected one of ka, kd, ks, glossiness, "
-      "specular_gate, merl_lookup, merl_angles, brdf_file_path, texture_file_path, texture_filter");
+      "s.json:9:69: /scene/objects/0/material/shininess: found an unknown key, expected one of " + parameter_names() +
+          ", brdf_file_path, texture_file_path, texture_filter");
   add("a missing key", "\"ka\": \"0 0 0\", ", "",
       "s.json:9:17: /scene/objects/0/material/ka: found nothing, expected three numbers >= 0");
   add("a key twice", "\"rotate_y\": 0", "\"rotate_x\": 1, \"rotate_y\": 0",
@@ -136,13 +170,11 @@ void add_scenes(List& list) {
   add("a number in a list of objects", "[{\"direction\": \"0 0 -1\", \"radiance\": \"1 1 1\"}]", "[7]",
       "s.json:4:24: /scene/direction_lights/0: found 7, expected an object");
   add("an unknown fragment function", "\"phong\"", "\"Phong\"",
-      "s.json:7:26: /scene/objects/0/fragment_function: found \"Phong\", expected \"phong\" or \"blinn_phong\" or "
-      "\"merl\"");
+      "s.json:7:26: /scene/objects/0/fragment_function: found \"Phong\", expected " + function_names());
   add("an unknown shader", "\"fragment_function\": \"phong\"",
       "\"vertex_shader_file_path\": \"v\", \"fragment_shader_file_path\": \"toon.glsl\"",
-      "s.json:7:66: /scene/objects/0/fragment_shader_file_path: found \"toon.glsl\", expected a file with the stem "
-      "phong_fs, "
-      "phong, blinn_phong_fs, blinn_fs, blinn_phong, blinn, merl_fs, merl; or the key fragment_function");
+      "s.json:7:66: /scene/objects/0/fragment_shader_file_path: found \"toon.glsl\", expected a file with the stem " +
+          shader_stems() + "; or the key fragment_function");
   add("no vertex shader", "\"fragment_function\": \"phong\"", "\"fragment_shader_file_path\": \"phong_fs.glsl\"",
       "s.json:5:15: /scene/objects/0/vertex_shader_file_path: found nothing, expected the path of a file");
   add("both a mesh and a file", "\"fragment_function\"", "\"obj_file_path\": \"m.obj\", \"fragment_function\"",

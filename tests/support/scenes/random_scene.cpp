@@ -4,6 +4,7 @@
 
 #include "math/precisions.h"
 #include "tests/support/invariants.h"
+#include "tests/support/shading/each_fragment_function.h"
 
 #include <algorithm>
 #include <array>
@@ -119,31 +120,42 @@ Enum any_of(Random& random) {
   return EnumNames<Enum>::names[random.below(static_cast<int>(std::size(EnumNames<Enum>::names)))].first;
 }
 
-struct RandomFunction {
+/// x if it may be that, and a number near the least otherwise.
+double within(const Range& range, double x) {
+  if (range.contains(x)) return x;
+  return range.contains(range.min) ? range.min : range.min + std::min(1.0, (range.max - range.min) / 2);
+}
+
+/// Any values that a fragment function declares: few of the ordinary kind, and the ends of their ranges.
+struct RandomParameter {
   Random& random;
 
-  void operator()(PhongParameters& function) const {
-    function.ka = colour(random), function.kd = colour(random), function.ks = colour(random);
-    function.glossiness = one_in(random, 6) ? random.log_uniform(1e-9, 1e9) : amount(random) * 20;
-    if (!std::isfinite(function.glossiness)) function.glossiness = 0;
-    function.specular_gate = any_of<SpecularGate>(random);
+  void operator()(std::string_view, Double3& value, const Range& range, std::string_view) const {
+    value = colour(random);
+    for (int c = 0; c < 3; ++c) value[c] = within(range, value[c]);
   }
-  void operator()(Merl& function) const {
-    function.table = ragged_table();
-    function.lookup = any_of<MerlLookup>(random);
-    function.angles = any_of<MerlAngles>(random);
+  void operator()(std::string_view, double& value, const Range& range, std::string_view) const {
+    value = within(range, one_in(random, 6) ? random.log_uniform(1e-9, 1e9) : amount(random) * 20);
+  }
+  template <NamedEnum Enum>
+  void operator()(std::string_view, Enum& value, const Range&, std::string_view) const {
+    value = any_of<Enum>(random);
   }
 };
 
-template <std::size_t... I>
-FragmentFunction function_number(std::size_t which, std::index_sequence<I...>) {
-  FragmentFunction function;
-  ((which == I ? void(function.emplace<I>()) : void()), ...);
-  return function;
+FragmentFunction random_function(Random& random) {
+  const std::vector<FragmentFunction> all = each_fragment_function();
+  FragmentFunction chosen = all[static_cast<std::size_t>(random.below(static_cast<int>(all.size())))];
+  std::visit(
+      [&]<class Function>(Function& function) {
+        if constexpr (requires { function.table; }) function.table = ragged_table();
+        Function::fields(function, RandomParameter{random});
+      },
+      chosen);
+  return chosen;
 }
 
 Object random_object(Random& random) {
-  constexpr std::size_t functions = std::variant_size_v<FragmentFunction>;
   Object object;
   object.name = "object";
   object.mesh = std::make_shared<const Mesh>(random_mesh(random));
@@ -156,9 +168,7 @@ Object random_object(Random& random) {
   finite(object.rotate_degrees, Double3(90));
   if (one_in(random, 8)) object.scale[random.below(3)] = 0;
   object.cull = any_of<Cull>(random);
-  object.material.fragment_function =
-      function_number(static_cast<std::size_t>(random.below(functions)), std::make_index_sequence<functions>{});
-  std::visit(RandomFunction{random}, object.material.fragment_function);
+  object.material.fragment_function = random_function(random);
   object.material.texture_filter = any_of<TextureFilter>(random);
   if (!one_in(random, 3)) object.material.texture = random_texture(random, object.material.texture_filter);
   return object;

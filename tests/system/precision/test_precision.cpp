@@ -2,9 +2,11 @@
 
 #include "bench/precision/page.h"
 #include "bench/precision/plot.h"
+#include "tests/support/scenes/listed_scenes.h"
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -63,9 +65,22 @@ void check_functions(int trials, Judge judge) {
   }
 }
 
-void check_shading(int trials, Judge judge) {
-  const std::vector<ShadingRow> rows = measure_shading(trials);
-  CHECK(rows.size() == std::size(precision_bounds));
+bool every_family(std::string_view) {
+  return true;
+}
+/// Half of the families of MERL, which take the time.
+bool first_families(std::string_view inputs) {
+  return inputs == "ordinary" || inputs == "uniform" || inputs == "specular" || inputs == "retro";
+}
+bool other_families(std::string_view inputs) {
+  return !first_families(inputs);
+}
+
+void check_shading(int trials, Judge judge, bool (*wanted)(std::string_view)) {
+  const std::vector<ShadingRow> rows = measure_shading(trials, wanted);
+  CHECK(rows.size() ==
+        static_cast<std::size_t>(std::count_if(std::begin(precision_bounds), std::end(precision_bounds),
+                                               [&](const PrecisionBound& bound) { return wanted(bound.inputs); })));
   for (const ShadingRow& row : rows) {
     const auto check = [&](const std::string& number, const Error& error, const UlpBound& bound) {
       check_error(row.bound.function, row.bound.inputs, number, error, bound, judge);
@@ -85,6 +100,14 @@ void check_coordinates(int trials, Judge judge) {
   for (const CoordinateRow& row : rows) {
     check_error(row.bound.coordinate, row.bound.inputs, "double", row.double_bins, row.bound.double_bins, judge);
     check_error(row.bound.coordinate, row.bound.inputs, "float", row.float_bins, row.bound.float_bins, judge);
+  }
+}
+
+void check_vertices(const std::vector<VertexRow>& rows, Judge judge) {
+  CHECK(2 * rows.size() == std::size(vertex_bounds));
+  for (const VertexRow& row : rows) {
+    CHECK(row.bound.units.max > 0); // listed
+    check_error(row.bound.stored, row.bound.scenes, "double", row.units, row.bound.units, judge);
   }
 }
 
@@ -109,6 +132,8 @@ TEST_CASE("docs/precision.md quotes the bounds of the source") {
   for (const CoordinateBound& bound : coordinate_bounds)
     check_bounds_in_page(std::string(bound.coordinate) + ' ' + std::string(bound.method), bound.inputs,
                          {bound_text(bound.double_bins), bound_text(bound.float_bins)});
+  for (const VertexBound& bound : vertex_bounds)
+    check_bounds_in_page(bound.stored, bound.scenes, {bound_text(bound.units)});
 }
 
 TEST_CASE("double keeps within 4 ulp on ordinary inputs, float within 1.2e-4 bin") {
@@ -124,11 +149,16 @@ TEST_CASE("no elementary function exceeds its bound") {
 }
 
 TEST_CASE("no fragment function exceeds its bounds on any family of inputs") {
-  check_shading(20, Judge::maximum);
+  check_shading(20, Judge::maximum, every_family);
 }
 
 TEST_CASE("no coordinate of the MERL table exceeds its bounds") {
   check_coordinates(300, Judge::maximum);
+}
+
+TEST_CASE("nothing that the vertex stage stores exceeds its bounds in the gallery or in random scenes") {
+  check_vertices(measure_gallery_vertices(listed_scenes()), Judge::both);
+  check_vertices(measure_random_vertices(500), Judge::maximum);
 }
 
 TEST_CASE("an arc cosine in float misses the highlight by more than a bin, the closed form by less than a tenth") {
@@ -146,9 +176,15 @@ TEST_SUITE("slow") {
     check_functions(20000, Judge::both);
   }
   TEST_CASE("no fragment function exceeds its bounds, 99 of 100 results keep to the tighter ones") {
-    check_shading(5000, Judge::both);
+    check_shading(5000, Judge::both, first_families);
+  }
+  TEST_CASE("so it is with the other families of inputs") { // a test of its own: CMakeLists.txt
+    check_shading(5000, Judge::both, other_families);
   }
   TEST_CASE("no coordinate of the MERL table exceeds its bounds, 99 of 100 keep to the tighter ones") {
     check_coordinates(20000, Judge::both);
+  }
+  TEST_CASE("nothing that the vertex stage stores exceeds its bounds in many random scenes") {
+    check_vertices(measure_random_vertices(20000), Judge::both);
   }
 }

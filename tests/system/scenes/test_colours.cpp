@@ -1,10 +1,10 @@
-// Every scene against a second renderer that shares no arithmetic with the first: tests/system/scenes/slow_visibility.h
+// Every scene against a second renderer that shares no arithmetic with the first: tests/support/slow/slow_visibility.h
 // and slow_shading.h.
 
 #include "tests/support/scenes/declared_scenes.h"
 #include "tests/support/scenes/half_textured.h"
 #include "tests/support/scenes/listed_scenes.h"
-#include "tests/system/scenes/slow_shading.h"
+#include "tests/support/slow/slow_shading.h"
 
 #include <doctest/doctest.h>
 

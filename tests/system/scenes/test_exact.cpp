@@ -6,7 +6,7 @@
 #include "shading/precision_bounds.h"
 #include "tests/support/scenes/half_textured.h"
 #include "tests/support/scenes/listed_scenes.h"
-#include "tests/system/scenes/slow_shading.h"
+#include "tests/support/slow/slow_shading.h"
 
 #include <doctest/doctest.h>
 

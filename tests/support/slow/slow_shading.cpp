@@ -1,8 +1,11 @@
-#include "tests/system/scenes/slow_shading.h"
+#include "tests/support/slow/slow_shading.h"
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <numbers>
+#include <stdexcept>
+#include <string>
 
 namespace refraster::slow {
 namespace {
@@ -126,10 +129,6 @@ std::optional<Vec> brdf(const Merl& merl, Vec n, Vec i, Vec o) {
 
 // Light.
 
-struct Arriving {
-  Vec direction, radiance; // direction: to the light
-};
-
 std::vector<Arriving> lights_at(const Scene& scene, Vec position) {
   std::vector<Arriving> lights;
   for (const PointLight& light : scene.point_lights) {
@@ -151,28 +150,30 @@ Real highlight_cosine(const BlinnPhong&, Vec n, Vec l, Vec v) {
   return dot(n, unit(l + v));
 }
 
-/// Phong and Blinn-Phong.
-std::optional<Shaded> shaded_by(const auto& function, const Scene& scene, const Seen& seen, Vec to_eye) {
-  const Vec texture = texture_colour(seen.object->material, seen);
-  Shaded result{vec(function.ka) * texture, vec(function.ka)};
-  for (const Arriving& light : lights_at(scene, seen.position)) {
-    const Real n_l = dot(seen.normal, light.direction);
-    const Real cosine = std::max(highlight_cosine(function, seen.normal, light.direction, to_eye), Real(0));
-    const bool cut = function.specular_gate == SpecularGate::cut_below_horizon && !(n_l > 0);
-    const Real highlight = cut ? 0 : std::pow(cosine, real(function.glossiness));
-    const Vec diffuse = vec(function.kd) * std::max(n_l, Real(0)), specular = vec(function.ks) * highlight;
-    result.radiance = result.radiance + (diffuse * texture + specular) * light.radiance;
-    result.magnitude = result.magnitude + (diffuse + specular) * light.radiance;
-  }
-  return result;
-}
+// The formulas.
 
-std::optional<Shaded> shaded_by(const Merl& merl, const Scene& scene, const Seen& seen, Vec to_eye) {
+template <class Function>
+  requires std::derived_from<Function, PhongParameters> std::optional<Shaded> shaded_by(const Function& function,
+                                                                                        const Lit& at) {
+    Shaded result{vec(function.ka) * at.texture, vec(function.ka)};
+    for (const Arriving& light : at.lights) {
+      const Real n_l = dot(at.normal, light.direction);
+      const Real cosine = std::max(highlight_cosine(function, at.normal, light.direction, at.to_eye), Real(0));
+      const bool cut = function.specular_gate == SpecularGate::cut_below_horizon && !(n_l > 0);
+      const Real highlight = cut ? 0 : std::pow(cosine, real(function.glossiness));
+      const Vec diffuse = vec(function.kd) * std::max(n_l, Real(0)), specular = vec(function.ks) * highlight;
+      result.radiance = result.radiance + (diffuse * at.texture + specular) * light.radiance;
+      result.magnitude = result.magnitude + (diffuse + specular) * light.radiance;
+    }
+    return result;
+  }
+
+std::optional<Shaded> shaded_by(const Merl& merl, const Lit& at) {
   Shaded result;
-  for (const Arriving& light : lights_at(scene, seen.position)) {
-    const Real n_l = dot(seen.normal, light.direction);
-    if (n_l <= 0 || dot(seen.normal, to_eye) <= 0) continue;
-    const std::optional<Vec> f = brdf(merl, seen.normal, light.direction, to_eye);
+  for (const Arriving& light : at.lights) {
+    const Real n_l = dot(at.normal, light.direction);
+    if (n_l <= 0 || dot(at.normal, at.to_eye) <= 0) continue;
+    const std::optional<Vec> f = brdf(merl, at.normal, light.direction, at.to_eye);
     if (!f) return std::nullopt;
     result.radiance = result.radiance + *f * light.radiance * n_l;
   }
@@ -180,13 +181,34 @@ std::optional<Shaded> shaded_by(const Merl& merl, const Scene& scene, const Seen
   return result;
 }
 
+template <class Function>
+concept HasFormula = requires(const Function& function, const Lit& at) {
+  shaded_by(function, at);
+};
+
 } // namespace
+
+Lit lit(const Scene& scene, const Seen& seen) {
+  return {seen.normal, unit(vec(scene.camera.position) - seen.position), texture_colour(seen.object->material, seen),
+          lights_at(scene, seen.position)};
+}
+
+bool has_formula(const FragmentFunction& function) {
+  return std::visit([]<class Function>(const Function&) { return HasFormula<Function>; }, function);
+}
 
 std::optional<Shaded> shaded(const Scene& scene, const Seen& seen) {
   if (!seen.object) return Shaded{vec(scene.background), vec(scene.background)};
-  const Vec to_eye = unit(vec(scene.camera.position) - seen.position);
-  return std::visit([&](const auto& function) { return shaded_by(function, scene, seen, to_eye); },
-                    seen.object->material.fragment_function);
+  const Material& material = seen.object->material;
+  if (material.user_function || !has_formula(material.fragment_function))
+    throw std::logic_error("slow_shading.cpp has no formula of " + std::string(material.function_name()));
+  const Lit at = lit(scene, seen);
+  return std::visit(
+      [&]<class Function>(const Function& function) -> std::optional<Shaded> {
+        if constexpr (HasFormula<Function>) return shaded_by(function, at);
+        return std::nullopt;
+      },
+      material.fragment_function);
 }
 
 } // namespace refraster::slow

@@ -4,7 +4,7 @@
 
 #include <refraster/scene.h>
 
-#include "tests/system/scenes/slow_vector.h"
+#include "tests/support/slow/slow_vector.h"
 
 #include <optional>
 #include <span>
