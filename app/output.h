@@ -19,8 +19,8 @@ inline constexpr const char* standard_output = "-";
 /// Standard output is always fine.
 void check_writable(const std::string& path);
 
-/// Throws UsageError if two of the outputs are one file, or an output is an input: one would be lost. Paths
-/// may be empty. Devices and pipes may be named more than once.
+/// Throws UsageError if two of the outputs are one file, or an output is an input: one would be lost. Paths may be
+/// empty. Devices and pipes may be named more than once.
 void check_different(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs);
 
 /// Makes the folder of --cache if need be; nothing if it is empty. Throws OutputError unless files can be written to

@@ -16,8 +16,8 @@ struct ExactPiece {
     Exact a, b, c; // of a x + b y + c over subpixels, positive inside
   };
   std::array<Edge, 3> edge; // opposite vertex v
-  std::array<std::array<Exact, 3>, 3>
-      factor{}; // [v][k]: times this, the edge function's value goes into that of corner k
+  // [v][k]: times this, the value of edge v goes into that of corner k.
+  std::array<std::array<Exact, 3>, 3> factor{};
 };
 
 /// One or two, in the order of set_up_projective's; corners in its order too.

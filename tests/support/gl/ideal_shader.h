@@ -62,7 +62,7 @@ struct IdealShader {
     if constexpr (requires { function.specular_gate; })
       if (below_horizon > 0 && dot(at.normal, light.direction) > -below_horizon)
         function.specular_gate = SpecularGate::open;
-    return reflected(function, at, light);
+    return refraster::reflected(function, at, light); // the formula, not this member
   }
 
   template <class SomeFunction>
