@@ -57,7 +57,7 @@ void write_aovs(const FrameContext& context, const VisibleTile& visible, std::sp
       if (wants_surface) surface = packet_surface(context, material, data, tally);
       for (std::size_t i = 0; i < aovs.size(); ++i) {
         // Pixel centres beside a triangle may make any number of it; and a finite double may lie beyond a float.
-        constexpr double largest = std::numeric_limits<float>::max();
+        constexpr double largest = NumberTraits<float>::largest;
         const auto put = [&](int channel, auto&& value) {
           for (int lane = 0; lane < packet.count; ++lane) {
             const auto [x, y] = position[first + static_cast<std::size_t>(lane)];

@@ -32,7 +32,7 @@ Corners random_corners(Random& random) {
     corner = lattice_vertex(x, y, random.uniform(-1, 1), random.log_uniform(1e-3, 1e3));
   }
   if (random.below(4) == 0) v[1].x = v[0].x;
-  if (random.below(4) == 0) v[2].y = v[random.below(2)].y;
+  if (random.below(4) == 0) v[2].y = v[static_cast<std::size_t>(random.below(2))].y;
   return v;
 }
 
