@@ -117,9 +117,9 @@ TEST_CASE("threads, tile sizes and crops change no byte, threads and tile sizes 
 TEST_CASE("an AOV is the same alone and among others, whatever the precision of the colours") {
   for_each_rendering([](const Scene& scene, RenderOptions options) {
     const Frame together = render(scene, options);
-    for (const char* const precision : {"double", "float"})
+    for (const Precision precision : {Precision::double_, Precision::float_})
       for (std::size_t i = 0; i < every_aov.size(); ++i) {
-        CAPTURE(precision);
+        CAPTURE(name_of(precision));
         CAPTURE(aov_names[i]);
         options.precision = precision;
         options.aovs = {every_aov[i]};
