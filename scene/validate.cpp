@@ -220,7 +220,7 @@ private:
       });
       if (wrong != level.rgb.end())
         fault(at_level() + "/" + std::to_string(wrong - level.rgb.begin()), text_of(static_cast<double>(*wrong)),
-              "a number from 0 to " + text_of(texture.full_scale));
+              "a number from 0 to " + text_of(texture.full_scale), Effect::drawn);
     }
   }
 

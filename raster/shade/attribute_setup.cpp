@@ -80,14 +80,15 @@ template <class Real>
            static_cast<Real>(std::min({uv[0], uv[1], uv[2]}))};
     t.row[static_cast<std::size_t>(max_uv_row + c)][3] = static_cast<Real>(std::max({uv[0], uv[1], uv[2]}));
   }
-  for_each_further_attribute(mesh, context.geometry.transforms[ref.object],
-                             {indices[corner[0]], indices[corner[1]], indices[corner[2]]},
-                             [&](int row, const auto& value) {
-                               for (std::size_t c = 0; c < value[0].size(); ++c)
-                                 t.row[static_cast<std::size_t>(row) + c] = {
-                                     static_cast<Real>(value[0][c]), static_cast<Real>(value[1][c] - value[0][c]),
-                                     static_cast<Real>(value[2][c] - value[0][c]), Real(0)};
-                             });
+  if constexpr (any_further_attribute)
+    for_each_further_attribute(mesh, context.geometry.transforms[ref.object],
+                               {indices[corner[0]], indices[corner[1]], indices[corner[2]]},
+                               [&](int row, const auto& value) {
+                                 for (std::size_t c = 0; c < value[0].size(); ++c)
+                                   t.row[static_cast<std::size_t>(row) + c] = {
+                                       static_cast<Real>(value[0][c]), static_cast<Real>(value[1][c] - value[0][c]),
+                                       static_cast<Real>(value[2][c] - value[0][c]), Real(0)};
+                               });
 }
 
 LargeEdges large_edges(const Geometry& geometry, const TriangleRef& ref, const std::array<std::uint8_t, 3>& corner) {

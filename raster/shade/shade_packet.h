@@ -5,7 +5,8 @@
 #include "shading/sum_light.h"
 #include "shading/texture.h"
 
-#include <algorithm>
+#include <array>
+#include <tuple>
 
 namespace refraster {
 
@@ -53,9 +54,12 @@ Rgb<T> texture_colour(const Material& material, const Data& data, const PacketBa
 template <class Data, class T = typename Data::Number>
 PacketSurface<T> packet_surface(const FrameContext& context, const Material& material, const Data& data,
                                 const UndefinedTally<T>& tally) {
-  const bool derivatives = std::any_of(texture_slots.begin(), texture_slots.end(), [&](const TextureSlot& slot) {
-    return material.*slot.texture && material.*slot.filter == TextureFilter::trilinear;
-  });
+  // Unrolled: what is asked is known to the compiler.
+  const bool derivatives = std::apply(
+      [&](const auto&... slot) {
+        return ((material.*slot.texture && material.*slot.filter == TextureFilter::trilinear) || ...);
+      },
+      texture_slots);
   const PacketBarycentrics<T> at =
       derivatives ? barycentrics<Derivatives::yes>(data) : barycentrics<Derivatives::no>(data);
   PacketSurface<T> surface;

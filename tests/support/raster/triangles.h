@@ -82,6 +82,7 @@ struct LatticeFrame {
       mesh->triangles.push_back({first, first + 1, first + 2});
       vertices.insert(vertices.end(), t.begin(), t.end());
     }
+    mesh->positions.resize(vertices.size()); // never read, but indices must name one
     store(vertices, geometry.window);
     geometry.first_vertex = {0, static_cast<std::uint32_t>(geometry.window.size())};
     geometry.first_triangle = {0, static_cast<std::uint32_t>(triangles.size())};
