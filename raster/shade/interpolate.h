@@ -9,6 +9,7 @@
 #include <array>
 #include <bit>
 #include <type_traits>
+#include <utility>
 
 namespace refraster {
 
@@ -280,12 +281,14 @@ MaskOf<T> without_uv(const Data& data) {
 template <auto list, class Data, class T = typename Data::Number>
 auto attribute_value(const FrameContext& context, const Data& data, const Barycentric<T>& at) {
   constexpr auto attribute = declared(list);
-  glm::vec<attribute.components, T, glm::defaultp> value;
+  using Value = glm::vec<attribute.components, T, glm::defaultp>;
   if constexpr (attribute.need == Need::optional)
-    if ((context.scene.objects[data.object()].mesh.get()->*list).empty())
-      return value = decltype(value)(T(attribute.otherwise));
-  for (int c = 0; c < attribute.components; ++c) value[c] = interpolated(data, first_row(list) + c, at);
-  return value;
+    if ((context.scene.objects[data.object()].mesh.get()->*list).empty()) return Value(T(attribute.otherwise));
+  // At once, since numbers that are written one by one would go through memory.
+  return [&]<int... C>(std::integer_sequence<int, C...>) {
+    return Value{interpolated(data, first_row(list) + C, at)...};
+  }
+  (std::make_integer_sequence<int, attribute.components>{});
 }
 
 } // namespace refraster
