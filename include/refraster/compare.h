@@ -103,11 +103,10 @@ struct Comparison {
   std::uint64_t pixels() const { return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height); }
 };
 
-/// The images must agree in size and channels: throws std::invalid_argument. Computed in double, row by
-/// row: the same bits every time. Equality is that of the stored numbers. A value is over the limit if it differs by
-/// more than that; where the images hold values (full_scale 1), by more than the limit and the rounding of both numbers
-/// to single precision, 2^-24 of each, of 1 at most: levels that are stored as values differ by whole levels only so
-/// far.
+/// The images must agree in size and channels: throws std::invalid_argument. Computed in double, row by row: the same
+/// bits every time. Equality is that of the stored numbers. A value is over the limit if it differs by more than that;
+/// where the images hold values (full_scale 1), by more than the limit and the rounding of both numbers to single
+/// precision, 2^-24 of each, of 1 at most: levels that are stored as values differ by whole levels only so far.
 Comparison compare(const Image<float>& a, const Image<float>& b, const PixelScale& scale, const CompareLimits& limits);
 
 } // namespace refraster
