@@ -172,7 +172,8 @@ private:
       const std::vector<TextureLevel>& levels = texture->levels;
       if (material.*slot.filter == TextureFilter::trilinear && !levels.empty() &&
           (levels.back().width > 1 || levels.back().height > 1))
-        fault(at_texture(), text_of(levels.size(), "levels"), "levels down to 1 x 1 texel, for trilinear filtering");
+        fault(at_texture(), text_of(levels.size(), "levels"), "levels down to 1 x 1 texel, for trilinear filtering",
+              Effect::drawn);
     }
   }
 

@@ -258,22 +258,26 @@ TEST_CASE_TEMPLATE("S11: a base that rounding has made negative gives 0", F, dou
 }
 
 TEST_CASE("S12: float images keep values outside 0 to 1, levels clamp; NaN and infinity are made finite and counted") {
-  constexpr double infinite = std::numeric_limits<double>::infinity(),
-                   not_a_number = std::numeric_limits<double>::quiet_NaN();
   constexpr float largest = std::numeric_limits<float>::max();
+  constexpr double bright = std::numeric_limits<double>::max(); // and reflected twice over: infinite
   struct Case {
-    double value;
+    double ambient;
+    std::vector<double> lights; // radiance of each, reflected twice over
     float radiance;
     int level;
     std::uint64_t counted;
   };
   for (const Precision precision : {Precision::double_, Precision::float_})
-    for (const Case& c :
-         {Case{0.5, 0.5f, 128, 0}, Case{2.5, 2.5f, 255, 0}, Case{-1, -1, 0, 0}, Case{1e30, 1e30f, 255, 0},
-          Case{not_a_number, 0, 0, 3}, Case{infinite, largest, 255, 3}, Case{-infinite, -largest, 0, 3}}) {
-      CAPTURE(c.value);
+    for (const Case& c : {Case{0.5, {}, 0.5f, 128, 0}, Case{2.5, {}, 2.5f, 255, 0}, Case{-1, {}, -1, 0, 0},
+                          Case{1e30, {}, 1e30f, 255, 0}, Case{0, {bright, -bright}, 0, 0, 3},
+                          Case{0, {bright}, largest, 255, 3}, Case{0, {-bright}, -largest, 0, 3}}) {
+      CAPTURE(c.ambient);
+      CAPTURE(c.lights.size());
       WindowScene window(1);
-      window.add({window.place(-4, -4, 1), window.place(-4, 12, 1), window.place(12, -4, 1)}, Double3(c.value));
+      Object& object =
+          window.add({window.place(-4, -4, 1), window.place(-4, 12, 1), window.place(12, -4, 1)}, Double3(c.ambient));
+      std::get<Phong>(object.material.fragment_function).kd = Double3(2);
+      for (const double radiance : c.lights) window.scene.direction_lights.push_back({{0, 0, -1}, Double3(radiance)});
       RenderOptions options = window.options();
       options.precision = precision;
       const Frame frame = render(window.scene, options);
