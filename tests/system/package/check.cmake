@@ -19,3 +19,16 @@ endforeach()
 
 configure_and_build(${source_dir}/consumer consumer ${compiler} "")
 run(${work_dir}/consumer/consumer)
+
+# The program of README.md, in a folder with a scene.
+file(READ ${source_dir}/../../../README.md page)
+string(REGEX MATCH "```cpp\n([^`]*)```" block "${page}")
+set(program_text "${CMAKE_MATCH_1}")
+file(WRITE ${work_dir}/readme_source/main.cpp "${program_text}")
+configure_and_build(${source_dir}/readme readme ${compiler} "" -D MAIN_DIR=${work_dir}/readme_source)
+file(COPY_FILE ${source_dir}/../../../scenes/hello.json ${work_dir}/readme/scene.json)
+execute_process(COMMAND ${work_dir}/readme/program WORKING_DIRECTORY ${work_dir}/readme RESULT_VARIABLE failed
+  ERROR_VARIABLE text)
+if(failed OR NOT EXISTS ${work_dir}/readme/scene.png)
+  message(FATAL_ERROR "the program of README.md: ${failed} ${text}")
+endif()
