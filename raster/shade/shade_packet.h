@@ -23,14 +23,12 @@ Vec3<T> shading_normal(const FrameContext& context, const Data& data, const Vec3
   return normalize(select<T>(zero, own, interpolated));
 }
 
-/// The colour of a texture of the material; white where there is none, or the triangle has no texture coordinates.
-/// Those are looked for only where some are not finite, which those are not.
+/// The colour of a texture that the material has; white where the triangle has no texture coordinates. Those are looked
+/// for only where some are not finite, which those are not.
 template <const TextureSlot& slot, class Data, class T = typename Data::Number>
 Rgb<T> texture_colour(const Material& material, const Data& data, const PacketBarycentrics<T>& at,
                       const UndefinedTally<T>& tally) {
-  const Texture* const texture = (material.*slot.texture).get();
   const TextureFilter filter = material.*slot.filter;
-  if (!texture || !data.may_have_texture_coordinates()) return Rgb<T>(T(1));
   const auto uv = [&](int c) { return interpolated_uv(data, c, at); };
   const Vec2<T> point(uv(0), uv(1));
   const auto finite = [](const T& x) { return abs(x) <= largest_number<T>(); };
@@ -43,7 +41,7 @@ Rgb<T> texture_colour(const Material& material, const Data& data, const PacketBa
     right = change(at.right);
     down = change(at.down);
   }
-  const Rgb<T> colour = sample(*texture, filter, point, right, down);
+  const Rgb<T> colour = sample(*(material.*slot.texture), filter, point, right, down);
   if (!any(bad)) [[likely]]
     return colour;
   const MaskOf<T> none = without_uv(data);
@@ -67,7 +65,8 @@ PacketSurface<T> packet_surface(const FrameContext& context, const Material& mat
   surface.normal = shading_normal(context, data, attribute_value<&Mesh::normals>(context, data, at.at), tally);
   surface.to_eye = normalize(as<T>(context.scene.camera.position) - surface.position);
   tally.note(Undefined::eye_at_surface, dot(surface.to_eye, surface.to_eye) <= T(0));
-  surface.texture = texture_colour<base_texture>(material, data, at, tally);
+  const bool shows_texture = material.*base_texture.texture && data.may_have_texture_coordinates();
+  surface.texture = shows_texture ? texture_colour<base_texture>(material, data, at, tally) : Rgb<T>(T(1));
   return surface;
 }
 
