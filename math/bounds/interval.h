@@ -87,7 +87,7 @@ public:
     if (b.contains(0)) return anything();
     const Interval quotient = hull({outward_quotient(a.lo, b.lo), outward_quotient(a.lo, b.hi),
                                     outward_quotient(a.hi, b.lo), outward_quotient(a.hi, b.hi)});
-    return b.is_power_of_two() ? computed(quotient, 0) : computed(quotient);
+    return b.is_power_of_two() ? computed(quotient, 0) : computed(quotient, Budget::quotient_relative);
   }
   Interval& operator+=(Interval b) { return *this = *this + b; }
   Interval& operator-=(Interval b) { return *this = *this - b; }

@@ -50,7 +50,7 @@ Interval<B> sqrt(Interval<B> x) {
            : y < 0x1p-960          ? Interval<B>(step_down(r), step_up(r))
                                    : Interval<B>::around(r, std::fma(-r, r, y));
   };
-  return Interval<B>::computed({ends(std::max(x.lo, 0.0)).lo, ends(std::max(x.hi, 0.0)).hi});
+  return Interval<B>::computed({ends(std::max(x.lo, 0.0)).lo, ends(std::max(x.hi, 0.0)).hi}, B::root_relative);
 }
 
 /// Within a cell: both ends less the same integer, which rounds just below 0.

@@ -12,8 +12,8 @@ namespace refraster::inline REFRASTER_KIT {
 
 /// A rounding budget is a type with these members. Each operation's computed result differs from the exact result of
 /// its operands, as they were computed, by at most what is said here.
-///   relative, absolute   + - * /, the square root, and the conversion of a parameter: |error| <= relative |exact| +
-///                        absolute
+///   relative, absolute   + - * and the conversion of a parameter: |error| <= relative |exact| + absolute
+///   quotient_relative, root_relative   instead of `relative`: of / and of the square root
 ///   largest              magnitudes above it may come out as infinity
 ///   smallest_normal      what is positive and below it may count as 0, or as it
 ///   cut_off              exp2, pow and cosine_power may be 0 where the exact result is below 2^cut_off
@@ -23,6 +23,7 @@ namespace refraster::inline REFRASTER_KIT {
 /// Strict arithmetic of the precision `double`.
 struct DoubleArithmetic {
   static constexpr double relative = 0x1p-53, absolute = 0x1p-1074;
+  static constexpr double quotient_relative = relative, root_relative = relative;
   static constexpr double smallest_normal = std::numeric_limits<double>::min();
   static constexpr double largest = std::numeric_limits<double>::max(), cut_off = lowest_power<double>;
   static constexpr double log2_units = log2_error<double>.max, exp2_units = exp2_error<double>.max,
@@ -32,6 +33,7 @@ struct DoubleArithmetic {
 /// Strict arithmetic of the precision `float`.
 struct FloatArithmetic {
   static constexpr double relative = 0x1p-24, absolute = 0x1p-150;
+  static constexpr double quotient_relative = relative, root_relative = relative;
   static constexpr double smallest_normal = std::numeric_limits<float>::min();
   static constexpr double largest = std::numeric_limits<float>::max(), cut_off = lowest_power<float>;
   static constexpr double log2_units = log2_error<float>.max, exp2_units = exp2_error<float>.max,
