@@ -1,0 +1,135 @@
+#pragma once
+// A device of the worst kind that a rounding budget allows: the adversary of bounds.
+
+#include "tests/support/random.h"
+
+#include "math/bounds/rounding_budget.h"
+#include "math/constants.h"
+#include "math/read_grid.h"
+
+namespace refraster {
+
+/// A number of which each operation errs by as much as Budget allows, up or down as a generator says, or not at all:
+/// flips() is to be seeded before a formula is run, so that the same seed makes the same errors.
+template <class Budget>
+class Perturbed {
+public:
+  Perturbed() = default;
+  template <class A>
+    requires std::is_arithmetic_v<A>
+  explicit(!std::same_as<A, double>) Perturbed(A x) : value(static_cast<double>(x)) {}
+  explicit operator double() const { return value; }
+
+  static Random& flips() {
+    static thread_local Random random(0);
+    return random;
+  }
+  /// Of an exact result. A little less than all of it: double rounds too.
+  static Perturbed of(double exact, double relative = Budget::relative) {
+    constexpr double most = 1 - 0x1p-10;
+    return Perturbed(exact + exact * relative * most * (flips().below(3) - 1));
+  }
+
+  friend Perturbed operator+(Perturbed a, Perturbed b) { return of(a.value + b.value); }
+  friend Perturbed operator-(Perturbed a, Perturbed b) { return of(a.value - b.value); }
+  friend Perturbed operator*(Perturbed a, Perturbed b) {
+    const auto is_exact = [](double x) {
+      int exponent = 0;
+      return std::abs(std::frexp(x, &exponent)) == 0.5;
+    };
+    return is_exact(a.value) || is_exact(b.value) ? Perturbed(a.value * b.value) : of(a.value * b.value);
+  }
+  friend Perturbed operator/(Perturbed a, Perturbed b) { return of(a.value / b.value, Budget::quotient_relative); }
+  friend Perturbed operator-(Perturbed a) { return Perturbed(-a.value); }
+  Perturbed& operator+=(Perturbed b) { return *this = *this + b; }
+  Perturbed& operator-=(Perturbed b) { return *this = *this - b; }
+  Perturbed& operator*=(Perturbed b) { return *this = *this * b; }
+  Perturbed& operator/=(Perturbed b) { return *this = *this / b; }
+  friend bool operator<(Perturbed a, Perturbed b) { return a.value < b.value; }
+  friend bool operator>(Perturbed a, Perturbed b) { return a.value > b.value; }
+  friend bool operator<=(Perturbed a, Perturbed b) { return a.value <= b.value; }
+  friend bool operator>=(Perturbed a, Perturbed b) { return a.value >= b.value; }
+
+  double value = 0;
+};
+
+template <class B>
+struct NumberTraits<Perturbed<B>> {
+  using Real = double;
+  using Mask = bool;
+  using Index = std::int32_t;
+  static constexpr int lanes = 1;
+  static constexpr bool has_lanes = false, decides = true, is_ieee = false;
+  static constexpr double largest = B::largest;
+
+  static Perturbed<B> parameter(double x) {
+    return Perturbed<B>(Perturbed<B>::flips().below(2) ? x : static_cast<double>(static_cast<float>(x)));
+  }
+};
+
+template <class B>
+Perturbed<B> select(bool m, Perturbed<B> x, Perturbed<B> y) {
+  return m ? x : y;
+}
+template <class B>
+Perturbed<B> max(Perturbed<B> x, Perturbed<B> y) {
+  return x > y ? x : y;
+}
+template <class B>
+Perturbed<B> min(Perturbed<B> x, Perturbed<B> y) {
+  return x < y ? x : y;
+}
+template <class B>
+Perturbed<B> abs(Perturbed<B> x) {
+  return Perturbed<B>(abs(x.value));
+}
+template <class B>
+Perturbed<B> square(Perturbed<B> x) {
+  return x * x;
+}
+template <class B>
+Perturbed<B> sqrt(Perturbed<B> x) {
+  return Perturbed<B>::of(sqrt(max(x.value, 0.0)), B::root_relative);
+}
+template <class B>
+Cell<Perturbed<B>> floor_and_fraction(Perturbed<B> x) {
+  const Cell<double> cell = floor_and_fraction(x.value);
+  return {cell.index, Perturbed<B>(cell.fraction)};
+}
+template <class B>
+Perturbed<B> fraction(Perturbed<B> x) {
+  return floor_and_fraction(x).fraction;
+}
+template <class B>
+Perturbed<B> exp2(Perturbed<B> x) {
+  return Perturbed<B>::of(exp2(x.value), 2 * B::exp2_units * B::relative);
+}
+template <class B>
+Perturbed<B> log2(Perturbed<B> x) {
+  return Perturbed<B>::of(log2(x.value), 2 * B::log2_units * B::relative);
+}
+template <class B>
+Perturbed<B> pow(Perturbed<B> x, double s) {
+  return Perturbed<B>(min(Perturbed<B>::of(pow(x.value, s), 2 * B::pow_units * B::relative).value,
+                          x.value <= 1 ? 1.0 : std::numeric_limits<double>::infinity()));
+}
+template <class B>
+Perturbed<B> atan2(Perturbed<B> y, Perturbed<B> x) {
+  return Perturbed<B>::of(atan2(y.value, x.value), 2 * B::atan2_units * B::relative);
+}
+/// By the formula of the plain function, whose last step may lose what small_power loses.
+template <class B>
+Perturbed<B> cosine_power(const Vec3<Perturbed<B>>& a, const Vec3<Perturbed<B>>& b, double s) {
+  if (s == 0) return Perturbed<B>(1);
+  const Perturbed<B> half_square = Perturbed<B>(0.5) * squared_length(a - b);
+  const double cosine = dot(a, b).value, q = std::min(half_square.value, 0.25);
+  const double r = cosine > 0.75                 ? std::exp(s * std::log1p(-q))
+                   : cosine < B::smallest_normal ? 0
+                                                 : std::pow(cosine, s);
+  const double units = small_power_error_at_1 - small_power_error_per_bit * std::log2(std::max(r, 0x1p-100));
+  return Perturbed<B>(std::min(Perturbed<B>::of(r, units * B::relative).value, 1.0));
+}
+
+static_assert(Number<Perturbed<FloatArithmetic>>);
+
+} // namespace refraster
