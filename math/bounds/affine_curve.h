@@ -2,6 +2,7 @@
 // A function of one variable as a line and what is left: the best one that the shape of the function gives.
 
 #include "math/bounds/affine_form.h"
+#include "math/bounds/interval_functions.h"
 
 namespace refraster::inline REFRASTER_KIT {
 

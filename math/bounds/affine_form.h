@@ -67,6 +67,17 @@ inline double AffineForm::radius() const {
   return affine_detail::upward(sum);
 }
 
+namespace affine_detail {
+
+/// All that the form may be.
+inline Bounds range_of(const AffineForm& form) {
+  using namespace interval_detail;
+  const double radius = form.radius();
+  return {step_down(form.centre - radius), step_up(form.centre + radius)};
+}
+
+} // namespace affine_detail
+
 /// x + sign y, sign being 1 or -1. Each coefficient is rounded once.
 inline AffineForm sum(const AffineForm& x, const AffineForm& y, double sign) {
   AffineForm result;

@@ -2,8 +2,8 @@
 // What a Number has beside + - * /, for bounds that remember where they come from. Every result is also in the range
 // that an Interval has of it.
 
-#include "math/bounds/affine.h"
 #include "math/bounds/affine_curve.h"
+#include "math/bounds/affine_grid.h"
 
 namespace refraster::inline REFRASTER_KIT {
 
@@ -12,13 +12,6 @@ namespace affine_detail {
 template <class B>
 Vec3<Interval<B>> ranges(const Vec3<Affine<B>>& a) {
   return {a.x.range(), a.y.range(), a.z.range()};
-}
-
-/// All that the form may be.
-inline Bounds range_of(const AffineForm& form) {
-  using namespace interval_detail;
-  const double radius = form.radius();
-  return {step_down(form.centre - radius), step_up(form.centre + radius)};
 }
 
 template <class B>
@@ -36,17 +29,6 @@ Affine<DoubleArithmetic> exact_squared_length(const Vec3<Affine<B>>& a) {
 }
 
 } // namespace affine_detail
-
-template <class B>
-Affine<B> join(const Affine<B>& x, const Affine<B>& y) {
-  const Interval<B> range = join(x.range(), y.range());
-  if (!x.form.is_finite() || !y.form.is_finite()) return Affine<B>(range);
-  return Affine<B>::exactly(join(x.form, y.form), range);
-}
-template <class B>
-Rgb<Affine<B>> join(const Rgb<Affine<B>>& a, const Rgb<Affine<B>>& b) {
-  return {join(a.x, b.x), join(a.y, b.y), join(a.z, b.z)};
-}
 
 template <class B>
 Affine<B> select(Certainty m, const Affine<B>& x, const Affine<B>& y) {
@@ -266,38 +248,6 @@ Vec3<Affine<B>> normalize(const Vec3<Affine<B>>& a) {
                      (4 * B::relative + B::root_relative + B::quotient_relative) * (1 + 0x1p-20), 2 * B::absolute);
   };
   return {component(a.x, range.x), component(a.y, range.y), component(a.z, range.z)};
-}
-
-/// See read_grid. Each cell is read with the whole form of the place in it, of which only the part inside counts as
-/// range: so that its value is a slope times the place, and what holds all cells' values still is. Every cell is read,
-/// however many there are.
-template <class B, std::size_t dimensions, class Read>
-auto read_every_cell(const std::array<Affine<B>, dimensions>& place, const std::array<GridAxis, dimensions>& axes,
-                     const Read& read) {
-  using namespace interval_detail;
-  std::array<CellRange, dimensions> range;
-  std::array<Affine<B>, dimensions> inside = place;
-  std::array<Cell<Affine<B>>, dimensions> cells;
-  const auto enter = [&](std::size_t d, std::int32_t index) {
-    // [0, 1] less what of it is outside of the range.
-    const Interval<B> rest = inside[d].range() - Interval<B>(index);
-    cells[d] = {index,
-                (inside[d] - Affine<B>(index)).clipped(std::clamp(rest.lo, 0.0, 1.0), std::clamp(rest.hi, 0.0, 1.0))};
-  };
-  for (std::size_t d = 0; d < dimensions; ++d) {
-    Interval<B> bounded = place[d].range();
-    range[d] = cells_of(bounded, axes[d]);
-    if (bounded.lo != place[d].lo || bounded.hi != place[d].hi) inside[d] = Affine<B>(bounded);
-    enter(d, range[d].first);
-  }
-  auto value = read(cells);
-  for (;;) {
-    std::size_t d = 0;
-    while (d < dimensions && cells[d].index == range[d].last) enter(d, range[d].first), ++d;
-    if (d == dimensions) return value;
-    enter(d, cells[d].index + 1);
-    value = join(value, read(cells));
-  }
 }
 
 static_assert(Number<Affine<DoubleArithmetic>> && Number<Affine<FloatArithmetic>>);

@@ -123,9 +123,7 @@ Perturbed<B> cosine_power(const Vec3<Perturbed<B>>& a, const Vec3<Perturbed<B>>&
   if (s == 0) return Perturbed<B>(1);
   const Perturbed<B> half_square = Perturbed<B>(0.5) * squared_length(a - b);
   const double cosine = dot(a, b).value, q = std::min(half_square.value, 0.25);
-  const double r = cosine > 0.75                 ? std::exp(s * std::log1p(-q))
-                   : cosine < B::smallest_normal ? 0
-                                                 : std::pow(cosine, s);
+  const double r = cosine > 0.75 ? std::exp(s * std::log1p(-q)) : cosine < B::smallest_normal ? 0 : std::pow(cosine, s);
   const double units = small_power_error_at_1 - small_power_error_per_bit * std::log2(std::max(r, 0x1p-100));
   return Perturbed<B>(std::min(Perturbed<B>::of(r, units * B::relative).value, 1.0));
 }

@@ -134,7 +134,8 @@ Found search(const FragmentFunction& function, int places, int evaluations, doub
               shaded<Range>(f, place, bounds_of<Range>(place.position), bounds_of<Range>(place.normal));
           const auto value = [&](const Symbols& e, std::uint64_t flips) {
             const auto in = [&]<class T>(T) {
-              return static_cast<double>(shaded<T>(f, place, point_of<T>(place.position, e), point_of<T>(place.normal, e)).x);
+              return static_cast<double>(
+                  shaded<T>(f, place, point_of<T>(place.position, e), point_of<T>(place.normal, e)).x);
             };
             ++found.evaluations;
             Device::flips() = Random(flips);
