@@ -10,7 +10,15 @@ namespace refraster::inline REFRASTER_KIT {
 
 /// The symbols of a fragment. Those of position, normal and texture coordinates stand for a component each; the first
 /// is named.
-enum class Symbol : std::uint8_t { shift_x = 0, shift_y = 1, inverse_w = 2, position = 3, normal = 6, uv = 9, other };
+enum class Symbol : std::uint8_t {
+  shift_x = 0,
+  shift_y = 1,
+  inverse_w = 2,
+  position = 3,
+  normal = 6,
+  uv = 9,
+  other = 11
+};
 
 /// What a formula may give, exactly or in the arithmetic of a rounding budget: a number of [lo, hi], and of the form.
 /// Both are computed, and the range is never wider than an Interval's; infinite ends mean that nothing is known on that
@@ -81,11 +89,12 @@ public:
     return result;
   }
   /// The same number: what only it depends on is called by a symbol, so that what is computed from it remembers. To be
-  /// called for one number of a fragment only, and a symbol that none has yet.
-  Affine named(std::size_t symbol) const {
+  /// called for one number of a fragment only, and a symbol that none has yet. There may be no such symbol.
+  Affine named(int symbol) const {
+    const auto k = static_cast<std::size_t>(symbol);
     Affine result = *this;
-    if (!form.is_finite() || form.slope[symbol] != 0) return result;
-    result.form.slope[symbol] = form.rest;
+    if (k >= AffineForm::symbols || !form.is_finite() || form.slope[k] != 0) return result;
+    result.form.slope[k] = form.rest;
     result.form.rest = 0;
     return result;
   }
@@ -182,14 +191,16 @@ private:
   void simplify() {
     if (!form.is_finite() || !(2 * form.rest < hi - lo)) forget();
   }
-  /// To what lies in the range and in the form.
+  /// To what lies in the range and in the form. Where nothing does, operands were assumed to be what they cannot be
+  /// together, such as in a cell of a grid that only the corner of their box reaches: then nobody comes here, and the
+  /// range will do.
   void narrow(Range range, double radius) {
     using namespace interval_detail;
     lo = range.lo, hi = range.hi;
-    if (form.is_finite() && std::isfinite(lo) && std::isfinite(hi)) {
-      lo = std::max(lo, step_down(form.centre - radius));
-      hi = std::min(hi, step_up(form.centre + radius));
-      assert(lo <= hi);
+    const double low = std::max(lo, step_down(form.centre - radius)),
+                 high = std::min(hi, step_up(form.centre + radius));
+    if (form.is_finite() && std::isfinite(lo) && std::isfinite(hi) && low <= high) {
+      lo = low, hi = high;
       simplify();
     } else {
       forget();
