@@ -30,16 +30,17 @@ public:
     return Perturbed(exact + exact * relative * most * (flips().below(3) - 1));
   }
 
-  friend Perturbed operator+(Perturbed a, Perturbed b) { return of(a.value + b.value); }
-  friend Perturbed operator-(Perturbed a, Perturbed b) { return of(a.value - b.value); }
-  friend Perturbed operator*(Perturbed a, Perturbed b) {
-    const auto is_exact = [](double x) {
-      int exponent = 0;
-      return std::abs(std::frexp(x, &exponent)) == 0.5;
-    };
-    return is_exact(a.value) || is_exact(b.value) ? Perturbed(a.value * b.value) : of(a.value * b.value);
+  // What every format has exactly is not perturbed.
+  friend Perturbed operator+(Perturbed a, Perturbed b) {
+    return a.value == 0 ? b : b.value == 0 ? a : of(a.value + b.value);
   }
-  friend Perturbed operator/(Perturbed a, Perturbed b) { return of(a.value / b.value, Budget::quotient_relative); }
+  friend Perturbed operator-(Perturbed a, Perturbed b) { return a + -b; }
+  friend Perturbed operator*(Perturbed a, Perturbed b) {
+    return is_power_of_two(a) || is_power_of_two(b) ? Perturbed(a.value * b.value) : of(a.value * b.value);
+  }
+  friend Perturbed operator/(Perturbed a, Perturbed b) {
+    return is_power_of_two(b) ? Perturbed(a.value / b.value) : of(a.value / b.value, Budget::quotient_relative);
+  }
   friend Perturbed operator-(Perturbed a) { return Perturbed(-a.value); }
   Perturbed& operator+=(Perturbed b) { return *this = *this + b; }
   Perturbed& operator-=(Perturbed b) { return *this = *this - b; }
@@ -51,6 +52,12 @@ public:
   friend bool operator>=(Perturbed a, Perturbed b) { return a.value >= b.value; }
 
   double value = 0;
+
+private:
+  static bool is_power_of_two(Perturbed x) {
+    int exponent = 0;
+    return std::abs(std::frexp(x.value, &exponent)) == 0.5;
+  }
 };
 
 template <class B>

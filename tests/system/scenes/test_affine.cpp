@@ -2,19 +2,30 @@
 
 #include "math/bounds/affine_functions.h"
 #include "raster/render_in.h"
-#include "tests/support/random.h"
+#include "tests/support/perturbed.h"
 #include "tests/support/scenes/listed_scenes.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cstdlib>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 namespace refraster {
+
+/// Edge functions are exact up to one rounding.
+template <class Budget>
+struct EdgeArithmetic<Perturbed<Budget>> {
+  using Value = double;
+  static Value whole(Int128 x) { return static_cast<double>(x); }
+  static Perturbed<Budget> rounded(const Value& x) { return Perturbed<Budget>::of(x); }
+};
+
 namespace {
 
+using Device = Perturbed<FloatArithmetic>;
 using Bounds = Affine<FloatArithmetic>;
 using Range = Interval<FloatArithmetic>;
 
@@ -26,8 +37,8 @@ double at_rank(std::vector<double> values, double rank) {
   return values.empty() ? 0 : values[static_cast<std::size_t>(rank * static_cast<double>(values.size() - 1))];
 }
 
-/// Bounds over the box hold what exact arithmetic makes of samples in it, and the precision `float` of that in the
-/// middle; they are never wider than ranges, and half of them much narrower.
+/// Bounds over the box hold what exact arithmetic and bad devices make of samples in it, and the precision `float` of
+/// that in the middle; they are never wider than ranges, and half of them much narrower.
 void check_samples_in_a_box(const Scene& scene, int positions) {
   RenderOptions options;
   options.width = 64, options.height = 36;
@@ -57,18 +68,32 @@ void check_samples_in_a_box(const Scene& scene, int positions) {
     narrower.push_back(ranges.values[i].width() / bounds.values[i].width());
   }
   Random random(1);
-  for (int k = 0; k < positions; ++k) {
-    SampleRequest<Exact> there;
+  const auto move = [&](int k) {
     const bool corner = k < 4;
-    there.dx = Exact(corner ? (k & 1 ? reach : -reach) : random.uniform(-reach, reach));
-    there.dy = Exact(corner ? (k & 2 ? reach : -reach) : random.uniform(-reach, reach));
-    const Image<Exact> exact = render_in<Exact>(scene, options, there);
-    for (std::size_t i = 0; i < exact.values.size(); ++i) {
-      const Exact& x = exact.values[i];
+    return std::pair(corner ? (k & 1 ? reach : -reach) : random.uniform(-reach, reach),
+                     corner ? (k & 2 ? reach : -reach) : random.uniform(-reach, reach));
+  };
+  const auto hold = [&](const auto& image) {
+    for (std::size_t i = 0; i < image.values.size(); ++i) {
+      const Exact x(image.values[i]);
       outside += !(Exact(bounds.values[i].lo) <= x && x <= Exact(bounds.values[i].hi));
       spread[i].first = std::min(spread[i].first, static_cast<double>(x));
       spread[i].second = std::max(spread[i].second, static_cast<double>(x));
     }
+  };
+  for (int k = 0; k < positions; ++k) {
+    SampleRequest<Exact> there;
+    const auto [dx, dy] = move(k);
+    there.dx = Exact(dx), there.dy = Exact(dy);
+    hold(render_in<Exact>(scene, options, there));
+  }
+  for (int k = 0; k < 4 * positions; ++k) {
+    SampleRequest<Device> there;
+    std::tie(there.dx, there.dy) = move(k);
+    Image<double> values(options.width, options.height, 3);
+    const Image<Device> found = render_in<Device>(scene, options, there);
+    for (std::size_t i = 0; i < found.values.size(); ++i) values.values[i] = found.values[i].value;
+    hold(values);
   }
   CHECK(outside == 0);
   CHECK(wider == 0);
