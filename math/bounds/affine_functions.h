@@ -101,15 +101,17 @@ Affine<B> log2(const Affine<B>& x) {
   const Interval<B> range = log2(x.range());
   if (!x.form.is_finite() || x.is_point() || x.lo < B::smallest_normal) return Affine<B>(range);
   // A logarithm may be negative, and is not cut off.
-  return Affine<B>(log2_curve({x.lo, x.hi}).of(x.form), range, 2 * B::log2_units * B::relative,
-                   2 * std::max(double(B::log2_units), 1.0) * B::absolute);
+  const double units = B::log2_units;
+  return Affine<B>(log2_curve({x.lo, x.hi}).of(x.form), range, 2 * units * B::relative,
+                   2 * std::max(units, 1.0) * B::absolute + B::log2_absolute);
 }
 template <class B>
 Affine<B> exp2(const Affine<B>& x) {
   const Interval<B> range = exp2(x.range());
   const bool ordinary = x.lo > DoubleArithmetic::cut_off + 1 && x.hi < highest_power<double> - 1;
   if (!x.form.is_finite() || x.is_point() || !ordinary) return Affine<B>(range);
-  return affine_detail::with_units<B>(exp2_curve({x.lo, x.hi}).of(x.form), range, B::exp2_units);
+  return affine_detail::with_units<B>(exp2_curve({x.lo, x.hi}).of(x.form), range,
+                                      interval_detail::exp2_units(x.range()));
 }
 /// What is not positive counts as 0.
 template <class B>
@@ -117,9 +119,37 @@ Affine<B> pow(const Affine<B>& x, double s) {
   using affine_detail::Bounds;
   const Interval<B> range = pow(x.range(), s);
   if (range.is_point() || !x.form.is_finite() || x.is_point()) return Affine<B>(range);
+  if constexpr (B::powers == Powers::by_logarithm) return exp2(as<Affine<B>>(s) * log2(max(x, Affine<B>(0.0))));
   const Affine<B> base = max(x, Affine<B>(0.0)).clipped(0, x.hi);
   const auto value = [s](double y) { return pow(Bounds(y), s); };
   return affine_detail::with_units<B>(power_curve({base.lo, base.hi}, s, value).of(base.form), range, B::pow_units);
+}
+
+/// a.b added up in any order, also fused: as that of ranges.
+template <class B>
+  requires(B::sums == Sums::in_any_order)
+Affine<B> dot(const Vec3<Affine<B>>& a, const Vec3<Affine<B>>& b) {
+  using namespace affine_detail;
+  const Interval<B> range = dot(ranges(a), ranges(b));
+  AffineForm form;
+  double size = 0;
+  for (int i = 0; i < 3; ++i) {
+    form = sum(form, product(a[i].form, a[i].reach(), b[i].form, b[i].reach()), 1);
+    size += size_of(a[i].range()) * size_of(b[i].range());
+  }
+  if (!form.is_finite()) return Affine<B>(range);
+  const double r = B::relative;
+  return Affine<B>(form, range, 0, upward((3 * r + 3 * r * r + r * r * r) * size + 5 * B::absolute));
+}
+template <class B>
+  requires(B::sums == Sums::in_any_order)
+Affine<B> squared_length(const Vec3<Affine<B>>& a) {
+  using namespace affine_detail;
+  const Interval<B> range = squared_length(ranges(a));
+  const Affine<DoubleArithmetic> squared = exact_squared_length(a);
+  if (!squared.form.is_finite()) return Affine<B>(range);
+  const double r = B::relative;
+  return Affine<B>(squared.form, range, (3 * r + 3 * r * r + r * r * r) * (1 + 0x1p-40), 5 * B::absolute);
 }
 
 namespace affine_detail {
@@ -154,6 +184,7 @@ Affine<B> cosine_power(const Vec3<Affine<B>>& a, const Vec3<Affine<B>>& b, doubl
   using T = Affine<B>;
   const Interval<B> range = cosine_power(ranges(a), ranges(b), s);
   if (range.is_point()) return T(range);
+  if constexpr (B::powers == Powers::by_logarithm) return pow(max(dot(a, b), T(0)), s);
   const T half_square = T(0.5) * squared_length(a - b), dotted = dot(a, b);
   T cosine = dotted;
   if constexpr (std::same_as<B, DoubleArithmetic>) cosine = select(dotted > T(0.5), T(1) - half_square, dotted);
@@ -216,7 +247,7 @@ Affine<B> line_angle(const Vec2<Affine<B>>& point) {
   if (around_seam && !(x.lo > 0 || x.hi < 0)) return Affine<B>(range);
   const AffineForm form = turned ? affine_detail::angle_form(-y, -x) : affine_detail::angle_form(y, x);
   if (!form.is_finite()) return Affine<B>(range);
-  const double rounding = around_seam ? 32 * (DoubleArithmetic::relative + B::relative) : 0;
+  const double rounding = around_seam ? 16 * B::atan2_units * (DoubleArithmetic::relative + B::relative) : 0;
   return Affine<B>(form, range, 2 * B::atan2_units * B::relative, 2 * B::atan2_units * B::absolute + rounding);
 }
 

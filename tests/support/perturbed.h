@@ -109,14 +109,19 @@ Perturbed<B> fraction(Perturbed<B> x) {
 }
 template <class B>
 Perturbed<B> exp2(Perturbed<B> x) {
-  return Perturbed<B>::of(exp2(x.value), 2 * B::exp2_units * B::relative);
+  return Perturbed<B>::of(exp2(x.value),
+                          2 * (B::exp2_units + B::exp2_units_by_exponent * std::abs(x.value)) * B::relative);
 }
 template <class B>
 Perturbed<B> log2(Perturbed<B> x) {
-  return Perturbed<B>::of(log2(x.value), 2 * B::log2_units * B::relative);
+  const double less_or_more = B::log2_absolute * (Perturbed<B>::flips().below(3) - 1);
+  return Perturbed<B>(Perturbed<B>::of(log2(x.value), 2 * B::log2_units * B::relative).value + less_or_more);
 }
 template <class B>
 Perturbed<B> pow(Perturbed<B> x, double s) {
+  if (s == 0) return Perturbed<B>(1);
+  if constexpr (B::powers == Powers::by_logarithm)
+    return x.value > 0 ? exp2(as<Perturbed<B>>(s) * log2(x)) : Perturbed<B>(0);
   return Perturbed<B>(min(Perturbed<B>::of(pow(x.value, s), 2 * B::pow_units * B::relative).value,
                           x.value <= 1 ? 1.0 : std::numeric_limits<double>::infinity()));
 }
@@ -124,10 +129,27 @@ template <class B>
 Perturbed<B> atan2(Perturbed<B> y, Perturbed<B> x) {
   return Perturbed<B>::of(atan2(y.value, x.value), 2 * B::atan2_units * B::relative);
 }
+/// Added up in some order, fused or not.
+template <class B>
+  requires(B::sums == Sums::in_any_order)
+Perturbed<B> dot(const Vec3<Perturbed<B>>& a, const Vec3<Perturbed<B>>& b) {
+  using T = Perturbed<B>;
+  const int first = T::flips().below(3), second = (first + 1 + T::flips().below(2)) % 3, third = 3 - first - second;
+  const auto plus = [](T sum, T x, T y) {
+    return T::flips().below(2) ? sum + x * y : T::of(sum.value + x.value * y.value);
+  };
+  return plus(plus(a[first] * b[first], a[second], b[second]), a[third], b[third]);
+}
+template <class B>
+  requires(B::sums == Sums::in_any_order)
+Perturbed<B> squared_length(const Vec3<Perturbed<B>>& a) {
+  return dot(a, a);
+}
 /// By the formula of the plain function, whose last step may lose what small_power loses.
 template <class B>
 Perturbed<B> cosine_power(const Vec3<Perturbed<B>>& a, const Vec3<Perturbed<B>>& b, double s) {
   if (s == 0) return Perturbed<B>(1);
+  if constexpr (B::powers == Powers::by_logarithm) return pow(max(dot(a, b), Perturbed<B>(0)), s);
   const Perturbed<B> half_square = Perturbed<B>(0.5) * squared_length(a - b);
   const double cosine = dot(a, b).value, q = std::min(half_square.value, 0.25);
   const double r = cosine > 0.75 ? std::exp(s * std::log1p(-q)) : cosine < B::smallest_normal ? 0 : std::pow(cosine, s);

@@ -1,6 +1,7 @@
 // Affine bounds of whole pixels: the sample of each anywhere in a box, in any arithmetic of a budget.
 
 #include "math/bounds/affine_functions.h"
+#include "math/bounds/device_arithmetic.h"
 #include "raster/render_in.h"
 #include "tests/support/perturbed.h"
 #include "tests/support/scenes/listed_scenes.h"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <functional>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -25,10 +27,6 @@ struct EdgeArithmetic<Perturbed<Budget>> {
 
 namespace {
 
-using Device = Perturbed<FloatArithmetic>;
-using Bounds = Affine<FloatArithmetic>;
-using Range = Interval<FloatArithmetic>;
-
 /// Half a subpixel, by snapping, and a little.
 constexpr double reach = 0.6;
 
@@ -39,14 +37,20 @@ double at_rank(std::vector<double> values, double rank) {
 
 /// Bounds over the box hold what exact arithmetic and bad devices make of samples in it, and the precision `float` of
 /// that in the middle; they are never wider than ranges, and half of them much narrower.
-void check_samples_in_a_box(const Scene& scene, int positions) {
+template <class Budget>
+void check_samples_in_a_box(const Scene& scene, int positions, const std::function<void()>& enter = {}) {
+  using Device = Perturbed<Budget>;
+  using Bounds = Affine<Budget>;
+  using Range = Interval<Budget>;
   RenderOptions options;
   options.width = 64, options.height = 36;
   SampleRequest<Bounds> anywhere;
+  anywhere.enter = enter;
   anywhere.dx = Affine<DoubleArithmetic>::along(Symbol::shift_x, 0, reach);
   anywhere.dy = Affine<DoubleArithmetic>::along(Symbol::shift_y, 0, reach);
   const Image<Bounds> bounds = render_in<Bounds>(scene, options, anywhere);
   SampleRequest<Range> in_range;
+  in_range.enter = enter;
   in_range.dx = in_range.dy = {-reach, reach};
   const Image<Range> ranges = render_in<Range>(scene, options, in_range);
   RenderOptions plain = options;
@@ -89,6 +93,7 @@ void check_samples_in_a_box(const Scene& scene, int positions) {
   }
   for (int k = 0; k < 4 * positions; ++k) {
     SampleRequest<Device> there;
+    there.enter = enter;
     std::tie(there.dx, there.dy) = move(k);
     Image<double> values(options.width, options.height, 3);
     const Image<Device> found = render_in<Device>(scene, options, there);
@@ -113,14 +118,21 @@ void check_samples_in_a_box(const Scene& scene, int positions) {
 
 TEST_CASE(
     "affine bounds over a box of sample positions hold what is made of its corners, and are narrower than ranges") {
-  check_samples_in_a_box(listed_scene(quick_scenes().front()), 4);
+  check_samples_in_a_box<FloatArithmetic>(listed_scene(quick_scenes().front()), 4);
+}
+
+TEST_CASE("so do those of a device that is known when the program runs") {
+  OperationErrors vulkan;
+  check_samples_in_a_box<DeviceArithmetic>(listed_scene(quick_scenes().front()), 1,
+                                           [&] { DeviceArithmetic::use(vulkan); });
 }
 
 TEST_SUITE("slow") {
   TEST_CASE("so they are in other scenes, and hold what is made of other positions") {
     for (const std::string& path : quick_scenes()) {
       CAPTURE(path);
-      check_samples_in_a_box(listed_scene(path), 8);
+      check_samples_in_a_box<FloatArithmetic>(listed_scene(path), 8);
+      check_samples_in_a_box<DeviceArithmetic>(listed_scene(path), 2, [] { DeviceArithmetic::use({}); });
     }
   }
 }

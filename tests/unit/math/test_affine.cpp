@@ -1,6 +1,8 @@
 #include "tests/support/for_all.h"
+#include "tests/support/perturbed.h"
 #include "tests/unit/math/affine_cases.h"
 
+#include "math/bounds/device_arithmetic.h"
 #include "math/exact.h"
 
 #include <functional>
@@ -84,7 +86,7 @@ void check_operations(int trials) {
     const double u = x.at(e), v = y.at(e);
     const auto p = static_cast<float>(u), q = static_cast<float>(v);
     for_each_operation(s, [&](const char* name, const auto& f) {
-      CAPTURE(name);
+      INFO(name);
       CAPTURE(s);
       CAPTURE(u);
       CAPTURE(v);
@@ -152,6 +154,52 @@ TEST_CASE("vectors of affine bounds hold what is computed from their points") {
     check(cosine_power(a, b, s), cosine_power(p, q, s));
     check(cosine_power(unit_a, unit_b, s), cosine_power(normalize(p), normalize(q), s));
   });
+}
+
+TEST_CASE("a device's errors are read when the program runs, and bounds hold what it may make of an operation") {
+  using OnDevice = Affine<DeviceArithmetic>;
+  using Device = Perturbed<DeviceArithmetic>;
+  OperationErrors errors;
+  for_all(3000, [&](Random& random) {
+    errors.relative = random.log_uniform(0x1p-24, 1e-6); // what the program itself rounds to float, at least
+    errors.quotient_relative = errors.relative * random.uniform(1, 3), errors.root_relative = errors.quotient_relative;
+    errors.log2_absolute = random.log_uniform(1e-9, 1e-6);
+    DeviceArithmetic::use(errors);
+    const auto [x, y] = some_pair(random);
+    const double s = random.log_uniform(1e-2, 1e2);
+    const OnDevice a = x.template bounds<DeviceArithmetic>(), b = y.template bounds<DeviceArithmetic>();
+    const Symbols e = some_symbols(random);
+    for_each_operation(s, [&](const char* name, const auto& f) {
+      INFO(name);
+      const OnDevice found = f(a, b);
+      const double value = f(Device(x.at(e)), Device(y.at(e))).value;
+      CHECK(holds(found, value));
+      CHECK(form_holds(found, e, value));
+      const Interval<DeviceArithmetic> plain = f(a.range(), b.range());
+      CHECK(plain.contains(value));
+      CHECK((found.lo >= plain.lo && found.hi <= plain.hi));
+    });
+    Vec3<OnDevice> p, q;
+    Vec3<Device> at_p, at_q;
+    for (int i = 0; i < 3; ++i) {
+      const Line of_p = some_line(random, -1, 1, 1e-3, 4), of_q = some_line(random, -1, 1, 1e-3, 4);
+      p[i] = of_p.bounds<DeviceArithmetic>(), at_p[i] = Device(of_p.at(e));
+      q[i] = of_q.bounds<DeviceArithmetic>(), at_q[i] = Device(of_q.at(e));
+    }
+    const auto check = [&](const OnDevice& found, const Device& value) {
+      CHECK(holds(found, value.value));
+      CHECK(form_holds(found, e, value.value));
+    };
+    check(dot(p, q), dot(at_p, at_q));
+    check(length(p), length(at_p));
+    check(cosine_power(normalize(p), normalize(q), s), cosine_power(normalize(at_p), normalize(at_q), s));
+  });
+  const OnDevice third = OnDevice(1.0) / OnDevice(3.0);
+  errors.quotient_relative = 0.25;
+  DeviceArithmetic::use(errors);
+  CHECK((OnDevice(1.0) / OnDevice(3.0)).width() == doctest::Approx(2 * 0.25 / 3));
+  CHECK(third.width() < 1e-5);
+  DeviceArithmetic::use({});
 }
 
 TEST_CASE("a sum with 0 and a product with a power of two are exact, and a point stays a point") {
