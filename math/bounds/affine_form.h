@@ -157,20 +157,23 @@ inline AffineForm square(const AffineForm& x) {
   return scaled(x, 2 * x.centre, Bounds(0, upward(radius * radius)) - Bounds(x.centre) * Bounds(x.centre));
 }
 
-/// What holds both: half way between them in every coefficient, with half of each difference as rest.
+/// What holds both. On the way from the coefficients of x to those of y, `apart` in all, at t of it, the rest must hold
+/// that of x and t apart, and that of y and (1 - t) apart: the least where both are as much. So the smaller of two
+/// balls that lies within the other changes nothing, however often.
 inline AffineForm join(const AffineForm& x, const AffineForm& y) {
-  using namespace affine_detail;
+  double apart = std::abs(x.centre - y.centre);
+  for (std::size_t k = 0; k < AffineForm::symbols; ++k) apart += std::abs(x.slope[k] - y.slope[k]);
+  const double t = apart > 0 ? std::clamp((y.rest - x.rest) / apart / 2 + 0.5, 0.0, 1.0) : 0;
   AffineForm result;
-  double apart = 0, size = 0;
+  double from_x = x.rest, from_y = y.rest;
   const auto coefficient = [&](double of_x, double of_y) {
-    const double between = of_x / 2 + of_y / 2;
-    apart += std::abs(of_x - of_y);
-    size += std::abs(between);
+    const double between = of_x + t * (of_y - of_x);
+    from_x += std::abs(between - of_x), from_y += std::abs(between - of_y);
     return between;
   };
   result.centre = coefficient(x.centre, y.centre);
   for (std::size_t k = 0; k < AffineForm::symbols; ++k) result.slope[k] = coefficient(x.slope[k], y.slope[k]);
-  result.rest = upward(std::max(x.rest, y.rest) + apart / 2 + rounding * size);
+  result.rest = affine_detail::upward(std::max(from_x, from_y));
   return result;
 }
 

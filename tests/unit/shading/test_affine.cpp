@@ -104,7 +104,8 @@ Spread searched(Random& random, int evaluations, const Value& value) {
   return spread;
 }
 
-double median_of(std::vector<double> values, double at) {
+/// The value that so much of all are below.
+double rank(std::vector<double> values, double at) {
   std::sort(values.begin(), values.end());
   return values.empty() ? 0 : values[static_cast<std::size_t>(at * static_cast<double>(values.size() - 1))];
 }
@@ -167,23 +168,40 @@ std::vector<NamedFunction> tried_functions() {
   return list;
 }
 
+/// How wide bounds may be beside what the adversary reached, in the middle and at 95 % of the places. A spline between
+/// logarithms is wide in the very middle of a highlight, where all its azimuths are read.
+Tightness allowed(const std::string& name) {
+  return {1.3, name.find("tricubic") == std::string::npos ? 2.5 : 5};
+}
+
 void check(int places, int evaluations) {
   long all = 0;
   for (const NamedFunction& tried : tried_functions()) {
     CAPTURE(tried.name);
     const Found found = search(tried.function, places, evaluations, 1e-4);
     CHECK(found.outside == 0);
+    CHECK(rank(found.ratio, 0.5) <= allowed(tried.name).median);
+    CHECK(rank(found.ratio, 0.95) <= allowed(tried.name).most);
+    CHECK(rank(found.of_intervals, 0.95) >= 2 * rank(found.ratio, 0.95));
     all += found.evaluations;
     if (std::getenv("REFRASTER_PRINT"))
-      MESSAGE(tried.name << ": ratio " << median_of(found.ratio, 0.5) << " / " << median_of(found.ratio, 0.95) << " / "
-                         << median_of(found.ratio, 1) << ", of intervals " << median_of(found.of_intervals, 0.5)
-                         << " / " << median_of(found.of_intervals, 0.95));
+      MESSAGE(tried.name << ": ratio " << rank(found.ratio, 0.5) << " / " << rank(found.ratio, 0.95) << " / "
+                         << rank(found.ratio, 1) << ", of intervals " << rank(found.of_intervals, 0.5) << " / "
+                         << rank(found.of_intervals, 0.95));
   }
-  MESSAGE(all << " evaluations");
+  if (std::getenv("REFRASTER_PRINT")) MESSAGE(all << " evaluations");
 }
 
 } // namespace
 
-TEST_CASE("no device within the budget leaves the bounds of a fragment function") {
-  check(20, 300);
+TEST_CASE("no device within the budget leaves the bounds of a fragment function, and they are tight") {
+  check(20, 300); // 126,000 evaluations
+  const double width = Bounds::anything().width();
+  CHECK_FALSE(width / 1e30 <= allowed("").most);
+}
+
+TEST_SUITE("slow") {
+  TEST_CASE("so it is with many more places and evaluations") {
+    check(160, 3000); // ten million
+  }
 }
