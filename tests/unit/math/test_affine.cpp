@@ -113,6 +113,33 @@ TEST_CASE("the result of an operation on affine bounds holds the operation's res
   check_operations(1000);
 }
 
+TEST_CASE("a form holds what exact arithmetic makes of exact operands: its own roundings too") {
+  for_all(3000, [](Random& random) {
+    const auto [x, y] = some_pair(random);
+    const AffineForm a{x.centre, x.slope, 0}, b{y.centre, y.slope, 0};
+    const Symbols e = some_symbols(random);
+    const auto at = [&](const AffineForm& form) {
+      Exact value(form.centre);
+      for (std::size_t k = 0; k < e.size(); ++k) value += Exact(form.slope[k]) * Exact(e[k]);
+      return value;
+    };
+    const Exact u = at(a), v = at(b);
+    const double p = random.uniform(-2, 2), q = random.uniform(-2, 2);
+    const auto check = [&](const char* name, const AffineForm& found, const Exact& exact) {
+      INFO(name);
+      CHECK(abs(at(found) - exact) <= Exact(found.rest));
+    };
+    check("sum", sum(a, b, 1), u + v);
+    check("difference", sum(a, b, -1), u - v);
+    check("scaled", scaled(a, p, {q}), Exact(p) * u + Exact(q));
+    check("combined", combined(p, a, q, b), Exact(p) * u + Exact(q) * v);
+    check("product", product(a, a.radius(), b, b.radius()), u * v);
+    check("square", square(a), square(u));
+    check("join", join(a, b), u);
+    check("join", join(a, b), v);
+  });
+}
+
 TEST_CASE("a comparison of affine bounds is certain exactly where no two points differ") {
   for_all(5000, [](Random& random) {
     auto [x, y] = some_pair(random);
