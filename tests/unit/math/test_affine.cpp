@@ -268,6 +268,39 @@ TEST_CASE("a grid read at an affine place holds what each point reads, within a 
     });
 }
 
+TEST_CASE("interpolation holds what a device makes of it, in the order of the formula") {
+  using Device = Perturbed<FloatArithmetic>;
+  for_all(20000, [](Random& random) {
+    const double size = random.log_uniform(1e-3, 1e3), apart = random.log_uniform(1e-6, 1);
+    const Symbols e = some_symbols(random);
+    const bool are_points = random.below(2);
+    const auto some = [&](double lo, double hi, double reach) {
+      Line line = some_line(random, lo, hi, reach, 3);
+      if (are_points) line.slope = {};
+      return line;
+    };
+    std::array<Line, 4> tap;
+    for (Line& line : tap) line = some(size, size * (1 + apart), size * apart);
+    const Line f = some(0.3, 0.7, 0.29);
+    const auto bounds = [&](const Line& line) {
+      return are_points ? Single(line.centre) : line.bounds<FloatArithmetic>();
+    };
+    const auto four = [](const auto& x) { return Vec4<std::decay_t<decltype(x)>>(x, x, x, x); };
+    const auto bound = [&](std::size_t i) { return four(bounds(tap[i])); };
+    const auto device = [&](std::size_t i) { return four(Device(tap[i].at(e))); };
+    const Single linear = mix(bound(0), bound(1), bounds(f)).x;
+    const Single cubic = mix_cubic(bound(0), bound(1), bound(2), bound(3), bounds(f)).x;
+    for (int again = 0; again < 4; ++again) {
+      const double mixed = mix(device(0), device(1), Device(f.at(e))).x.value;
+      const double smooth = mix_cubic(device(0), device(1), device(2), device(3), Device(f.at(e))).x.value;
+      CHECK(linear.contains(mixed));
+      CHECK(form_holds(linear, e, mixed));
+      CHECK(cubic.contains(smooth));
+      CHECK(form_holds(cubic, e, smooth));
+    }
+  });
+}
+
 TEST_CASE("a grid read keeps the slope of its cells, also across a border") {
   const GridAxis axis{GridAxis::Beyond::clamped, 10};
   const Bounds inside = Bounds::along(Symbol::shift_x, 3.5, 0.1), across = Bounds::along(Symbol::shift_x, 3, 0.1);
