@@ -41,6 +41,7 @@ void for_each_operation(double s, const Check& check) {
   check("exp2", [](const auto& x, const auto&) { return exp2(x); });
   check("pow", [s](const auto& x, const auto&) { return pow(x, s); });
   check("atan2", [](const auto& x, const auto& y) { return atan2(x, y); });
+  check("atan2 of abs", [](const auto& x, const auto& y) { return atan2(abs(x), y); });
   check("select", [](const auto& x, const auto& y) { return select(x < y, x * y, x + y); });
 }
 
@@ -227,6 +228,42 @@ TEST_CASE("a device's errors are read when the program runs, and bounds hold wha
   CHECK((OnDevice(1.0) / OnDevice(3.0)).width() == doctest::Approx(2 * 0.25 / 3));
   CHECK(third.width() < 1e-5);
   DeviceArithmetic::use({});
+}
+
+/// Exact points, so that only the budgets are between bounds and what a device makes of them.
+template <class Budget>
+void check_vectors_of_points() {
+  using T = Affine<Budget>;
+  using Device = Perturbed<Budget>;
+  for_all(5000, [](Random& random) {
+    Vec3<T> a, b;
+    Vec3<Device> p, q;
+    const double apart = random.log_uniform(1e-3, 1);
+    for (int i = 0; i < 3; ++i) {
+      const double x = static_cast<double>(static_cast<float>(random.uniform(-1, 1)));
+      const double y = static_cast<double>(static_cast<float>(x + random.uniform(-apart, apart)));
+      a[i] = T(x), p[i] = Device(x), b[i] = T(y), q[i] = Device(y);
+    }
+    Device::flips() = Random(random.bits());
+    const double s = random.log_uniform(0.5, 8);
+    const Vec3<T> unit = normalize(a);
+    const T product = dot(a, b), size = length(a), squared = squared_length(a), power = cosine_power(a, b, s);
+    const T angle = atan2(a.y, a.x);
+    for (int again = 0; again < 20; ++again) {
+      CHECK(product.contains(dot(p, q).value));
+      CHECK(size.contains(length(p).value));
+      CHECK(squared.contains(squared_length(p).value));
+      CHECK(power.contains(cosine_power(p, q, s).value));
+      CHECK(angle.contains(atan2(p.y, p.x).value));
+      CHECK(unit.x.contains(normalize(p).x.value));
+    }
+  });
+}
+
+TEST_CASE("vectors of points have the budget of the device, and no less") {
+  check_vectors_of_points<FloatArithmetic>();
+  DeviceArithmetic::use({});
+  check_vectors_of_points<DeviceArithmetic>();
 }
 
 TEST_CASE("a sum with 0 and a product with a power of two are exact, and a point stays a point") {
