@@ -1,6 +1,6 @@
+#include "tests/support/affine_cases.h"
 #include "tests/support/for_all.h"
 #include "tests/support/perturbed.h"
-#include "tests/unit/math/affine_cases.h"
 
 #include "math/bounds/device_arithmetic.h"
 #include "math/exact.h"
@@ -66,11 +66,11 @@ bool form_holds(const Affine<B>& bounds, const Symbols& e, double value) {
 }
 
 /// A pair of numbers of any size, or of hard ones.
-std::pair<Line, Line> some_pair(Random& random) {
+std::pair<Linear, Linear> some_pair(Random& random) {
   const double size = random.below(4) ? 2 : random.log_uniform(1e-3, 1e3);
   const double reach = size * random.log_uniform(1e-9, 2);
   const int symbols = 1 + random.below(static_cast<int>(AffineForm::symbols));
-  Line x = some_line(random, -size, size, reach, symbols), y = some_line(random, -size, size, reach, symbols);
+  Linear x = some_linear(random, -size, size, reach, symbols), y = some_linear(random, -size, size, reach, symbols);
   if (!random.below(8)) x.centre = 0;
   if (!random.below(8)) y = {std::ldexp(1.0, random.below(9) - 4), {}};
   if (!random.below(8)) x = {random.uniform(-size, size), {}};
@@ -79,10 +79,11 @@ std::pair<Line, Line> some_pair(Random& random) {
 
 void check_operations(int trials) {
   for_all(trials, [](Random& random) {
-    const auto [x, y] = some_pair(random);
+    const std::pair<Linear, Linear> both = some_pair(random);
+    const Linear &x = both.first, &y = both.second;
     const double s = random.below(4) ? random.log_uniform(1e-2, 1e6) : 1;
-    const Bounds a = x.template bounds<DoubleArithmetic>(), b = y.template bounds<DoubleArithmetic>();
-    const Single c = x.template bounds<FloatArithmetic>(), d = y.template bounds<FloatArithmetic>();
+    const Bounds a = x.bounds<DoubleArithmetic>(), b = y.bounds<DoubleArithmetic>();
+    const Single c = x.bounds<FloatArithmetic>(), d = y.bounds<FloatArithmetic>();
     const Symbols e = some_symbols(random);
     const double u = x.at(e), v = y.at(e);
     const auto p = static_cast<float>(u), q = static_cast<float>(v);
@@ -116,7 +117,8 @@ TEST_CASE("the result of an operation on affine bounds holds the operation's res
 
 TEST_CASE("a form holds what exact arithmetic makes of exact operands: its own roundings too") {
   for_all(3000, [](Random& random) {
-    const auto [x, y] = some_pair(random);
+    const std::pair<Linear, Linear> both = some_pair(random);
+    const Linear &x = both.first, &y = both.second;
     const AffineForm a{x.centre, x.slope, 0}, b{y.centre, y.slope, 0};
     const Symbols e = some_symbols(random);
     const auto at = [&](const AffineForm& form) {
@@ -165,7 +167,7 @@ TEST_CASE("vectors of affine bounds hold what is computed from their points") {
     const Symbols e = some_symbols(random);
     const double reach = random.log_uniform(1e-9, 1);
     for (int i = 0; i < 3; ++i) {
-      const Line x = some_line(random, -1, 1, reach, 4), y = some_line(random, -1, 1, reach, 4);
+      const Linear x = some_linear(random, -1, 1, reach, 4), y = some_linear(random, -1, 1, reach, 4);
       a[i] = x.bounds<DoubleArithmetic>(), p[i] = x.at(e);
       b[i] = y.bounds<DoubleArithmetic>(), q[i] = y.at(e);
     }
@@ -193,9 +195,10 @@ TEST_CASE("a device's errors are read when the program runs, and bounds hold wha
     errors.quotient_relative = errors.relative * random.uniform(1, 3), errors.root_relative = errors.quotient_relative;
     errors.log2_absolute = random.log_uniform(1e-9, 1e-6);
     DeviceArithmetic::use(errors);
-    const auto [x, y] = some_pair(random);
+    const std::pair<Linear, Linear> both = some_pair(random);
+    const Linear &x = both.first, &y = both.second;
     const double s = random.log_uniform(1e-2, 1e2);
-    const OnDevice a = x.template bounds<DeviceArithmetic>(), b = y.template bounds<DeviceArithmetic>();
+    const OnDevice a = x.bounds<DeviceArithmetic>(), b = y.bounds<DeviceArithmetic>();
     const Symbols e = some_symbols(random);
     for_each_operation(s, [&](const char* name, const auto& f) {
       INFO(name);
@@ -210,7 +213,7 @@ TEST_CASE("a device's errors are read when the program runs, and bounds hold wha
     Vec3<OnDevice> p, q;
     Vec3<Device> at_p, at_q;
     for (int i = 0; i < 3; ++i) {
-      const Line of_p = some_line(random, -1, 1, 1e-3, 4), of_q = some_line(random, -1, 1, 1e-3, 4);
+      const Linear of_p = some_linear(random, -1, 1, 1e-3, 4), of_q = some_linear(random, -1, 1, 1e-3, 4);
       p[i] = of_p.bounds<DeviceArithmetic>(), at_p[i] = Device(of_p.at(e));
       q[i] = of_q.bounds<DeviceArithmetic>(), at_q[i] = Device(of_q.at(e));
     }
@@ -296,7 +299,7 @@ T squares_at(const T& x, GridAxis axis) {
 TEST_CASE("a grid read at an affine place holds what each point reads, within a cell and across borders") {
   for (const GridAxis axis : {GridAxis{GridAxis::Beyond::clamped, 10}, GridAxis{GridAxis::Beyond::repeated, 10}})
     for_all(5000, [&](Random& random) {
-      const Line x = some_line(random, -15, 25, random.log_uniform(1e-6, 20), 3);
+      const Linear x = some_linear(random, -15, 25, random.log_uniform(1e-6, 20), 3);
       const Symbols e = some_symbols(random);
       const Bounds found = squares_at(x.bounds<DoubleArithmetic>(), axis);
       CHECK(found.contains(squares_at(x.at(e), axis)));
@@ -312,14 +315,14 @@ TEST_CASE("interpolation holds what a device makes of it, in the order of the fo
     const Symbols e = some_symbols(random);
     const bool are_points = random.below(2);
     const auto some = [&](double lo, double hi, double reach) {
-      Line line = some_line(random, lo, hi, reach, 3);
+      Linear line = some_linear(random, lo, hi, reach, 3);
       if (are_points) line.slope = {};
       return line;
     };
-    std::array<Line, 4> tap;
-    for (Line& line : tap) line = some(size, size * (1 + apart), size * apart);
-    const Line f = some(0.3, 0.7, 0.29);
-    const auto bounds = [&](const Line& line) {
+    std::array<Linear, 4> tap;
+    for (Linear& line : tap) line = some(size, size * (1 + apart), size * apart);
+    const Linear f = some(0.3, 0.7, 0.29);
+    const auto bounds = [&](const Linear& line) {
       return are_points ? Single(line.centre) : line.bounds<FloatArithmetic>();
     };
     const auto four = [](const auto& x) { return Vec4<std::decay_t<decltype(x)>>(x, x, x, x); };
@@ -353,7 +356,7 @@ void check_tight(const char* name, double most, const std::function<Bounds(const
   for_all(200, [&](Random& random) {
     // Both depend on both symbols.
     const double reach = 1e-3;
-    Line x = some_line(random, 0.25, 0.75, reach, 2), y = some_line(random, 0.25, 0.75, reach, 2);
+    Linear x = some_linear(random, 0.25, 0.75, reach, 2), y = some_linear(random, 0.25, 0.75, reach, 2);
     double lo = std::numeric_limits<double>::infinity(), hi = -lo;
     constexpr int steps = 16;
     for (int i = 0; i <= steps; ++i)
@@ -397,7 +400,7 @@ TEST_CASE("what cancels is hundreds of times as tight as ranges are") {
       Bounds x[3];
       Interval<DoubleArithmetic> range[3];
       for (int i = 0; i < 3; ++i) {
-        x[i] = some_line(random, 0.25, 0.75, 1e-3, 3).bounds<DoubleArithmetic>();
+        x[i] = some_linear(random, 0.25, 0.75, 1e-3, 3).bounds<DoubleArithmetic>();
         range[i] = x[i].range();
       }
       CHECK(f(x[0], x[1], x[2]).width() * times <= f(range[0], range[1], range[2]).width());

@@ -3,8 +3,8 @@
 
 #include "math/bounds/affine_functions.h"
 #include "shading/light.h"
+#include "tests/support/affine_cases.h"
 #include "tests/support/perturbed.h"
-#include "tests/unit/math/affine_cases.h"
 #include "tests/unit/shading/laws.h"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ using Device = Perturbed<FloatArithmetic>;
 
 /// A fragment as rasterization leaves it: position and normal move with the sample, and each component was rounded.
 struct Place {
-  std::array<Line, 3> position, normal; // the normal of any length
+  std::array<Linear, 3> position, normal; // the normal of any length
   Double3 eye, texture;
   PointLight light;
 };
@@ -59,7 +59,7 @@ Rgb<T> shaded(const Function& function, const Place& place, const Vec3<T>& posit
 }
 
 template <class Number>
-Vec3<Number> bounds_of(const std::array<Line, 3>& line) {
+Vec3<Number> bounds_of(const std::array<Linear, 3>& line) {
   const auto component = [&](std::size_t i) -> Number {
     const auto bounds = line[i].bounds<FloatArithmetic>();
     if constexpr (std::same_as<Number, Bounds>) return bounds;
@@ -68,7 +68,7 @@ Vec3<Number> bounds_of(const std::array<Line, 3>& line) {
   return {component(0), component(1), component(2)};
 }
 template <class T>
-Vec3<T> point_of(const std::array<Line, 3>& line, const Symbols& e) {
+Vec3<T> point_of(const std::array<Linear, 3>& line, const Symbols& e) {
   const auto component = [&](std::size_t i) { return T(static_cast<RealOf<T>>(line[i].at(e))); };
   return {component(0), component(1), component(2)};
 }

@@ -16,7 +16,7 @@ inline Symbols some_symbols(Random& random) {
 }
 
 /// centre + sum of slope[k] e_k: a number that is known where the symbols are.
-struct Line {
+struct Linear {
   double centre = 0;
   std::array<double, AffineForm::symbols> slope{};
 
@@ -38,8 +38,8 @@ struct Line {
 };
 
 /// Around a centre of [lo, hi] and by up to `reach` away from it; of the first `symbols` symbols.
-inline Line some_line(Random& random, double lo, double hi, double reach, int symbols) {
-  Line line;
+inline Linear some_linear(Random& random, double lo, double hi, double reach, int symbols) {
+  Linear line;
   line.centre = random.uniform(lo, hi);
   for (int k = 0; k < symbols; ++k) line.slope[static_cast<std::size_t>(k)] = random.uniform(-reach, reach) / symbols;
   return line;
