@@ -120,6 +120,15 @@ Vec4<T> mix(const Vec4<T>& a, const Vec4<T>& b, const T& fraction) {
   return {component(a.x, b.x), component(a.y, b.y), component(a.z, b.z), component(a.w, b.w)};
 }
 
+/// The Catmull-Rom spline through four values, between b and c.
+template <class T>
+Vec4<T> mix_cubic(const Vec4<T>& a, const Vec4<T>& b, const Vec4<T>& c, const Vec4<T>& d, const T& fraction) {
+  const Vec4<T> slope_b = (c - a) * as<T>(0.5), slope_c = (d - b) * as<T>(0.5), rise = c - b;
+  return b + (slope_b +
+              (rise * T(3) - slope_b * T(2) - slope_c + (slope_b + slope_c - rise * T(2)) * fraction) * fraction) *
+                 fraction;
+}
+
 template <class T>
 Vec3<T> select(const MaskOf<T>& m, const Vec3<T>& a, const Vec3<T>& b) {
   return {select(m, a.x, b.x), select(m, a.y, b.y), select(m, a.z, b.z)};

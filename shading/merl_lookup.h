@@ -63,15 +63,6 @@ Taps<T, count> taps_of(const Cell<T>& at, const GridAxis& axis) {
   return taps;
 }
 
-/// The Catmull-Rom spline through four values, between b and c.
-template <Number T>
-Vec4<T> mix_cubic(const Vec4<T>& a, const Vec4<T>& b, const Vec4<T>& c, const Vec4<T>& d, const T& fraction) {
-  const Vec4<T> slope_b = (c - a) * as<T>(0.5), slope_c = (d - b) * as<T>(0.5), rise = c - b;
-  return b + (slope_b +
-              (rise * T(3) - slope_b * T(2) - slope_c + (slope_b + slope_c - rise * T(2)) * fraction) * fraction) *
-                 fraction;
-}
-
 /// The weighted mean of what was measured: `sum` as MerlReader adds it up.
 template <Number T>
 MerlValue<T> merl_mean(const Vec4<T>& sum) {

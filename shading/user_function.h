@@ -49,6 +49,7 @@ struct BatchTraits<Exact> {
 };
 
 template <class Budget>
+  requires(std::is_same_v<Budget, DoubleArithmetic> || std::is_same_v<Budget, FloatArithmetic>)
 struct BatchTraits<Interval<Budget>> {
   struct Stored {
     double lo, hi;

@@ -7,6 +7,7 @@
 #include "math/vec.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
 #include <concepts>
@@ -40,11 +41,14 @@ constexpr Certainty join(Certainty a, Certainty b) {
 }
 
 namespace interval_detail {
-inline double step_down(double x) {
-  return std::nextafter(x, -std::numeric_limits<double>::infinity());
-}
+/// The next double above x, as std::nextafter has it, without a call.
 inline double step_up(double x) {
-  return std::nextafter(x, std::numeric_limits<double>::infinity());
+  if (!(x < std::numeric_limits<double>::infinity())) return x;
+  if (x == 0) return std::numeric_limits<double>::denorm_min();
+  return std::bit_cast<double>(std::bit_cast<std::int64_t>(x) + (x > 0 ? 1 : -1));
+}
+inline double step_down(double x) {
+  return -step_up(-x);
 }
 } // namespace interval_detail
 
@@ -87,7 +91,7 @@ public:
     if (b.contains(0)) return anything();
     const Interval quotient = hull({outward_quotient(a.lo, b.lo), outward_quotient(a.lo, b.hi),
                                     outward_quotient(a.hi, b.lo), outward_quotient(a.hi, b.hi)});
-    return b.is_power_of_two() ? computed(quotient, 0) : computed(quotient);
+    return b.is_power_of_two() ? computed(quotient, 0) : computed(quotient, Budget::quotient_relative);
   }
   Interval& operator+=(Interval b) { return *this = *this + b; }
   Interval& operator-=(Interval b) { return *this = *this - b; }

@@ -50,7 +50,7 @@ Interval<B> sqrt(Interval<B> x) {
            : y < 0x1p-960          ? Interval<B>(step_down(r), step_up(r))
                                    : Interval<B>::around(r, std::fma(-r, r, y));
   };
-  return Interval<B>::computed({ends(std::max(x.lo, 0.0)).lo, ends(std::max(x.hi, 0.0)).hi});
+  return Interval<B>::computed({ends(std::max(x.lo, 0.0)).lo, ends(std::max(x.hi, 0.0)).hi}, B::root_relative);
 }
 
 /// Within a cell: both ends less the same integer, which rounds just below 0.
@@ -80,6 +80,13 @@ Interval<B> of_rising(const Function& f, Interval<B> x, double double_units, dou
   return ordered<B>(f(x.lo), f(x.hi)).widened(relative * (1 + 0x1p-20), 2 * std::max(budget_units, 1.0) * B::absolute);
 }
 
+/// Of exp2 in x.
+template <class B>
+double exp2_units(Interval<B> x) {
+  if (B::exp2_units_by_exponent == 0) return B::exp2_units;
+  return B::exp2_units + B::exp2_units_by_exponent * std::max(std::abs(x.lo), std::abs(x.hi));
+}
+
 /// What lies below the cut-off may be 0; and what double cuts off is more than the 0 it gives.
 template <class B>
 Interval<B> with_cut_off(Interval<B> x) {
@@ -93,7 +100,13 @@ template <class B>
 Interval<B> log2(Interval<B> x) {
   const auto f = [](double y) { return log2(y); };
   Interval<B> result = interval_detail::of_rising(f, x, DoubleArithmetic::log2_units, B::log2_units);
-  if (std::isinf(x.hi)) result.hi = x.hi; // where our own saturate
+  if (const double more = B::log2_absolute; more > 0) { // the zero of 1 too
+    using namespace interval_detail;
+    result = {step_down(result.lo - more), step_up(result.hi + more)};
+  }
+  if (std::isinf(x.hi)) result.hi = x.hi;                             // where our own saturate
+  if (B::powers == Powers::by_logarithm && x.lo < B::smallest_normal) // nor is that of 0 finite elsewhere
+    result.lo = -std::numeric_limits<double>::infinity();
   // What is not positive counts as the smallest positive number, of any format from float on.
   constexpr double smallest_float = std::numeric_limits<float>::denorm_min();
   if (x.lo < smallest_float) result.hi = std::max(result.hi, log2(smallest_float));
@@ -103,7 +116,7 @@ template <class B>
 Interval<B> exp2(Interval<B> x) {
   using namespace interval_detail;
   const auto f = [](double y) { return exp2(y); };
-  return with_cut_off(of_rising(f, x, DoubleArithmetic::exp2_units, B::exp2_units));
+  return with_cut_off(of_rising(f, x, DoubleArithmetic::exp2_units, exp2_units(x)));
 }
 /// Rising in x. Never above 1 for x <= 1, and exact for s = 0 and x = 0 or 1.
 template <class B>
@@ -111,6 +124,7 @@ Interval<B> pow(Interval<B> x, double s) {
   using namespace interval_detail;
   if (s == 0) return {1.0};
   if (x.hi <= 0) return {0.0};
+  if constexpr (B::powers == Powers::by_logarithm) return exp2(as<Interval<B>>(s) * log2(max(x, {0.0})));
   const auto f = [s](double y) { return pow(y, s); };
   Interval<B> result = with_cut_off(of_rising(f, x, DoubleArithmetic::pow_units, B::pow_units));
   if (std::isinf(x.hi)) result.hi = x.hi;
@@ -119,12 +133,39 @@ Interval<B> pow(Interval<B> x, double s) {
   return result;
 }
 
+/// a.b added up in any order, also fused: no product goes through more than three roundings, and each of five
+/// operations may lose `absolute`.
+template <class B>
+  requires(B::sums == Sums::in_any_order)
+Interval<B> dot(const Vec3<Interval<B>>& a, const Vec3<Interval<B>>& b) {
+  using Real = Interval<DoubleArithmetic>;
+  const auto real = [](Interval<B> x) -> Real { return {x.lo, x.hi}; };
+  const auto size = [](const Real& x) { return std::max(std::abs(x.lo), std::abs(x.hi)); };
+  const Real x = real(a.x) * real(b.x), y = real(a.y) * real(b.y), z = real(a.z) * real(b.z), exact = x + y + z;
+  if (!std::isfinite(exact.width())) return Interval<B>::anything();
+  const double r = B::relative;
+  const double error =
+      ((3 * r + 3 * r * r + r * r * r) * (size(x) + size(y) + size(z)) + 5 * B::absolute) * (1 + 0x1p-40);
+  using namespace interval_detail;
+  return Interval<B>(step_down(exact.lo - error), step_up(exact.hi + error)).widened(0, 0); // may be beyond the largest
+}
+template <class B>
+  requires(B::sums == Sums::in_any_order)
+Interval<B> squared_length(const Vec3<Interval<B>>& a) {
+  const Interval<B> mixed = dot(a, a), sum = square(a.x) + square(a.y) + square(a.z);
+  // Of what is not negative: three roundings of itself, in any order.
+  const double r = B::relative,
+               least = sum.lo - ((3 * r + 3 * r * r + r * r * r) * sum.lo + 5 * B::absolute) * (1 + 0x1p-40);
+  return {std::max(interval_detail::step_down(least), 0.0), std::max(mixed.hi, 0.0)};
+}
+
 /// As the plain function, for whatever vectors the boxes hold: near a = b by |a - b|^2 / 2, else by the dot product.
 template <class B>
 Interval<B> cosine_power(const Vec3<Interval<B>>& a, const Vec3<Interval<B>>& b, double s) {
   using namespace interval_detail;
   using T = Interval<B>;
   if (s == 0) return {1.0};
+  if constexpr (B::powers == Powers::by_logarithm) return pow(max(dot(a, b), T(0)), s);
   const T half_square = T(0.5) * squared_length(a - b), dotted = dot(a, b);
   T cosine = dotted;
   if constexpr (std::same_as<B, DoubleArithmetic>) cosine = select(dotted > T(0.5), T(1) - half_square, dotted);
@@ -151,7 +192,10 @@ Interval<B> atan2(Interval<B> y, Interval<B> x) {
   const bool may_be_below = std::signbit(y.lo), may_be_above = !std::signbit(y.hi) || y.hi == 0;
   if (may_be_below && may_be_above && x.lo <= 0) {
     const Interval<B> pi = NumberTraits<Interval<B>>::constant(constants::pi);
-    return {-pi.hi, pi.hi};
+    // Ours is never beyond pi.
+    const double most =
+        B::atan2_units > DoubleArithmetic::atan2_units ? pi.widened(2 * B::atan2_units * B::relative).hi : pi.hi;
+    return {-most, most};
   }
   const auto corner = [](double at_y, double at_x) {
     const auto f = [at_x](double v) { return atan2(v, at_x); };
@@ -169,9 +213,10 @@ Interval<B> line_angle(const Vec2<Interval<B>>& point) {
   const auto [x, y] = std::pair(point.x, point.y);
   if (y.lo > 0) return atan2(y, x);
   if (y.hi < 0) return atan2(-y, -x);
-  // Other numbers may have it just below pi, and round it, and what they make of it, as much as pi: ten roundings.
+  // Other numbers may have it just below pi, and round it, and what they make of it, as much as pi: the error of an
+  // angle of pi in units of 2 r is below 7 r a unit, and 9 r a unit is as much as six roundings of pi, in ours.
   const auto around_seam = [](Interval<B> angle) -> Interval<B> {
-    constexpr double rounding = 32 * (DoubleArithmetic::relative + B::relative);
+    const double rounding = 16 * B::atan2_units * (DoubleArithmetic::relative + B::relative);
     return {angle.lo - rounding, angle.hi + rounding};
   };
   if (x.lo > 0) return around_seam(atan2(y, x));
@@ -185,14 +230,16 @@ Interval<B> length(const Vec3<Interval<B>>& a) {
   const Interval<B> x = abs(a.x), y = abs(a.y), z = abs(a.z);
   const Interval<B> ends =
       interval_detail::ordered<B>(length(Double3(x.lo, y.lo, z.lo)), length(Double3(x.hi, y.hi, z.hi)));
-  return ends.widened(5 * (DoubleArithmetic::relative + B::relative) * (1 + 0x1p-20));
+  return ends.widened((5 * DoubleArithmetic::relative + 4 * B::relative + B::root_relative) * (1 + 0x1p-20));
 }
 
 /// a / |a|, component by component: x / sqrt(x^2 + r^2) rises with x, and its size falls with r, the length of the
 /// other two. normalize() makes fewer than six roundings of a component (math/elementary/cosine_power.h).
 template <class B>
 Vec3<Interval<B>> normalize(const Vec3<Interval<B>>& a) {
-  const auto component = [](Interval<B> x, Interval<B> y, Interval<B> z) -> Interval<B> {
+  const double relative =
+      (6 * DoubleArithmetic::relative + 4 * B::relative + B::root_relative + B::quotient_relative) * (1 + 0x1p-20);
+  const auto component = [relative](Interval<B> x, Interval<B> y, Interval<B> z) -> Interval<B> {
     y = abs(y), z = abs(z);
     const auto least = [&](double at) { // the lowest value for this x
       const Double3 across = at < 0 ? Double3(0, y.lo, z.lo) : Double3(0, y.hi, z.hi);
@@ -203,9 +250,8 @@ Vec3<Interval<B>> normalize(const Vec3<Interval<B>>& a) {
       return x_of_unit == 0 ? interval_detail::step_down(0.0) : x_of_unit;
     };
     const Interval<B> ends = interval_detail::ordered<B>(least(x.lo), -least(-x.hi));
-    const Interval<B> rounded =
-        ends.widened(6 * (DoubleArithmetic::relative + B::relative) * (1 + 0x1p-20), 2 * B::absolute);
-    return {std::max(rounded.lo, -1 - 8 * B::relative), std::min(rounded.hi, 1 + 8 * B::relative)};
+    const Interval<B> rounded = ends.widened(relative, 2 * B::absolute);
+    return {std::max(rounded.lo, -1 - relative), std::min(rounded.hi, 1 + relative)};
   };
   return {component(a.x, a.y, a.z), component(a.y, a.z, a.x), component(a.z, a.x, a.y)};
 }

@@ -205,6 +205,16 @@ template <class T>
   return edges;
 }
 
+/// x; in a number that has symbols (math/bounds/affine.h) what only x depends on is called by one, so that what is
+/// computed from it remembers. Each of a fragment is given to one number only.
+template <class T>
+T with_symbol(const T& x, int symbol) {
+  if constexpr (requires { x.named(symbol); }) return x.named(symbol);
+  else return x;
+}
+/// That of a sum of weights is the one before those of the rows of position, normal and texture coordinates.
+inline constexpr int weights_symbol = 2, first_row_symbol = 3;
+
 /// Weights of the two corners that are not the anchor: perspective-correct, each in [0, 1] inside the triangle.
 template <class T>
 struct Barycentric {
@@ -235,7 +245,7 @@ PacketBarycentrics<T> barycentrics(const Data& data) {
   PacketBarycentrics<T> result;
   const T mu0 = weighted(edges.value, 0), mu1 = weighted(edges.value, 1), mu2 = weighted(edges.value, 2);
   result.inside = min(mu0, min(mu1, mu2)) >= T(0);
-  const T reciprocal = T(1) / (mu0 + mu1 + mu2);
+  const T reciprocal = with_symbol(T(1) / (mu0 + mu1 + mu2), weights_symbol);
   result.at = {mu1 * reciprocal, mu2 * reciprocal};
   if constexpr (derivatives == Derivatives::yes) {
     const auto change = [&](const auto& step) -> Barycentric<T> {
@@ -260,7 +270,7 @@ template <class Data, class T = typename Data::Number>
 T interpolated(const Data& data, int component_row, const Barycentric<T>& at) {
   const std::array<T, 4> row = data.row(component_row);
   if constexpr (is_fast<T>) return multiply_add(at.b1, row[1], multiply_add(at.b2, row[2], row[0]));
-  else return row[0] + changed(row, at);
+  else return with_symbol(row[0] + changed(row, at), first_row_symbol + component_row);
 }
 
 /// Texture coordinate c; in the triangle kept within the range of its corners': where an edge has the coordinate 0,

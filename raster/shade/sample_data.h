@@ -3,7 +3,7 @@
 // digits and for bounds. The sample may lie anywhere in a range, if the Number has ranges, and so may the vertices'
 // data.
 
-#include "math/bounds/interval_functions.h"
+#include "math/bounds/affine_functions.h"
 #include "math/exact.h"
 #include "raster/shade/corner_values.h"
 #include "raster/shade/exact_pieces.h"
@@ -44,6 +44,17 @@ struct EdgeArithmetic<Interval<Budget>> {
   }
   static Interval<Budget> rounded(const Value& x) { return Interval<Budget>::computed({x.lo, x.hi}); }
 };
+
+template <class Budget>
+struct EdgeArithmetic<Affine<Budget>> {
+  using Value = Affine<DoubleArithmetic>;
+  static Value whole(Int128 x) { return Value(EdgeArithmetic<Interval<DoubleArithmetic>>::whole(x)); }
+  static Affine<Budget> rounded(const Value& x) { return x.template rounded_to<Budget>(); }
+};
+static_assert(first_row_symbol + position_row == static_cast<int>(Symbol::position) &&
+              first_row_symbol + normal_row == static_cast<int>(Symbol::normal) &&
+              first_row_symbol + uv_row == static_cast<int>(Symbol::uv) &&
+              weights_symbol == static_cast<int>(Symbol::inverse_w));
 
 /// What the vertex stage stored of a triangle's corners, as numbers of T.
 template <Number T>

@@ -28,6 +28,7 @@ struct SampleRequest {
   std::function<void(int x, int y, const Rgb<T>& radiance)> take = {};
   std::function<bool(int x, int y)> wanted =
       {}; // which pixels are shaded, the others show the background; all if empty. From several threads too
+  std::function<void()> enter = {}; // called on the thread of each tile before it is shaded: DeviceArithmetic::use
   // Where the sample is, counted from the pixel's centre in subpixels: a range, if T has ranges.
   typename EdgeArithmetic<T>::Value dx{0}, dy{0};
 };
@@ -55,6 +56,8 @@ public:
              const TileMeasures& measures) override {
     FrameCounts& counts = measures.counts;
     Stopwatch stopwatch;
+    if constexpr (!has_lanes)
+      if (request_.enter) request_.enter();
     list_runs(visible.visibility, visible.tile, context.options.samples, runs_);
     if constexpr (!has_lanes) keep_wanted(visible.tile);
     const std::uint32_t fragments = setups_.collect(context, visible.triangles, runs_);

@@ -80,6 +80,16 @@ TEST_CASE("bounds of a cosine's power hold it, for directions and for any vector
   });
 }
 
+TEST_CASE("a step is to the next double") {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const auto check = [&](double x) {
+    CHECK(interval_detail::step_up(x) == std::nextafter(x, infinity));
+    CHECK(interval_detail::step_down(x) == std::nextafter(x, -infinity));
+  };
+  for (const double x : {0.0, -0.0, infinity, -infinity}) check(x);
+  for_all(10000, [&](Random& random) { check(random.hard<double>()); });
+}
+
 TEST_CASE("a comparison of bounds is certain exactly where no two points differ") {
   CHECK((Bounds(0, 1) < Bounds(2, 3)) == Certainty::yes);
   CHECK((Bounds(2, 3) < Bounds(0, 1)) == Certainty::no);
