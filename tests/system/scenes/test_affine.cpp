@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <functional>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -27,18 +28,16 @@ struct EdgeArithmetic<Perturbed<Budget>> {
 
 namespace {
 
-/// Half a subpixel, by snapping, and a little.
-constexpr double reach = 0.6;
-
 double at_rank(std::vector<double> values, double rank) {
   std::sort(values.begin(), values.end());
   return values.empty() ? 0 : values[static_cast<std::size_t>(rank * static_cast<double>(values.size() - 1))];
 }
 
 /// Bounds over the box hold what exact arithmetic and bad devices make of samples in it, and the precision `float` of
-/// that in the middle; they are never wider than ranges, and half of them much narrower.
+/// that in the middle. `reach`, in subpixels: half of one, by snapping, and a little; or 0, for roundings alone. They
+/// are never wider than ranges, and half of them much narrower.
 template <class Budget>
-void check_samples_in_a_box(const Scene& scene, int positions, const std::function<void()>& enter = {}) {
+void check_samples_in_a_box(const Scene& scene, double reach, int positions, const std::function<void()>& enter = {}) {
   using Device = Perturbed<Budget>;
   using Bounds = Affine<Budget>;
   using Range = Interval<Budget>;
@@ -102,28 +101,68 @@ void check_samples_in_a_box(const Scene& scene, int positions, const std::functi
   }
   CHECK(outside == 0);
   CHECK(wider == 0);
-  CHECK(at_rank(narrower, 0.5) >= 2);
-  if (std::getenv("REFRASTER_PRINT")) {
-    std::vector<double> ratio;
-    for (std::size_t i = 0; i < spread.size(); ++i)
-      if (spread[i].second > spread[i].first)
-        ratio.push_back(bounds.values[i].width() / (spread[i].second - spread[i].first));
+  CHECK(at_rank(narrower, 0.5) >= (reach > 0 ? 2 : 1));
+  std::vector<double> ratio;
+  for (std::size_t i = 0; i < spread.size(); ++i)
+    if (spread[i].second > spread[i].first)
+      ratio.push_back(bounds.values[i].width() / (spread[i].second - spread[i].first));
+  if (reach > 0 &&
+      std::is_same_v<Budget, FloatArithmetic>) { // else roundings are most of it, which chance does not find
+    CHECK(at_rank(ratio, 0.5) <= 1.3);
+    CHECK(at_rank(ratio, 0.95) <= 2.5);
+  }
+  if (std::getenv("REFRASTER_PRINT"))
     MESSAGE("levels: " << at_rank(width, 0.5) << " / " << at_rank(width, 0.95) << " / " << at_rank(width, 1)
                        << ", of ranges " << at_rank(of_range, 0.5) << " / " << at_rank(of_range, 0.95)
                        << ", over the spread " << at_rank(ratio, 0.5) << " / " << at_rank(ratio, 0.95));
-  }
 }
+
+constexpr double half_subpixel = 0.6;
+
+/// Of the numbers that interpolation starts from.
+template <class Budget>
+void check_rounded_edges() {
+  using Edge = EdgeArithmetic<Affine<Budget>>;
+  const double third = 1.0 / 3, error = Budget::relative * third * (1 - 0x1p-10);
+  const Affine<Budget> once = Edge::rounded(typename Edge::Value(third));
+  CHECK(once.contains(third - error));
+  CHECK(once.contains(third + error));
+  CHECK(once.width() <= 4 * error);
+}
+
+/// A triangle of which every row is the same.
+struct SameRows {
+  using Number = Affine<FloatArithmetic>;
+  std::array<Number, 4> row(int) const { return {Number(0.1), Number(0.7), Number(0.3), Number(0)}; }
+};
 
 } // namespace
 
+TEST_CASE("each component of position, normal and texture coordinates has a symbol of its own") {
+  const SameRows::Number third = SameRows::Number(1) / SameRows::Number(3);
+  for (int row = 0; row < uv_row + 2; ++row) {
+    CAPTURE(row);
+    const AffineForm form = interpolated(SameRows{}, row, Barycentric<SameRows::Number>{third, third}).form;
+    for (std::size_t k = 0; k < AffineForm::symbols; ++k)
+      CHECK((form.slope[k] > 0) == (k == static_cast<std::size_t>(first_row_symbol + row)));
+    CHECK(form.rest == 0);
+  }
+}
+
+TEST_CASE("the value of an edge function is rounded once") {
+  check_rounded_edges<FloatArithmetic>();
+  check_rounded_edges<DeviceArithmetic>();
+}
+
 TEST_CASE(
     "affine bounds over a box of sample positions hold what is made of its corners, and are narrower than ranges") {
-  check_samples_in_a_box<FloatArithmetic>(listed_scene(quick_scenes().front()), 4);
+  check_samples_in_a_box<FloatArithmetic>(listed_scene(quick_scenes().front()), half_subpixel, 4);
+  check_samples_in_a_box<FloatArithmetic>(listed_scene(quick_scenes().front()), 0, 4);
 }
 
 TEST_CASE("so do those of a device that is known when the program runs") {
   OperationErrors vulkan;
-  check_samples_in_a_box<DeviceArithmetic>(listed_scene(quick_scenes().front()), 1,
+  check_samples_in_a_box<DeviceArithmetic>(listed_scene(quick_scenes().front()), half_subpixel, 1,
                                            [&] { DeviceArithmetic::use(vulkan); });
 }
 
@@ -131,8 +170,9 @@ TEST_SUITE("slow") {
   TEST_CASE("so they are in other scenes, and hold what is made of other positions") {
     for (const std::string& path : quick_scenes()) {
       CAPTURE(path);
-      check_samples_in_a_box<FloatArithmetic>(listed_scene(path), 8);
-      check_samples_in_a_box<DeviceArithmetic>(listed_scene(path), 2, [] { DeviceArithmetic::use({}); });
+      check_samples_in_a_box<FloatArithmetic>(listed_scene(path), half_subpixel, 8);
+      check_samples_in_a_box<FloatArithmetic>(listed_scene(path), 0, 8);
+      check_samples_in_a_box<DeviceArithmetic>(listed_scene(path), half_subpixel, 2, [] { DeviceArithmetic::use({}); });
     }
   }
 }
