@@ -6,6 +6,7 @@
 #include <refraster/render.h>
 
 #include "minnaert.h"
+#include "io/scene/scene_markdown.h"
 #include "raster/render_in.h"
 #include "tests/support/scenes/random_scene.h"
 #include "tests/support/shading/each_fragment_function.h"
