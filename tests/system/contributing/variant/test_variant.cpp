@@ -5,8 +5,8 @@
 #include <refraster/mesh.h>
 #include <refraster/render.h>
 
-#include "minnaert.h"
 #include "io/scene/scene_markdown.h"
+#include "minnaert.h"
 #include "raster/render_in.h"
 #include "tests/support/scenes/random_scene.h"
 #include "tests/support/shading/each_fragment_function.h"
