@@ -1,5 +1,7 @@
 #include "app/progress_line.h"
 
+#include "raster/stopwatch.h"
+
 #include <chrono>
 #include <condition_variable>
 #include <cstdio>
@@ -22,7 +24,7 @@ ProgressLine::ProgressLine(std::string what) : what_(std::move(what)) {
 ProgressLine::~ProgressLine() = default; // stops the printer and waits for it
 
 void ProgressLine::print_until(const std::stop_token& end) const {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch stopwatch;
   std::mutex mutex;
   std::condition_variable_any never;
   std::unique_lock lock(mutex);
@@ -36,8 +38,7 @@ void ProgressLine::print_until(const std::stop_token& end) const {
     if (fraction >= 0) {
       std::fprintf(stderr, "%s%s %3.0f %%", erase_line, what_.c_str(), 100 * fraction);
     } else {
-      const std::chrono::duration<double> since = std::chrono::steady_clock::now() - start;
-      std::fprintf(stderr, "%s%s %3.0f s", erase_line, what_.c_str(), since.count());
+      std::fprintf(stderr, "%s%s %3.0f s", erase_line, what_.c_str(), stopwatch.seconds());
     }
   } while (!ended_within(interval));
   std::fputs(erase_line, stderr);

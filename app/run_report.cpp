@@ -5,10 +5,9 @@
 namespace refraster {
 namespace {
 
-void write_crop(JsonWriter& json, const std::vector<PixelRect>& crops) {
-  if (crops.empty()) return json.null();
-  const PixelRect& crop = crops.front();
-  json.value(std::vector<int>{crop.x, crop.y, crop.width, crop.height});
+void write_crop(JsonWriter& json, const std::optional<PixelRect>& crop) {
+  if (!crop) return json.null();
+  json.value(std::vector<int>{crop->x, crop->y, crop->width, crop->height});
 }
 
 void write_seconds(JsonWriter& json, const RunReport& report) {

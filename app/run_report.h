@@ -3,6 +3,7 @@
 
 #include <refraster/render.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,7 @@ struct RunReport {
   std::string scene;                // as named by the user
   std::vector<std::string> outputs; // files written
   int width = 0, height = 0;        // of the full image
-  std::vector<PixelRect> crop;      // none or one
+  std::optional<PixelRect> crop;
   std::string precision;
   int samples = 1;
   int tile_size = 0;

@@ -1,5 +1,3 @@
-
-
 #include <refraster/memory.h>
 
 #include <cstdlib>

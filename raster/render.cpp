@@ -1,5 +1,3 @@
-
-
 #include <refraster/render.h>
 
 #include "math/precisions.h"

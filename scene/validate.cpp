@@ -1,5 +1,3 @@
-
-
 #include <refraster/scene.h>
 
 #include "scene/scene_checks.h"

@@ -1,5 +1,3 @@
-
-
 #include <refraster/material.h>
 
 #include "math/elementary.h"

@@ -15,11 +15,12 @@
 #include "app/run_report.h"
 #include "app/usage_error.h"
 #include "raster/explain/explain_dark.h"
+#include "raster/stopwatch.h"
 
 #include <algorithm>
-#include <chrono>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 namespace refraster {
 namespace {
@@ -27,7 +28,7 @@ namespace {
 struct RenderArguments {
   std::string scene, output, report;
   Size size;
-  std::vector<PixelRect> crop;
+  std::optional<PixelRect> crop;
   std::vector<Aov> aovs;
   std::string precision = "double";
   int samples = 1, threads = 0, tile_size = 64;
@@ -35,16 +36,6 @@ struct RenderArguments {
   SceneOptions reading;
   std::uint64_t max_memory = 0;
   Diagnostics diagnostics;
-};
-
-/// Seconds since it was made.
-class Stopwatch {
-public:
-  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
-
-private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point start_ = Clock::now();
 };
 
 /// Whether the image holds radiance, and not what of it can be shown.
@@ -61,13 +52,10 @@ std::string aov_path(const std::string& output, Aov aov) {
 
 /// What one option alone does not show.
 void check_together(const RenderArguments& arguments) {
-  for (const PixelRect& crop : arguments.crop) {
-    if (crop.width <= arguments.size.width - crop.x && crop.height <= arguments.size.height - crop.y) continue;
+  const PixelRect part = arguments.crop.value_or(PixelRect{0, 0, arguments.size.width, arguments.size.height});
+  if (part.width > arguments.size.width - part.x || part.height > arguments.size.height - part.y)
     throw UsageError("--crop", "reaches out of the image of " + std::to_string(arguments.size.width) + "x" +
                                    std::to_string(arguments.size.height) + " pixels");
-  }
-  const PixelRect part =
-      arguments.crop.empty() ? PixelRect{0, 0, arguments.size.width, arguments.size.height} : arguments.crop.back();
   check_frame_samples(part.width, part.height, arguments.samples);
   check_extension("--output", arguments.output, {rgb8_image, float_rgb_image});
   if (arguments.transfer == Transfer::srgb && writes_floats(arguments))
@@ -78,7 +66,7 @@ RenderOptions options_from(const RenderArguments& arguments) {
   RenderOptions options;
   options.width = arguments.size.width;
   options.height = arguments.size.height;
-  if (!arguments.crop.empty()) options.crop = arguments.crop.back();
+  options.crop = arguments.crop;
   options.precision = value_named<Precision>(arguments.precision).value();
   options.samples = arguments.samples;
   options.threads = arguments.threads;
@@ -194,9 +182,8 @@ Command render_command() {
   const auto arguments = std::make_shared<RenderArguments>();
   RenderArguments& a = *arguments;
   const auto set_crop = [&a](const std::string& text) -> std::optional<ValueFault> {
-    const std::optional<PixelRect> crop = crop_from(text);
-    if (!crop) return ValueFault{"x,y,width,height in pixels from the top left"};
-    a.crop = {*crop};
+    a.crop = crop_from(text);
+    if (!a.crop) return ValueFault{"x,y,width,height in pixels from the top left"};
     return std::nullopt;
   };
   const std::vector<std::string> aovs(std::begin(aov_names), std::end(aov_names));

@@ -1,5 +1,3 @@
-
-
 #include <refraster/notes.h>
 
 #include "io/file/text.h"

@@ -1,5 +1,3 @@
-
-
 #include <refraster/files.h>
 
 #include "io/file/atomic_file.h"

@@ -1,5 +1,3 @@
-
-
 #include <refraster/files.h>
 
 #include "io/brdf/merl_file.h"

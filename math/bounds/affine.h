@@ -209,14 +209,7 @@ private:
 };
 
 template <class Budget>
-struct NumberTraits<Affine<Budget>> {
-  using Real = double;
-  using Mask = Certainty;
-  using Index = std::int32_t; // of one cell: read_grid
-  static constexpr int lanes = 1;
-  static constexpr bool has_lanes = false, decides = false, is_ieee = false;
-  static constexpr double largest = Budget::largest;
-
+struct NumberTraits<Affine<Budget>> : BoundsTraits<Budget> {
   /// As it is, and as it is rounded to single precision: by the program, not by the device.
   static Affine<Budget> parameter(double x) {
     const auto range = NumberTraits<Interval<Budget>>::parameter(x);

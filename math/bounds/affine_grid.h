@@ -156,14 +156,7 @@ auto read_every_cell(const std::array<Affine<B>, dimensions>& place, const std::
     if (bounded.lo != place[d].lo || bounded.hi != place[d].hi) inside[d] = Affine<B>(bounded);
     enter(d, range[d].first);
   }
-  auto value = read(cells);
-  for (;;) {
-    std::size_t d = 0;
-    while (d < dimensions && cells[d].index == range[d].last) enter(d, range[d].first), ++d;
-    if (d == dimensions) return value;
-    enter(d, cells[d].index + 1);
-    value = join(value, read(cells));
-  }
+  return interval_detail::read_all(range, cells, enter, read);
 }
 
 } // namespace refraster::inline REFRASTER_KIT

@@ -177,15 +177,19 @@ private:
   }
 };
 
+/// What every bounds number of a rounding budget says of itself.
 template <class Budget>
-struct NumberTraits<Interval<Budget>> {
+struct BoundsTraits {
   using Real = double;
   using Mask = Certainty;
   using Index = std::int32_t; // of one cell: read_grid
   static constexpr int lanes = 1;
   static constexpr bool has_lanes = false, decides = false, is_ieee = false;
   static constexpr double largest = Budget::largest;
+};
 
+template <class Budget>
+struct NumberTraits<Interval<Budget>> : BoundsTraits<Budget> {
   /// A parameter as it is, and as the device may have rounded it. A number of single precision every device has.
   static Interval<Budget> parameter(double x) {
     if (std::isnan(x)) return Interval<Budget>::anything();

@@ -276,6 +276,20 @@ CellRange cells_of(Interval<B>& place, const GridAxis& axis) {
   return {floor_and_fraction(place.lo).index, floor_and_fraction(place.hi).index};
 }
 
+/// What is read in any of these cells. `cells` is the first of them; enter(d, index) makes it another along axis d.
+template <std::size_t dimensions, class Cells, class Enter, class Read>
+auto read_all(const std::array<CellRange, dimensions>& range, const Cells& cells, const Enter& enter,
+              const Read& read) {
+  auto value = read(cells);
+  for (;;) {
+    std::size_t d = 0;
+    while (d < dimensions && cells[d].index == range[d].last) enter(d, range[d].first), ++d;
+    if (d == dimensions) return value;
+    enter(d, cells[d].index + 1);
+    value = join(value, read(cells));
+  }
+}
+
 } // namespace interval_detail
 
 /// See read_grid. Every cell is read, however many there are.
@@ -293,14 +307,7 @@ auto read_every_cell(std::array<Interval<B>, dimensions> place, const std::array
     range[d] = cells_of(place[d], axes[d]);
     enter(d, range[d].first);
   }
-  auto value = read(cells);
-  for (;;) {
-    std::size_t d = 0;
-    while (d < dimensions && cells[d].index == range[d].last) enter(d, range[d].first), ++d;
-    if (d == dimensions) return value;
-    enter(d, cells[d].index + 1);
-    value = join(value, read(cells));
-  }
+  return interval_detail::read_all(range, cells, enter, read);
 }
 
 static_assert(Number<Interval<DoubleArithmetic>> && Number<Interval<FloatArithmetic>>);

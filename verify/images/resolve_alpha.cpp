@@ -1,5 +1,3 @@
-
-
 #include <refraster/notes.h>
 
 #include "verify/images/colour_image.h"

@@ -1,5 +1,3 @@
-
-
 #include <refraster/notes.h>
 
 #include "tests/long/fuzz/memory.h"

@@ -4,13 +4,12 @@
 #include <refraster/mesh.h>
 #include <refraster/render.h>
 
-#include "raster/render_in.h"
 #include "shading/fragment_functions.h"
+#include "tests/support/scenes/same_shading.h"
 
 #include <doctest/doctest.h>
 
-#include <cstring>
-#include <stdexcept>
+#include <string>
 
 namespace own {
 using namespace refraster;
@@ -59,43 +58,17 @@ Scene two_balls() {
   return scene;
 }
 
-template <class Value>
-bool same_bits(const Image<Value>& a, const Image<Value>& b) {
-  return a.values.size() == b.values.size() && a.values.size() > 0 &&
-         std::memcmp(a.values.data(), b.values.data(), a.values.size() * sizeof(Value)) == 0;
-}
-
 } // namespace
 
 TEST_CASE("a fragment function of one's own gives the library's bits in every precision, with AOVs and counts") {
-  const Scene built_in = two_balls(), user = by_user(built_in);
-  for (const auto& [precision, name] : EnumNames<Precision>::names) {
-    CAPTURE(name);
-    RenderOptions options{.width = 40, .height = 30, .precision = precision, .samples = 4, .threads = 2};
-    if (precision == Precision::exact) options.width = 12, options.height = 9;
-    options.want_radiance_double = true;
-    options.aovs = {Aov::albedo, Aov::normal};
-    const Frame expected = render(built_in, options), frame = render(user, options);
-    CHECK(same_bits(frame.radiance_double, expected.radiance_double));
-    CHECK(same_bits(frame.rgb8, expected.rgb8));
-    CHECK(same_bits(frame.aovs[0], expected.aovs[0]));
-    CHECK(frame.counts.undefined.counts == expected.counts.undefined.counts);
-    CHECK(frame.counts.undefined[Undefined::zero_to_the_zero] > 0);
-  }
+  const Scene built_in = two_balls();
+  test::check_same_frames(built_in, by_user(built_in),
+                          [](const Frame& frame) { CHECK(frame.counts.undefined[Undefined::zero_to_the_zero] > 0); });
 }
 
 TEST_CASE("and the library's bounds") {
-  const Scene built_in = two_balls(), user = by_user(built_in);
-  const RenderOptions options{.width = 16, .height = 12, .threads = 2};
-  const auto check = [&]<class T>(T) {
-    const Image<T> expected = render_in<T>(built_in, options), image = render_in<T>(user, options);
-    for (std::size_t i = 0; i < image.values.size(); ++i) {
-      REQUIRE(image.values[i].lo == expected.values[i].lo);
-      REQUIRE(image.values[i].hi == expected.values[i].hi);
-    }
-  };
-  check(Interval<DoubleArithmetic>(0));
-  check(Interval<FloatArithmetic>(0));
+  const Scene built_in = two_balls();
+  test::check_same_bounds(built_in, by_user(built_in));
 }
 
 TEST_CASE("its parameters are shown one by one, words by number, and may be changed") {

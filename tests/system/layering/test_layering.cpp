@@ -199,3 +199,10 @@ TEST_CASE("every header begins with #pragma once") {
     CHECK_MESSAGE((!lines.empty() && lines.front() == "#pragma once"), path);
   }
 }
+
+TEST_CASE("no file begins with an empty line") {
+  for (const std::string& path : all_files()) {
+    const std::vector<std::string> lines = lines_of(path);
+    CHECK_MESSAGE((!lines.empty() && !lines.front().empty()), path);
+  }
+}

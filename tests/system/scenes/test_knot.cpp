@@ -1,5 +1,3 @@
-
-
 #include <refraster/mesh.h>
 
 #include <doctest/doctest.h>

@@ -1,5 +1,3 @@
-
-
 #include <refraster/mesh.h>
 
 #include "bench/measure/scene_bench.h"

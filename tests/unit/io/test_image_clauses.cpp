@@ -1,5 +1,3 @@
-
-
 #include <refraster/notes.h>
 
 #include "io/image/image_formats.h"

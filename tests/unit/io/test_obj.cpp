@@ -1,5 +1,3 @@
-
-
 #include <refraster/files.h>
 #include <refraster/mesh.h>
 #include <refraster/notes.h>

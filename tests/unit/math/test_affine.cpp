@@ -1,5 +1,6 @@
 #include "tests/support/affine_cases.h"
 #include "tests/support/for_all.h"
+#include "tests/support/squares_grid.h"
 
 #include "math/exact.h"
 
@@ -139,22 +140,6 @@ TEST_CASE("a sum with 0 and a product with a power of two are exact, and a point
   CHECK((Bounds(3.0) + Bounds(0.25)).is_point());
   CHECK(sqrt(Bounds(9.0)).is_point());
   CHECK((x / Single(3.0)).width() > 0);
-}
-
-/// A straight line between samples k^2 of a grid, as a filter reads it.
-template <Number T>
-T squares_at(const T& x, GridAxis axis) {
-  return read_grid(std::array{x}, std::array{axis}, [&](const std::array<Cell<T>, 1>& cell) {
-    const auto place = [&](IndexOf<T> k) {
-      return axis.beyond == GridAxis::Beyond::repeated ? wrap_index(k, axis.count) : clamp_index(k, 0, axis.count - 1);
-    };
-    const auto value = [&](IndexOf<T> k) {
-      const auto fetch = [](std::int32_t i, std::int32_t, std::int32_t) { return Rgb<double>(i * i, 0, 0); };
-      return stored_value<T>(fetch, place(k), 0, 0).x;
-    };
-    const T low = value(cell[0].index), high = value(next_index(cell[0].index));
-    return low + (high - low) * cell[0].fraction;
-  });
 }
 
 TEST_CASE("a grid read at an affine place holds what each point reads, within a cell and across borders") {

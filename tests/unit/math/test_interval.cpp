@@ -1,4 +1,5 @@
 #include "tests/support/for_all.h"
+#include "tests/support/squares_grid.h"
 
 #include "math/bounds/interval_functions.h"
 #include "math/exact.h"
@@ -123,22 +124,6 @@ TEST_CASE("exact operations keep a point a point") {
   CHECK((zero * Bounds(0.1, 7)).width() == 0);
   CHECK(sqrt(Bounds(9.0)).width() == 0);
   CHECK((Bounds(1.0) / x).width() > 0);
-}
-
-/// A straight line between samples k^2 of a grid, as a filter reads it.
-template <Number T>
-T squares_at(const T& x, GridAxis axis) {
-  return read_grid(std::array{x}, std::array{axis}, [&](const std::array<Cell<T>, 1>& cell) {
-    const auto place = [&](IndexOf<T> k) {
-      return axis.beyond == GridAxis::Beyond::repeated ? wrap_index(k, axis.count) : clamp_index(k, 0, axis.count - 1);
-    };
-    const auto value = [&](IndexOf<T> k) {
-      const auto fetch = [](std::int32_t i, std::int32_t, std::int32_t) { return Rgb<double>(i * i, 0, 0); };
-      return stored_value<T>(fetch, place(k), 0, 0).x;
-    };
-    const T low = value(cell[0].index), high = value(next_index(cell[0].index));
-    return low + (high - low) * cell[0].fraction;
-  });
 }
 
 TEST_CASE("a grid read in a range of places holds what each of them reads, within a cell and across borders") {

@@ -1,5 +1,3 @@
-
-
 #include <refraster/notes.h>
 
 #include "verify/compare/limits_file.h"

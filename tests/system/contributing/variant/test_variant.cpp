@@ -7,8 +7,8 @@
 
 #include "io/scene/scene_markdown.h"
 #include "minnaert.h"
-#include "raster/render_in.h"
 #include "tests/support/scenes/random_scene.h"
+#include "tests/support/scenes/same_shading.h"
 #include "tests/support/shading/each_fragment_function.h"
 #include "tests/support/slow/slow_shading.h"
 
@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -59,12 +58,6 @@ Scene by_user(Scene scene) {
   return scene;
 }
 
-template <class Value>
-bool same_bits(const Image<Value>& a, const Image<Value>& b) {
-  return a.values.size() == b.values.size() && a.values.size() > 0 &&
-         std::memcmp(a.values.data(), b.values.data(), a.values.size() * sizeof(Value)) == 0;
-}
-
 } // namespace
 
 TEST_CASE("the list and the random scenes have it") {
@@ -88,33 +81,13 @@ TEST_CASE("the list and the random scenes have it") {
 }
 
 TEST_CASE("it gives the bits of the same function from outside, in every precision, with AOVs") {
-  const Scene listed = moons(), user = by_user(listed);
-  for (const auto& [precision, name] : EnumNames<Precision>::names) {
-    CAPTURE(name);
-    RenderOptions options{.width = 40, .height = 30, .precision = precision, .samples = 4, .threads = 2};
-    if (precision == Precision::exact) options.width = 12, options.height = 9;
-    options.want_radiance_double = true;
-    options.aovs = {Aov::albedo, Aov::normal};
-    const Frame expected = render(user, options), frame = render(listed, options);
-    CHECK(frame.counts.shaded > 10);
-    CHECK(same_bits(frame.radiance_double, expected.radiance_double));
-    CHECK(same_bits(frame.rgb8, expected.rgb8));
-    CHECK(same_bits(frame.aovs[0], expected.aovs[0]));
-  }
+  const Scene listed = moons();
+  test::check_same_frames(by_user(listed), listed, [](const Frame&) {});
 }
 
 TEST_CASE("and its bounds") {
-  const Scene listed = moons(), user = by_user(listed);
-  const RenderOptions options{.width = 16, .height = 12, .threads = 2};
-  const auto check = [&]<class T>(T) {
-    const Image<T> expected = render_in<T>(user, options), image = render_in<T>(listed, options);
-    for (std::size_t i = 0; i < image.values.size(); ++i) {
-      REQUIRE(image.values[i].lo == expected.values[i].lo);
-      REQUIRE(image.values[i].hi == expected.values[i].hi);
-    }
-  };
-  check(Interval<DoubleArithmetic>(0));
-  check(Interval<FloatArithmetic>(0));
+  const Scene listed = moons();
+  test::check_same_bounds(by_user(listed), listed);
 }
 
 TEST_CASE("the slow renderer's pixels with the formula in long double are those of double") {
