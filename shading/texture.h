@@ -53,7 +53,7 @@ Rgb<T> sample_nearest(const TextureLevel& level, const Vec2<T>& uv) {
   const auto texels = texels_of<RealOf<T>>(level);
   const auto placed = [](const T& x) { return as_read(x, &TextureErrors::nearest, &TextureErrors::nearest); };
   const std::array<T, 2> place = {placed(uv.x * as<T>(level.width)), placed(uv.y * as<T>(level.height))};
-  return read_grid(place, axes_of(level), [&](const std::array<Cell<T>, 2>& cell) {
+  return read_nearest(place, axes_of(level), [&](const std::array<Cell<T>, 2>& cell) {
     return stored_value<T>(texels, wrap_index(cell[0].index, level.width), wrap_index(cell[1].index, level.height),
                            IndexOf<T>{});
   });

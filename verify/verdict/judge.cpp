@@ -99,7 +99,7 @@ private:
         bool exact = true, near = true;
         for (int c = 0; c < 3; ++c) {
           const auto radiance = static_cast<double>(reference[c]);
-          exact &= stored_.is(radiance, levels[c]);
+          exact &= stored_.is(reference[c], levels[c]);
           near &= stored_.may_be(radiance, radiance, levels[c]);
         }
         if (near && !shows_another(device, x, y)) set_class(x, y, exact ? PixelClass::exact : PixelClass::rounding);

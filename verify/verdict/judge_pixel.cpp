@@ -81,7 +81,9 @@ PixelClass PixelJudge::by_own_surface(const PixelCase& pixel, std::uint32_t numb
     return true;
   });
   if (!found) return bounds.undefined ? PixelClass::undefined : PixelClass::unexplained;
-  return width <= unverifiable_levels ? explained(PixelClass::branch) : PixelClass::unverifiable;
+  if (!(width <= unverifiable_levels)) return PixelClass::unverifiable;
+  const bool of_texels = material.texture && material.texture_filter == TextureFilter::nearest;
+  return explained(of_texels ? PixelClass::texel : PixelClass::branch);
 }
 
 PixelClass PixelJudge::by_other_surface(const PixelCase& pixel, JudgedDetail& detail) {

@@ -3,7 +3,7 @@
 #include "raster/parallel.h"
 
 #include <algorithm>
-#include <bitset>
+#include <bit>
 #include <cmath>
 #include <random>
 
@@ -12,6 +12,9 @@ namespace {
 
 /// Of them, shares of causes are asked of every eighth: a cause costs as much as the bounds.
 constexpr int wanted_pixels = 384, pixels_a_share = 8;
+
+/// In levels: below it nearly all values that drift are rounded as they were, so that the others tell.
+constexpr double narrow_half_width = 0.1;
 
 } // namespace
 
@@ -89,50 +92,70 @@ CauseShares shares_of(const SampledBounds& sampled) {
   return shares;
 }
 
+namespace {
+
+/// A value of the reference, and how many levels the device stored beside its rounding.
+struct LevelDifference {
+  std::uint32_t reference = 0; // its bits
+  int levels = 0;
+};
+
+/// Of a large image so many tell all there is, and cost less than the image.
+bool is_taken(std::uint32_t bits, std::size_t pixels) {
+  const std::uint32_t one_in = pixels > 200'000 ? 8 : 1;
+  return ((bits * 0x9e3779b1u) >> 16) % one_in == 0;
+}
+
+} // namespace
+
 std::vector<ObjectBias> biases_of(const Verdict& verdict, const DeviceImage& image, const StoredValue& stored,
                                   const SampledBounds& sampled, std::size_t objects) {
   if (!stored.is_integer() || stored.step() != 1) return {};
-  struct Sums {
-    double count = 0, sum = 0, squares = 0, width = 0, square_width = 0, widths = 0;
-    std::bitset<256> levels;
-  };
-  std::vector<Sums> of_object(objects);
-  for (const auto& pixel : sampled.pixels) {
-    Sums& sums = of_object[pixel.object];
-    sums.width += pixel.width / 2, sums.square_width += pixel.width * pixel.width / 4, sums.widths += 1;
-  }
+  std::vector<std::vector<double>> half_widths(objects);
+  for (const auto& pixel : sampled.pixels) half_widths[pixel.object].push_back(pixel.width / 2);
+  std::vector<std::vector<LevelDifference>> of_object(objects);
   for (int y = 0; y < verdict.height; ++y)
     for (int x = 0; x < verdict.width; ++x) {
       const auto object = static_cast<std::size_t>(*verdict.object.at(x, y));
       const auto found = static_cast<PixelClass>(*verdict.classes.at(x, y));
       if (object == 0 || found > PixelClass::shading) continue;
-      Sums& sums = of_object[object - 1];
       for (int c = 0; c < 3; ++c) {
-        const double exact = stored.of(static_cast<double>(verdict.reference.at(x, y)[c]));
-        if (exact <= 0.5 || exact >= 254.5) continue; // where levels end
-        const double error = stored.levels(image.colour.at(x, y)[c]) - exact;
-        sums.count += 1, sums.sum += error, sums.squares += error * error;
-        sums.levels.set(static_cast<std::size_t>(exact));
+        const float reference = verdict.reference.at(x, y)[c];
+        const auto bits = std::bit_cast<std::uint32_t>(reference);
+        const double exact = stored.of(static_cast<double>(reference));
+        if (!is_taken(bits, verdict.classes.values.size()) || exact <= 0.5 || exact >= 254.5) continue; // where levels end
+        const double apart = stored.levels(image.colour.at(x, y)[c]) - std::nearbyint(exact);
+        of_object[object - 1].push_back({bits, static_cast<int>(apart)});
       }
     }
   std::vector<ObjectBias> biases;
   for (std::size_t i = 0; i < objects; ++i) {
-    const Sums& s = of_object[i];
-    constexpr double enough_values = 1000, enough_widths = 8, narrow = 0.1;
-    constexpr std::size_t enough_levels = 8;
-    if (s.count < enough_values || s.widths < enough_widths || s.levels.count() < enough_levels) continue;
-    const double half_width = s.width / s.widths;
-    if (!(half_width < narrow / 2)) continue;
-    constexpr double rounding_square = 1.0 / 12, deviations = 6;
-    // Of x^2, x spread evenly over [-1/2, 1/2]: its variance is 1/80 - 1/144.
-    const double square_deviation = std::sqrt(1.0 / 80 - 1.0 / 144);
+    constexpr std::size_t enough_values = 1000, enough_widths = 16;
+    if (half_widths[i].size() < enough_widths) continue;
+    // A value counts once, however many pixels have it: then the values are spread within their levels.
+    auto& values = of_object[i];
+    std::sort(values.begin(), values.end(),
+              [](const LevelDifference& a, const LevelDifference& b) { return a.reference < b.reference; });
+    const auto same = [](const LevelDifference& a, const LevelDifference& b) { return a.reference == b.reference; };
+    values.erase(std::unique(values.begin(), values.end(), same), values.end());
+    if (values.size() < enough_values) continue;
+    double sum = 0, squares = 0;
+    for (const double width : half_widths[i]) sum += width, squares += width * width;
+    const auto widths = static_cast<double>(half_widths[i].size());
+    const double mean_width = sum / widths,
+                 deviation = std::sqrt(std::max(squares / widths - mean_width * mean_width, 0.0));
+    const double likely = mean_width + 3 * deviation / std::sqrt(widths);
+    if (!(likely < narrow_half_width)) continue;
+    const auto count = static_cast<double>(values.size());
+    // Bernstein's inequality for a share with the probability p of each: p + 6 sqrt(p / n) + 12 / n is exceeded once in
+    // 10^7 times.
+    const auto most = [count](double p) { return p + 6 * std::sqrt(p / count) + 12 / count; };
     ObjectBias& bias = biases.emplace_back();
-    bias.object = i, bias.values = static_cast<std::uint64_t>(s.count);
-    bias.mean = s.sum / s.count, bias.mean_square = s.squares / s.count;
-    bias.allowed = half_width + deviations * std::sqrt(rounding_square / s.count);
-    // (r + w)^2 = r^2 + 2 r w + w^2, and |r| has a mean of a quarter.
-    bias.allowed_square = rounding_square + half_width / 2 + s.square_width / s.widths +
-                          deviations * square_deviation / std::sqrt(s.count);
+    bias.object = i, bias.values = values.size();
+    double levels = 0, moved = 0;
+    for (const LevelDifference& value : values) levels += value.levels, moved += value.levels != 0;
+    bias.mean = levels / count, bias.allowed = most(likely);
+    bias.moved = moved / count, bias.allowed_moved = most(2 * likely);
   }
   return biases;
 }

@@ -22,11 +22,12 @@ SampledBounds sample_bounds(const DeviceFrame& frame, const StoredValue& stored,
 JudgePower power_of(const SampledBounds& sampled);
 CauseShares shares_of(const SampledBounds& sampled);
 
-/// Of each object's pixels that are exact, rounding or shading, in integer formats: whether the mean of
-/// actual - reference is what roundings leave. With n values whose rounding is spread over a level, that mean is
-/// within 6 standard deviations of chance, 0.289 / sqrt(n), and the mean of the bounds' half-widths; and the mean
-/// square within 6 of its own, 1/12 and the mean square of half-widths. Only where bounds are below 0.1 levels in the
-/// mean, and the reference runs through eight levels at least: else its rounding is not spread.
+/// Of each object's pixels that are exact, rounding or shading, in 8-bit images: whether values are rounded to another
+/// level than the reference's more often than chance has it. What the device computes is within half the bounds' width
+/// h of the reference, so that a value may be rounded up where it lies within h below the middle between two levels,
+/// and down within h above it. Of values that are spread within their levels that is a share h of them each. Every
+/// value of the reference counts once, so that areas of one colour do not count at all. Only where h is small in the
+/// mean.
 std::vector<ObjectBias> biases_of(const Verdict& verdict, const DeviceImage& image, const StoredValue& stored,
                                   const SampledBounds& sampled, std::size_t objects);
 

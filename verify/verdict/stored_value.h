@@ -36,11 +36,12 @@ public:
       if (!may_be(box.lo[c], box.hi[c], stored_levels[c])) return false;
     return true;
   }
-  /// Whether that is this number, rounded once.
-  bool is(double radiance, double stored_levels) const {
-    const double exact = of(radiance);
-    if (is_integer()) return std::abs(exact - stored_levels) <= 0.5 * precision_.step;
-    return std::abs(exact - stored_levels) <= precision_.relative * std::abs(exact);
+  /// Whether that is this number, which is known in single precision, rounded once.
+  bool is(float radiance, double stored_levels) const {
+    const double exact = of(static_cast<double>(radiance)), apart = std::abs(exact - stored_levels);
+    constexpr double single = 0x1p-23; // and the curve of sRGB makes it no more than twice as much
+    if (is_integer()) return apart <= 0.5 * precision_.step + single * exact;
+    return apart <= precision_.relative * std::abs(exact);
   }
 
 private:

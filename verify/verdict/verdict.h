@@ -9,6 +9,7 @@
 #include "verify/images/stored_precision.h"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -101,13 +102,14 @@ struct JudgePower {
 /// What makes the bounds as wide as they are: shares that add up to 1, of the same pixels.
 using CauseShares = std::array<double, static_cast<std::size_t>(BoundCause::count_)>;
 
-/// Of one object's pixels: whether their mean error can be chance. A drift that no single pixel shows.
+/// Of one object: whether its values, each once, are stored as another level than the reference's more often than
+/// roundings explain. A drift that no single pixel shows.
 struct ObjectBias {
-  std::size_t object = 0; ///< in the scene, from 0
-  std::uint64_t values = 0;
-  double mean = 0, allowed = 0;               ///< of actual - reference, in levels
-  double mean_square = 0, allowed_square = 0; ///< likewise
-  bool is_biased() const { return std::abs(mean) > allowed || mean_square > allowed_square; }
+  std::size_t object = 0;       ///< in the scene, from 0
+  std::uint64_t values = 0;     ///< that were looked at
+  double mean = 0, allowed = 0; ///< levels that the device stored beside the reference's, in the mean; and by chance
+  double moved = 0, allowed_moved = 0; ///< the share of values that are stored as another level
+  bool is_biased() const { return std::abs(mean) > allowed || moved > allowed_moved; }
 };
 
 /// Pixels that are unexplained and touch each other.

@@ -98,8 +98,8 @@ std::string verdict_json(const VerdictReport& report) {
           json.member("values", bias.values);
           json.member("mean", bias.mean);
           json.member("allowed", bias.allowed);
-          json.member("mean_square", bias.mean_square);
-          json.member("allowed_square", bias.allowed_square);
+          json.member("moved", bias.moved);
+          json.member("allowed_moved", bias.allowed_moved);
           json.member("biased", bias.is_biased());
         });
     });

@@ -113,9 +113,9 @@ std::string verdict_text(const VerdictReport& report) {
                                                  static_cast<unsigned long long>(limit.most)));
   for (const ObjectBias& bias : verdict.biases)
     if (bias.is_biased())
-      text += report_line("drift", format("object %zu: its %llu values are off by %s levels in the mean, %s is chance",
-                                          bias.object + 1, static_cast<unsigned long long>(bias.values),
-                                          rounded_text(bias.mean, 3).c_str(), rounded_text(bias.allowed, 3).c_str()));
+      text += report_line("drift",
+                          format("object %zu: %s of its values are stored as another level, at most %s by chance",
+                                 bias.object + 1, percent(bias.moved).c_str(), percent(bias.allowed_moved).c_str()));
   if (verdict.power.pixels > 0) {
     const JudgePower& power = verdict.power;
     text += report_line("power", "colours that pass are less than 0.1 levels apart in " + percent(power.below_tenth) +
