@@ -70,7 +70,8 @@ struct HabitFacts {
 
 /// Of 8-bit textures. Places are in texels, values in units of full scale.
 struct TextureFacts {
-  double nearest_place = 0;        ///< how far from the border of two texels the wrong one is read, at most
+  double nearest_place = 0; ///< how far from the border of two texels the wrong one is read, at most; of 1024 texels
+  double nearest_resolution = 0;   ///< between the places that were tried for that
   double weight_place = 0;         ///< how far a filtered read is from the place that it was asked for, at most
   double value = 0;                ///< what is wrong with a filtered texel at multiples of 1/256 texel, at most
   double value_anywhere = 0;       ///< the same at other places, with what is wrong with the place

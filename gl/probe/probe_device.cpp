@@ -6,6 +6,7 @@
 #include "gl/probe/habits.h"
 #include "gl/probe/output_levels.h"
 #include "gl/probe/planes.h"
+#include "gl/probe/probe_api.h"
 #include "gl/probe/snap_grid.h"
 #include "gl/probe/texture_reads.h"
 #include "gl/probe/tie_rule.h"
@@ -14,12 +15,11 @@
 
 namespace refraster {
 
-DeviceFacts probe_device(GlRenderer renderer) {
-  const GlContext context(renderer);
-  ProbeCanvas canvas(context.gl());
+DeviceFacts probe_device(const GlApi& gl, const GlDriver& driver) {
+  ProbeCanvas canvas(gl);
   DeviceFacts facts;
-  facts.driver = context.driver();
-  context.gl().GetIntegerv(GL_SUBPIXEL_BITS, &facts.subpixel_bits);
+  facts.driver = driver;
+  gl.GetIntegerv(GL_SUBPIXEL_BITS, &facts.subpixel_bits);
   facts.snap_grids = probe_snap_grid(canvas);
   facts.ties = probe_tie_rule(canvas);
   const auto same_size = std::find_if(facts.snap_grids.begin(), facts.snap_grids.end(),
@@ -31,6 +31,11 @@ DeviceFacts probe_device(GlRenderer renderer) {
   facts.detail = probe_detail(canvas);
   facts.output = probe_output(canvas);
   return facts;
+}
+
+DeviceFacts probe_device(GlRenderer renderer) {
+  const GlContext context(renderer);
+  return probe_device(context.gl(), context.driver());
 }
 
 } // namespace refraster

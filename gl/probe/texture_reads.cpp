@@ -76,29 +76,37 @@ constexpr Places anywhere = {"    uint c = i * 2654435761u, d = i * 2246822519u;
                              "    vec2 at = vec2(float(c >> 12u), float(d >> 12u)) / 16384.0;\n",
                              [](std::uint32_t i) { return (i * 2654435761u >> 12) / 16384.0; },
                              [](std::uint32_t i) { return (i * 2246822519u >> 12) / 16384.0; }};
-constexpr int near_steps = 4096; // of 1/32 texel, on both sides of each of the 64 borders
-constexpr Places near_borders = {"    vec2 at = vec2(float(i >> 12u) + (float(i & 4095u) - 2047.5) / 65536.0, 0.5);\n",
-                                 [](std::uint32_t i) { return (i >> 12) + ((i & 4095u) - 2047.5) / 65536.0; },
-                                 [](std::uint32_t) { return 0.5; }};
+/// 4096 places at each of 64 borders of texels, on both sides. Of a few texels the places are closer than of many,
+/// since a place has 24 bits.
+struct Borders {
+  int texels;
+  double step; // between places, in texels
+  double place(std::uint32_t i) const { return (i >> 12) * (texels / 64) + ((i & 4095u) - 2047.5) * step; }
+  std::string glsl() const {
+    return "    vec2 at = vec2(float((i >> 12u) * " + std::to_string(texels / 64) +
+           "u) + (float(i & 4095u) - 2047.5) / " + std::to_string(1 / step) + ", 0.5);\n";
+  }
+};
+constexpr Borders few = {64, 0x1p-16}, many = {1024, 0x1p-13};
 
 /// Calls visit(i, value).
 void for_each_read(const std::vector<float>& values, const auto& visit) {
   for (std::uint32_t i = 0; i < values.size() / 4; ++i) visit(i, static_cast<double>(values[4 * i]));
 }
 
-double nearest_place(ProbeCanvas& canvas) {
+/// How far from a border the wrong texel is read.
+double nearest_place(ProbeCanvas& canvas, const Borders& borders) {
   Texture stripes; // neighbours differ
-  stripes.levels.push_back({texels, texels, {}});
-  for (int i = 0; i < texels * texels; ++i)
+  stripes.levels.push_back({borders.texels, 1, {}});
+  for (int i = 0; i < borders.texels; ++i)
     for (int k = 0; k < 3; ++k) stripes.levels[0].rgb.push_back(i % 2 ? 255.0f : 0.0f);
   double most = 0;
-  for_each_read(reads(canvas, stripes, TextureFilter::nearest, near_borders.glsl, "0.0"),
+  for_each_read(reads(canvas, stripes, TextureFilter::nearest, borders.glsl(), "0.0"),
                 [&](std::uint32_t i, double value) {
-                  const double place = near_borders.column(i), border = std::nearbyint(place);
+                  const double place = borders.place(i), border = std::nearbyint(place);
                   const bool odd = (static_cast<int>(std::floor(place)) & 1) != 0;
                   if ((value > 0.5) != odd) most = std::max(most, std::abs(place - border));
                 });
-  static_assert(near_steps * texels == side * side);
   return most;
 }
 
@@ -139,7 +147,10 @@ TextureFacts probe_texture_reads(ProbeCanvas& canvas) {
         (filtered(texture.levels[0], column, row).value + filtered(texture.levels[1], column / 2, row / 2).value) / 2;
     facts.value_between_levels = std::max(facts.value_between_levels, std::abs(value - right));
   });
-  facts.nearest_place = nearest_place(canvas);
+  facts.nearest_place = nearest_place(canvas, few), facts.nearest_resolution = few.step;
+  // Where the bits of a place are those of the texture's whole width, more texels show more.
+  if (const double of_many = nearest_place(canvas, many); of_many > facts.nearest_place)
+    facts.nearest_place = of_many, facts.nearest_resolution = many.step;
   facts.weights = different_weights(canvas);
   check_probe(canvas, "texture reads");
   return facts;

@@ -141,11 +141,10 @@ void add_texture(const DeviceFacts& facts, DeviceProfile& profile, Measured& set
   const TextureFacts& reads = facts.texture_reads;
   TextureProfile& texture = profile.texture;
   constexpr double reads_margin = 1.02;        // 2^18 reads of random texels come that near to the worst
-  constexpr double border_step = 0x1p-16;      // between the places of P8 at the borders of texels
   constexpr double detail_resolution = 0x1p-8; // of a weight that is read from texels of 8 bits, as most are
   // What is wrong with places shows in proportion to how texels differ; where it is lost in the filter's own rounding,
   // it is counted with that.
-  const bool is_one = reads.value_anywhere <= 1.2 * reads.value;
+  const bool is_one = reads.value_anywhere <= 1.2 * reads.value || reads.value_anywhere < 0x1p-20; // floats
   const double between = std::max(reads.value_between_levels - reads.value, 0.0);
   const double value = (is_one ? reads.value_anywhere : reads.value) + between;
   set("texture/place_error", texture.place_error, is_one ? 0.0 : reads_margin * reads.weight_place,
@@ -155,8 +154,9 @@ void add_texture(const DeviceFacts& facts, DeviceProfile& profile, Measured& set
   set("texture/filter_error", texture.filter_error, reads_margin * value,
       text("P8: %.3g / 255, of it %.3g / 255 between levels; and 1/50 more, as many reads were tried", 255 * value,
            255 * between));
-  set("texture/nearest_error", texture.nearest_error, reads.nearest_place + border_step,
-      text("P8: %.3g texel, and 2^-16 between the places that were tried", reads.nearest_place));
+  set("texture/nearest_error", texture.nearest_error, reads.nearest_place + reads.nearest_resolution,
+      text("P8: %.3g texel, and %.3g between the places that were tried", reads.nearest_place,
+           reads.nearest_resolution));
   const auto detail = [&](const char* place, double& member, double seen) {
     set(place, member, seen + detail_resolution,
         text("P9: %.3g, and 1/256 for what 8 bits of a read and the steps of the probe hide", seen));

@@ -1,14 +1,10 @@
 // refraster gl --probe, on drivers whose profiles are shipped.
 
+#include "tests/support/gl/profile_relation.h"
 #include "tests/support/program/program.h"
-#include "verify/device/measured_profile.h"
-#include "verify/device/profile_order.h"
 #include "verify/device/read_profile.h"
 
 #include <doctest/doctest.h>
-
-#include <map>
-#include <variant>
 
 using namespace refraster;
 
@@ -34,30 +30,36 @@ TEST_CASE("probes find what the shipped profiles say: no more of any member, and
     CHECK(measured.measured->renderer.find(name_of(shipped.renderer)) != std::string::npos);
     CHECK(measured.measured->probe_version >= 1);
     CHECK(measured.name == "probed");
-
-    std::map<std::string, std::variant<double, SetupPositions, FillRule, InterpolationAnchor, DepthFormat>> says;
-    for_each_member(shipped, [&](const std::string& place, const auto& value, const Range&, Wider, std::string_view) {
-      says[place] = value;
-    });
-    int compared = 0;
-    for_each_member(measured, [&]<class Value>(const std::string& place, const Value& found, const Range&, Wider,
-                                               std::string_view) {
-      if (!is_measured(measured, place)) return;
-      CAPTURE(place);
-      ++compared;
-      const auto& said = std::get<Value>(says.at(place));
-      if constexpr (!std::is_same_v<Value, double>) {
-        CHECK(found == said);
-      } else if (place == "operations/cut_off") { // an exponent
-        CHECK(found == said);
-      } else {
-        CHECK(found <= said);
-        CHECK(found >= said / 2);
-      }
-    });
-    // All but the guard band, mip levels and the depth buffer's format.
-    CHECK(compared == 24);
+    CHECK(relation_faults(measured, shipped) == std::vector<std::string>{});
   }
+}
+
+TEST_CASE("a profile that is wider than twice what is measured, or tighter, is told by the relation") {
+  const DeviceProfile measured = probed("softpipe");
+  DeviceProfile other = device_profile("softpipe");
+  other.operations.exp2_units *= 3;
+  other.texture.detail_below = 0.5;
+  other.raster.fill_rule = FillRule::either;
+  CHECK(relation_faults(measured, other) ==
+        std::vector<std::string>{"raster/fill_rule is another",
+                                 "operations/exp2_units is less than half of what the profile says",
+                                 "texture/detail_below is more than the profile says"});
+}
+
+TEST_CASE("llvmpipe's paths for older processors are within its profile, and its shortcuts are not") {
+  const TemporaryFolder folder;
+  save_text(folder / "sse41.json",
+            R"({"name": "sse41", "based_on": "llvmpipe", "environment": {"GALLIUM_OVERRIDE_CPU_CAPS": "sse4.1"}})");
+  save_text(
+      folder / "shortcuts.json",
+      R"({"name": "shortcuts", "based_on": "llvmpipe", "environment": {"GALLIVM_PERF": "brilinear,rho_approx"}})");
+  const Finished sse41 = run_program(folder.path, {"gl", "--probe", "--device", "sse41.json", "-o", "probed.json"});
+  CHECK(sse41.exit_code == 0);
+  CHECK(read_device_profile(folder / "probed.json").measured->renderer.find("128 bits") != std::string::npos);
+  const Finished shortcuts = run_program(folder.path, {"gl", "--probe", "--device", "shortcuts.json"});
+  CHECK(shortcuts.exit_code == 1);
+  CHECK(shortcuts.err == "refraster: texture/detail_below was measured to be more than shortcuts.json allows\n"
+                         "refraster: texture/detail_above was measured to be more than shortcuts.json allows\n");
 }
 
 TEST_CASE("a device that does more than a profile allows is told by the members, with exit code 1") {

@@ -23,7 +23,7 @@ DeviceFacts some_facts() {
   facts.planes.depth = {4, 2, 400, 90};
   facts.functions = {1, 1, 1.4, 1, 2.3, 2, 3.5, 4, 0.01, 100};
   facts.habits.min_exp2 = -126;
-  facts.texture_reads = {0, 0.002, 0.001, 0.003, 0.001, 257};
+  facts.texture_reads = {0.01, 0x1p-13, 0.002, 0.001, 0.003, 0.001, 257};
   facts.detail = {0.1, 0.2};
   facts.output = {0.5, 0.6, true};
   return facts;
@@ -58,7 +58,7 @@ TEST_CASE("numbers that were measured get the margins that their sources state")
   CHECK(e.atan2_units == 50.5);
   CHECK(profile.texture.filter_error == doctest::Approx(1.02 * 0.001));
   CHECK(profile.texture.place_error == doctest::Approx(1.02 * 0.002));
-  CHECK(profile.texture.nearest_error == 0x1p-16);
+  CHECK(profile.texture.nearest_error == 0.01 + 0x1p-13);
   CHECK(profile.texture.detail_below == 0.1 + 0x1p-8);
   CHECK(profile.texture.detail_above == 0.2 + 0x1p-8);
   CHECK(profile.output.unorm_levels == 0.5 + 0x1p-8);
