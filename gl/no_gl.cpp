@@ -1,6 +1,7 @@
 // Stands in for the renderer in a program that was built without OpenGL headers.
 
 #include "gl/gl_session.h"
+#include "gl/probe/probe_device.h"
 
 namespace refraster {
 namespace {
@@ -13,6 +14,10 @@ namespace {
 } // namespace
 
 GlFrame render_gl(const Scene&, const GlOptions&) {
+  fail();
+}
+
+DeviceFacts probe_device(GlRenderer) {
   fail();
 }
 

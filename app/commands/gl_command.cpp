@@ -4,6 +4,7 @@
 
 #include "app/arguments.h"
 #include "app/command.h"
+#include "app/commands/probe_run.h"
 #include "app/diagnostics.h"
 #include "app/memory_limit.h"
 #include "app/options/shared_options.h"
@@ -27,6 +28,8 @@ struct GlArguments {
   std::uint64_t max_memory = 0;
   Diagnostics diagnostics;
   GlOptions options;
+  bool probes = false; // instead of drawing a scene
+  std::string device;  // to compare with what is probed
 };
 
 void write_outputs(const GlArguments& a, const GlOptions& options, const GlFrame& frame) {
@@ -101,20 +104,35 @@ void check_together(GlArguments& a) {
   check_frame_samples(a.size.width, a.size.height, a.options.samples);
 }
 
+/// What is done instead of drawing a scene. Throws UsageError for what only a scene has.
+Action probing(const GlArguments& a) {
+  const std::pair<const char*, bool> of_a_scene[] = {{"SCENE", !a.scene.empty()},
+                                                     {"--float", !a.radiance.empty()},
+                                                     {"--depth", !a.depth.empty()},
+                                                     {"--json", !a.json.empty()},
+                                                     {"--frames", a.options.timed_frames > 0},
+                                                     {"--cache", !a.reading.mesh_cache.empty()}};
+  for (const auto& [name, is_given] : of_a_scene)
+    if (is_given) throw UsageError("gl", std::string(name) + " beside --probe", "one of the two");
+  return [probe = ProbeArguments{a.output, a.device, a.options.renderer, a.diagnostics}] { return run_probe(probe); };
+}
+
 } // namespace
 
 Command gl_command() {
   const auto arguments = std::make_shared<GlArguments>();
   GlArguments& a = *arguments;
+  Option scene = scene_argument(a.scene);
+  scene.occurs = Occurs::at_most_once; // --probe needs none
   return {
       .name = "gl",
       .meaning = "Make the image of a scene with OpenGL",
       .groups =
-          {{"Scene", {scene_argument(a.scene), outside_option(a.reading.outside), cache_option(a.reading.mesh_cache)}},
+          {{"Scene", {scene, outside_option(a.reading.outside), cache_option(a.reading.mesh_cache)}},
            {"Image",
             {file_option("-o,--output", "FILE.png", a.output,
                          "8-bit image to write, read back from an RGBA8 target; by default, if no other file is asked "
-                         "for, the scene's name with .gl.png, in the current directory"),
+                         "for, the scene's name with .gl.png, in the current directory; with --probe the profile"),
              file_option("--float", "FILE", a.radiance,
                          "unclamped image to write, read back from an RGBA32F target: " +
                              writable_extensions({float_rgb_image})),
@@ -134,6 +152,14 @@ Command gl_command() {
                          "how our GLSL reads a measured table between its samples"),
              number_option("--frames", a.options.timed_frames, Range{0, 1'000'000},
                            "draw so many more frames and time each; see --json")}},
+           {"Device",
+            {flag(
+                 "--probe", [&a] { a.probes = true; },
+                 "draw no scene, but measure the device and write its profile, JSON, to --output, or to standard "
+                 "output; docs/devices.md"),
+             text_option("--device", "NAME|FILE", a.device,
+                         "with --probe: compare with this profile, and measure its renderer in its environment; exit "
+                         "code 1 if more was measured than it allows")}},
            {"Run",
             {memory_option(a.max_memory),
              file_option("--json", "FILE", a.json, "write driver, times and counts as JSON; - is standard output"),
@@ -144,6 +170,10 @@ Command gl_command() {
                 "Exit code 3: GLSL that does not compile, link or draw. 5: no OpenGL 3.3, not the renderer or not the "
                 "number of samples that was asked for."},
       .finish = [arguments]() -> Action {
+        if (arguments->probes) return probing(*arguments);
+        if (!arguments->device.empty()) throw UsageError("gl", "--device without --probe", "both");
+        if (arguments->scene.empty())
+          throw UsageError("gl", "nothing", "SCENE (scene file; docs/scene-format.md), or --probe");
         check_together(*arguments);
         return [arguments] {
           arguments->reading.memory = set_memory_limit(arguments->max_memory, 1);

@@ -1,5 +1,6 @@
 #include "verify/device/profile_markdown.h"
 
+#include "verify/device/measured_profile.h"
 #include "verify/device/read_profile.h"
 
 #include <array>
@@ -74,6 +75,16 @@ std::string device_profiles_markdown() {
       text += row({"`" + place + "`", values[i].at(place), source->second});
     });
   }
+  return text;
+}
+
+std::string measured_markdown(const DeviceProfile& measured, const DeviceProfile& other) {
+  const Texts found = value_texts(measured), said = value_texts(other);
+  std::string text = row({"member", "`" + other.name + "` says", "measured", "how"}) + "|---|---|---|---|\n";
+  for_each_member(measured, [&](const std::string& place, const auto&, const Range&, Wider, std::string_view) {
+    if (is_measured(measured, place))
+      text += row({"`" + place + "`", said.at(place), found.at(place), measured.sources.at(place)});
+  });
   return text;
 }
 

@@ -9,6 +9,9 @@
 #include "tests/support/files/image_clauses.h"
 #include "tests/support/files/malformed_inputs.h"
 #include "tests/support/files/png_bytes.h"
+#include "verify/device/read_profile.h"
+#include "verify/device/shipped_profiles.h"
+#include "verify/device/write_profile.h"
 
 #include <bit>
 #include <cstdio>
@@ -82,6 +85,16 @@ void add_scenes(Seeds& seeds) {
   seeds.add("limits", "all", R"({"max_abs": 0.5, "max_rms": 1e-3, "max_count": 12})");
   seeds.add("limits", "unit", R"({"unit": "values", "max_abs": 0.5})");
   seeds.add("limits", "unknown", "// a comment\n{\"max_abs\": -1, \"max\": [[]], \"max_count\": 1.5,}");
+}
+
+void add_devices(Seeds& seeds) {
+  for (const ShippedProfile& profile : shipped_profiles())
+    seeds.add("device", std::string(profile.name), std::string(profile.json));
+  seeds.add("device", "written", device_profile_json(device_profile("llvmpipe")));
+  seeds.add("device", "measured",
+            R"({"name": "m", "based_on": "softpipe", "version": 2, "measured": {"vendor": "v", "renderer": "r",
+                "version": "4.5", "glsl_version": "4.50", "probe_version": 1}, "depth": {"format": "unorm16"}})");
+  seeds.add("device", "unknown", R"({"name": 1, "based_on": "none", "raster": {"latice": [], "fill_rule": "up"}})");
 }
 
 void add_meshes(Seeds& seeds) {
@@ -165,5 +178,5 @@ int main(int count, char** words) {
     return 2;
   }
   Seeds seeds(words[1]);
-  for (const auto add : {add_malformed, add_scenes, add_meshes, add_images, add_tables}) add(seeds);
+  for (const auto add : {add_malformed, add_scenes, add_devices, add_meshes, add_images, add_tables}) add(seeds);
 }

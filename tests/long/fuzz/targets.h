@@ -13,6 +13,7 @@ using Bytes = std::span<const std::uint8_t>;
 
 void read_scene_bytes(Bytes bytes);       // scene JSON, with a mesh and a texture beside it that it may name
 void read_limits_bytes(Bytes bytes);      // the limits of a comparison: JSON
+void read_device_bytes(Bytes bytes);      // the profile of a device: JSON
 void read_obj_bytes(Bytes bytes);         // OBJ
 void read_merl_bytes(Bytes bytes);        // MERL .binary; a whole table is made of few bytes
 void read_image_bytes(Bytes bytes);       // what textures are read from: PNG, JPEG, TGA, BMP
@@ -24,8 +25,13 @@ struct Target {
 };
 
 inline constexpr Target targets[] = {
-    {"scene", read_scene_bytes}, {"limits", read_limits_bytes}, {"obj", read_obj_bytes},
-    {"merl", read_merl_bytes},   {"image", read_image_bytes},   {"float_image", read_float_image_bytes},
+    {"scene", read_scene_bytes},
+    {"limits", read_limits_bytes},
+    {"device", read_device_bytes},
+    {"obj", read_obj_bytes},
+    {"merl", read_merl_bytes},
+    {"image", read_image_bytes},
+    {"float_image", read_float_image_bytes},
 };
 
 /// Ends the process, with the law that was broken, unless `holds`.

@@ -23,7 +23,7 @@ OPTIONS = [
     "--no-sandbox",  # which root must not have; the only page that is opened is ours
     "--disable-gpu", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
     "--disable-background-networking", "--disable-component-update", "--disable-default-apps", "--disable-sync",
-    "--disable-quic", "--host-resolver-rules=MAP * ~NOTFOUND",
+    "--disable-quic", "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1",
     "--no-first-run", "--no-default-browser-check", "--disable-dev-shm-usage",
 ]
 
@@ -34,8 +34,8 @@ def text_of(page, name):
 
 
 def drawn(browser, page, profile):
-    """The text of the page after it has drawn, and what the browser said."""
-    run = subprocess.Popen([browser, *OPTIONS, f"--user-data-dir={profile}", page.as_uri()], text=True,
+    """The text of the page at this address after it has drawn, and what the browser said."""
+    run = subprocess.Popen([browser, *OPTIONS, f"--user-data-dir={profile}", page], text=True,
                            stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True)
     try:
         return run.communicate(timeout=600)
@@ -48,7 +48,7 @@ def check(browser, tools, scene, folder):
     page = folder / "page.html"
     template = pathlib.Path(__file__).resolve().parent / "page.html"
     subprocess.run([tools / "scene_page", scene, SIZE, template, page], check=True)
-    text, messages = drawn(browser, page, folder / "profile")
+    text, messages = drawn(browser, page.as_uri(), folder / "profile")
     error, driver, subpixel_bits = (text_of(text, name) for name in ("error", "driver", "subpixel_bits"))
     if error or not driver:
         print(f"{scene.stem}: {error or 'the page did not run: ' + messages[-2000:]}")
@@ -62,17 +62,23 @@ def check(browser, tools, scene, folder):
     return judged.returncode == 0
 
 
+def browser():
+    """The path of a Chromium, or None."""
+    return next(filter(None, map(shutil.which, BROWSERS)), None)
+
+
 def main():
-    browser = next(filter(None, map(shutil.which, BROWSERS)), None)
-    if not browser:
+    chromium = browser()
+    if not chromium:
         print("SKIPPED, not tested: no Chromium (Debian: apt-get install chromium)")
         return 77
     tools = pathlib.Path(sys.argv[1]).resolve()
     good = True
     for scene in sys.argv[2:]:
         with tempfile.TemporaryDirectory() as folder:
-            good &= check(browser, tools, pathlib.Path(scene).resolve(), pathlib.Path(folder))
+            good &= check(chromium, tools, pathlib.Path(scene).resolve(), pathlib.Path(folder))
     return 0 if good else 1
 
 
-sys.exit(main())
+if __name__ == "__main__":
+    sys.exit(main())
