@@ -38,29 +38,6 @@ struct CompareArguments {
   CompareUnit compare_unit() const { return unit == "levels" ? CompareUnit::levels : CompareUnit::values; }
 };
 
-/// What --alpha says.
-struct AlphaChoice {
-  AlphaUse use;
-  std::array<double, 3> background{};
-};
-std::optional<AlphaChoice> alpha_from(std::string_view text) {
-  if (text == "ignore") return AlphaChoice{AlphaUse::ignored};
-  if (text == "compare") return AlphaChoice{AlphaUse::compared};
-  constexpr std::string_view over = "over:";
-  if (!text.starts_with(over)) return std::nullopt;
-  text.remove_prefix(over.size());
-  AlphaChoice choice{AlphaUse::composited};
-  for (std::size_t c = 0; c < 3; ++c) {
-    const std::size_t comma = c < 2 ? text.find(',') : text.size();
-    if (comma == std::string_view::npos) return std::nullopt;
-    const std::optional<double> value = distance_from(text.substr(0, comma));
-    if (!value) return std::nullopt;
-    choice.background[c] = *value;
-    text.remove_prefix(std::min(comma + 1, text.size()));
-  }
-  return choice;
-}
-
 /// A number of levels above 0.
 std::optional<double> heat_max_from(std::string_view text) {
   const std::optional<double> levels = distance_from(text);
@@ -160,13 +137,6 @@ ExitCode run(const CompareArguments& arguments) {
 Command compare_command() {
   const auto arguments = std::make_shared<CompareArguments>();
   CompareArguments& a = *arguments;
-  const auto set_alpha = [&a](const std::string& text) -> std::optional<ValueFault> {
-    const std::optional<AlphaChoice> choice = alpha_from(text);
-    if (!choice) return ValueFault{"ignore, compare or over:R,G,B (numbers >= 0; 1 is white)"};
-    a.pair.alpha = choice->use;
-    a.pair.background = choice->background;
-    return std::nullopt;
-  };
   return {
       .name = "compare",
       .meaning = "How far two images are apart, and where",
@@ -174,10 +144,7 @@ Command compare_command() {
           {{"Images",
             {argument("A", a.a, "image: " + readable_formats()),
              argument("B", a.b, "image of the same size; differences are b - a"),
-             value_option("--alpha", "ignore|compare|over:R,G,B",
-                          "what to do with an alpha that is not 1 everywhere: leave it out, compare it too, or compare "
-                          "colours over this background",
-                          set_alpha),
+             alpha_option(a.pair.alpha, a.pair.background, ComparedAlpha::offered),
              choice_option("--premultiplied", a.premultiplied, {"yes", "no"},
                            "whether colours are stored multiplied by alpha; by default those of .exr files are, others "
                            "not"),

@@ -14,6 +14,8 @@
 #include "math/precisions.h"
 #include "shading/fragment_functions.h"
 #include "shading/precision_bounds.h"
+#include "verify/device/profile_markdown.h"
+#include "verify/device/read_profile.h"
 
 #include <algorithm>
 #include <array>
@@ -97,6 +99,13 @@ void print_precisions(const std::tuple<Precision...>*) {
   std::cout << "Errors are of the radiance from a light of radiance 1, in ordinary directions; docs/precision.md.\n";
 }
 
+void print_devices() {
+  std::size_t width = 0;
+  for (const std::string_view name : device_profile_names()) width = std::max(width, name.size() + 2);
+  for (const std::string_view name : device_profile_names())
+    std::cout << padded(name, width) << device_profile(std::string(name)).meaning << "\n";
+}
+
 /// A list without options.
 Command printing_command(std::string name, std::string meaning, void (*print)()) {
   return {.name = std::move(name), .meaning = std::move(meaning), .finish = [print]() -> Action {
@@ -166,6 +175,9 @@ Command list_command() {
                            [] { print_fragment_functions(static_cast<const FragmentFunction*>(nullptr)); }),
           printing_command("precisions", "Precisions that a frame can be rendered in",
                            [] { print_precisions(static_cast<const Precisions*>(nullptr)); }),
+          printing_command("devices", "Devices whose profiles the program has: docs/devices.md", print_devices),
+          printing_command("device-values", "What the profile of each device says, as Markdown",
+                           [] { std::cout << device_profiles_markdown(); }),
           printing_command("limits", "How large anything may be, as Markdown", [] { std::cout << limits_markdown(); }),
           printing_command("scene-format", "Every key of a scene file, as Markdown",
                            [] { std::cout << scene_format_markdown(); }),

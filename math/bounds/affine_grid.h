@@ -134,9 +134,23 @@ Vec4<Affine<B>> mix_cubic(const Vec4<Affine<B>>& a, const Vec4<Affine<B>>& b, co
           component(a.z, b.z, c.z, d.z, range.z), component(a.w, b.w, c.w, d.w, range.w)};
 }
 
+namespace affine_detail {
+
+inline std::int64_t cells_in(const auto& range) {
+  std::int64_t count = 1;
+  for (const auto& [first, last] : range) count *= std::int64_t{last} - first + 1;
+  return count;
+}
+template <int components, class B>
+auto anything_like(const glm::vec<components, Affine<B>, glm::defaultp>&) {
+  return glm::vec<components, Affine<B>, glm::defaultp>(Affine<B>::anything());
+}
+
+} // namespace affine_detail
+
 /// See read_grid. Each cell is read with the whole form of the place in it, of which only the part inside counts as
 /// range: so that its value is a slope times the place, and what holds all cells' values still is. Every cell is read,
-/// however many there are.
+/// however many there are; or, of colours, and where the budget has a limit, none beyond it: then nothing is known.
 template <class B, std::size_t dimensions, class Read>
 auto read_every_cell(const std::array<Affine<B>, dimensions>& place, const std::array<GridAxis, dimensions>& axes,
                      const Read& read) {
@@ -156,6 +170,11 @@ auto read_every_cell(const std::array<Affine<B>, dimensions>& place, const std::
     if (bounded.lo != place[d].lo || bounded.hi != place[d].hi) inside[d] = Affine<B>(bounded);
     enter(d, range[d].first);
   }
+  if constexpr (requires {
+                  B::most_cells;
+                  affine_detail::anything_like(read(cells));
+                })
+    if (affine_detail::cells_in(range) > B::most_cells) return affine_detail::anything_like(read(cells));
   return interval_detail::read_all(range, cells, enter, read);
 }
 

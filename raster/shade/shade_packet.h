@@ -35,8 +35,13 @@ Rgb<T> texture_colour(const Material& material, const Data& data, const PacketBa
   const MaskOf<T> bad = !(finite(point.x) & finite(point.y));
   Vec2<T> right(T(0)), down(T(0));
   if (filter == TextureFilter::trilinear) {
+    const auto component = [&](int row, const Barycentric<T>& by) {
+      const T change = changed(data.row(row), by);
+      if constexpr (NumberTraits<T>::decides) return change;
+      else return change + data.difference_error(row);
+    };
     const auto change = [&](const Barycentric<T>& by) {
-      return Vec2<T>(changed(data.row(uv_row), by), changed(data.row(uv_row + 1), by));
+      return Vec2<T>(component(uv_row, by), component(uv_row + 1, by));
     };
     right = change(at.right);
     down = change(at.down);

@@ -41,6 +41,8 @@ const std::vector<Words> every_level = {
     {"list"},
     {"list", "fragment-functions"},
     {"list", "precisions"},
+    {"list", "devices"},
+    {"list", "device-values"},
     {"list", "limits"},
     {"list", "scene-format"},
     {"list", "completions"},
