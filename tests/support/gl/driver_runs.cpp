@@ -1,9 +1,11 @@
 #include "tests/support/gl/driver_runs.h"
 
+#include "verify/device/read_profile.h"
+
 #include <algorithm>
 #include <cstdlib>
 #include <iterator>
-#include <utility>
+#include <string>
 
 namespace refraster {
 
@@ -13,19 +15,20 @@ const DriverRun* find_driver_run(std::string_view name) {
   return found == std::end(driver_runs) ? nullptr : found;
 }
 
-void enter(const DriverRun& run) {
-  for (const Setting& setting : run.environment)
+DeviceProfile enter(const DriverRun& run) {
+  DeviceProfile profile = device_profile(std::string(run.profile));
+  for (const auto& [name, value] : profile.environment) setenv(name.c_str(), value.c_str(), 1);
+  for (const Setting& setting : run.further)
     if (setting.name) setenv(setting.name, setting.value, 1);
+  return profile;
 }
 
-OtherImages drawn(const Scene& scene, int width, int height, const DriverRun& run) {
+GlFrame drawn(const test::SeededScene& made, const DeviceProfile& profile) {
   GlOptions options;
-  options.width = width, options.height = height;
-  options.renderer = run.renderer;
+  options.width = made.width, options.height = made.height;
+  options.renderer = profile.renderer;
   options.want_radiance = options.want_depth = options.want_ids = true;
-  GlFrame frame = render_gl(scene, options);
-  return {frame.driver.renderer + ", OpenGL " + frame.driver.version, std::move(frame.radiance), std::move(frame.ids),
-          std::move(frame.rgb8), std::move(frame.depth)};
+  return render_gl(made.scene, options);
 }
 
 } // namespace refraster

@@ -49,7 +49,6 @@ struct OtherImages {
   Image<float> radiance;    // 3 channels
   Image<float> ids;         // 2 channels, as in GlFrame
   Image<std::uint8_t> rgb8; // 3 channels; may be empty
-  Image<float> depth = {};  // 1 channel, as in GlFrame; may be empty
 };
 
 SideBySide side_by_side(const Scene& scene, const OtherImages& other, const DriverTolerances& tolerances);
