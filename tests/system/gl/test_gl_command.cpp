@@ -54,7 +54,7 @@ std::string scene_with(const std::string& material) {
 const std::string plastic =
     R"("material": {"ka": "0.05 0.05 0.05", "kd": "0.6 0.3 0.2", "ks": "0.5 0.5 0.5", "glossiness": 40})";
 const std::string lecture_shaders = std::string(REFRASTER_SOURCE_DIR) + "/scenes/lecture/shader/";
-/// Scenes of the same ball whose GLSL has one fault each; docs/verification.md shows what compare says of them.
+/// Scenes of the same ball whose GLSL has one fault each; docs/lab-case.md is about them.
 const std::string wrong_shaders = std::string(REFRASTER_SOURCE_DIR) + "/tests/system/gl/wrong_shaders/";
 
 /// What `compare` says of our image of the scene and OpenGL's: allowed is what the filters of 8-bit images and edges of
@@ -162,6 +162,29 @@ TEST_CASE("compare finds a measured BRDF that is cut off at phi_d = 0 instead of
       compared(folder, scene_with(R"("fragment_function": "merl", "fragment_shader_file_path": "merl_fs.glsl",
     "material": {"brdf_file_path": "brass.binary"})"));
   CHECK_MESSAGE(none.exit_code == 0, none.out);
+}
+
+TEST_CASE("compare finds a light's sign, an attenuation left out and a texture turned over, each the only fault") {
+  struct Fault {
+    std::string name, right, wrong;
+  };
+  const std::vector<Fault> faults = {
+      {"light_sign", "normalize(-light.direction)", "normalize(light.direction)"},
+      {"attenuation", "1.0 / (light.constant + light.linear * d + light.quadratic * d * d)", "1.0"},
+      {"texture", "texture(tex, fs_in.TexCoord)", "texture(tex, vec2(fs_in.TexCoord.x, 1.0 - fs_in.TexCoord.y))"}};
+  const std::string root = "../../../../", lecture = text_of(lecture_shaders + "phong_fs.glsl");
+  for (const Fault& fault : faults) {
+    CAPTURE(fault.name);
+    REQUIRE(replaced(lecture, fault.right, fault.wrong) == text_of(wrong_shaders + fault.name + "_fs.glsl"));
+    const TemporaryFolder folder;
+    const Finished found = compared_file(folder, wrong_shaders + fault.name + ".json");
+    CHECK_MESSAGE(found.exit_code == 1, found.out);
+    std::string scene = replaced(text_of(wrong_shaders + fault.name + ".json"), fault.name + "_fs.glsl",
+                                 lecture_shaders + "phong_fs.glsl");
+    if (holds(scene, root)) scene = replaced(scene, root, std::string(REFRASTER_SOURCE_DIR) + "/");
+    const Finished none = compared(folder, scene);
+    CHECK_MESSAGE(none.exit_code == 0, none.out);
+  }
 }
 
 TEST_CASE("compare finds no fault in face normals by derivatives, and one where dFdy has the wrong sign") {
