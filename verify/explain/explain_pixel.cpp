@@ -18,6 +18,28 @@ namespace {
 constexpr std::size_t max_shaded_candidates = 8;
 constexpr std::size_t max_near_misses = 3;
 
+/// The pixel as a frame of that precision has it: by the shading that makes frames.
+PrecisionStory precision_story(const FrameContext& context, const VisibleTile& visible, Precision precision) {
+  PrecisionStory story{precision, {}, {}, {}};
+  const std::unique_ptr<TileShading> shading = make_tile_shading(precision);
+  Frame frame;
+  frame.rgb8 = Image<std::uint8_t>(1, 1, 3);
+  frame.radiance_double = Image<double>(1, 1, 3);
+  FrameCounts counts;
+  TileSeconds seconds;
+  for (const Transfer transfer : {Transfer::linear, Transfer::srgb}) {
+    RenderOptions options = context.options;
+    options.precision = precision;
+    options.transfer = transfer;
+    shading->shade({{context.scene, options}, context.geometry, context.bins}, visible, frame, {counts, seconds});
+    std::array<int, 3>& levels = transfer == Transfer::srgb ? story.srgb : story.levels;
+    std::copy(frame.rgb8.values.begin(), frame.rgb8.values.end(), levels.begin());
+  }
+  const std::vector<double>& rgb = frame.radiance_double.values;
+  story.radiance = {rgb[0], rgb[1], rgb[2]};
+  return story;
+}
+
 /// In place of shading a frame of one pixel: writes down what it sees.
 class StoryShading final : public TileShading {
 public:
@@ -40,6 +62,8 @@ public:
     for (const auto& [number, samples] : seen)
       story_.fragments.push_back(fragment_story(context, number, pixel.x, pixel.y, samples));
     if (seen.empty()) story_.near_misses = near_misses(context, pixel.x, pixel.y, max_near_misses);
+    for (const auto& [precision, name] : EnumNames<Precision>::names)
+      story_.precisions.push_back(precision_story(context, visible, precision));
   }
 
 private:
@@ -66,25 +90,8 @@ RenderOptions options_of(const ExplainRequest& request) {
   options.threads = 1;
   options.tile_size = 8;
   options.memory = request.memory;
+  options.want_rgb8 = false;
   return options;
-}
-
-/// The pixel as the frame has it. Levels are those of the frame too, which rounds them in its own number.
-PrecisionStory precision_story(const Scene& scene, RenderOptions options, Precision precision) {
-  options.precision = precision;
-  options.want_radiance_double = true;
-  PrecisionStory story{precision, {}, {}, {}};
-  Renderer renderer;
-  Frame frame;
-  for (const Transfer transfer : {Transfer::linear, Transfer::srgb}) {
-    options.transfer = transfer;
-    renderer.render(scene, options, frame);
-    std::array<int, 3>& levels = transfer == Transfer::srgb ? story.srgb : story.levels;
-    std::copy(frame.rgb8.values.begin(), frame.rgb8.values.end(), levels.begin());
-  }
-  const std::vector<double>& rgb = frame.radiance_double.values;
-  story.radiance = {rgb[0], rgb[1], rgb[2]};
-  return story;
 }
 
 /// The linear value that s stands for, 1 being white.
@@ -132,14 +139,9 @@ PixelStory explain_pixel(const Scene& scene, const ExplainRequest& request, cons
   story.samples = request.samples;
   story.transfer = request.transfer;
   story.background = scene.background;
-  const RenderOptions options = options_of(request);
-  RenderOptions plain = options;
-  plain.want_rgb8 = false;
   Frame frame;
   render_with(
-      scene, plain, [&] { return std::make_unique<StoryShading>(story); }, frame);
-  for (const auto& [precision, name] : EnumNames<Precision>::names)
-    story.precisions.push_back(precision_story(scene, options, precision));
+      scene, options_of(request), [&] { return std::make_unique<StoryShading>(story); }, frame);
   if (actual) {
     story.actual = actual_story(*actual, story.in(Precision::double_).radiance, request.transfer);
     if (!story.actual->same) story.actual->would_be = what_would_be(story);
