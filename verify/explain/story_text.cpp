@@ -181,8 +181,11 @@ std::string range_text(double least, double most) {
 std::string would_be_text(const WouldBe& w) {
   constexpr std::array<std::string_view, 3> channel_names = {"red", "green", "blue"};
   std::string text = w.what;
-  if (w.kind == WouldBe::Kind::factor)
-    text += " " + range_text(w.least[0], w.most[0]) + " instead of " + general(w.now[0], 4);
+  if (w.kind == WouldBe::Kind::factor) {
+    const bool times = text.ends_with(", times");
+    text += (times ? " " : ": ") + range_text(w.least[0], w.most[0]);
+    if (!times) text += " instead of " + general(w.now[0], 4);
+  }
   if (w.kind == WouldBe::Kind::channels) {
     bool first = true;
     for (std::size_t c = 0; c < 3; ++c)
@@ -208,7 +211,7 @@ std::string actual_text(const PixelStory& s) {
                            "beyond what it can be, in some channel.",
                            0);
   constexpr std::size_t most = 8;
-  text += "  It would be right if one of these were, and all else stayed as it is:\n";
+  text += "  It would be right if one of these were so, and all else stayed as it is:\n";
   for (std::size_t i = 0; i < std::min(most, a.would_be.size()); ++i)
     text += sentence("  - " + would_be_text(a.would_be[i]), 2);
   if (a.would_be.size() > most)

@@ -39,10 +39,13 @@ std::string name_of_light(const LightStory& light) {
   return light.type + " " + std::to_string(light.index);
 }
 
+/// Kinds of explanation, likeliest first.
+enum class Rank { known_mistake, other_surface, factor, parameter, term };
+
 /// Something found, and what decides its place in the list.
 struct Found {
   WouldBe would_be;
-  int rank;      // the kind of explanation, likeliest first
+  Rank rank;
   double change; // relative
 };
 
@@ -78,7 +81,7 @@ private:
       if (!actual_[c].contains(value)) return;
       found.now[c] = found.least[c] = found.most[c] = value;
     }
-    found_.push_back({found, 1, 0});
+    found_.push_back({found, Rank::other_surface, 0});
   }
 
   void try_candidate(const Candidate& candidate) {
@@ -111,7 +114,7 @@ private:
     const auto reflected = [](const LightStory& l) { return l.reflected; };
 
     try_factor("the ambient term, times", 1, fragment.ambient, {0, infinity_});
-    try_channels("the ambient term", fragment.ambient, Double3(1), infinity_);
+    if (!has_lobes(fragment)) try_channels("the ambient term", fragment.ambient, Double3(1), infinity_);
     if (fragment.texture) {
       const Double3 coloured = fragment.ambient + sum(diffuse), &t = fragment.texture_colour;
       Double3 per_unit(0); // of the texture's colour
@@ -123,10 +126,11 @@ private:
       try_factor("the specular terms of all lights, times", 1, sum(specular), {0, infinity_});
       try_factor("all lights together, times", 1, sum(reflected), {0, infinity_});
     }
-    for (const LightStory& light : fragment.lights) try_light(fragment, light);
+    try_parameters(fragment, sum(diffuse));
+    for (const LightStory& light : fragment.lights) try_light(light);
   }
 
-  void try_light(const FragmentStory& fragment, const LightStory& light) {
+  void try_light(const LightStory& light) {
     const std::string of_light = " of " + name_of_light(light);
     const Double3& c = light.arriving;
     if (light.attenuation && *light.attenuation > 0)
@@ -141,7 +145,6 @@ private:
       try_factor("the specular term" + of_light + ", times", 1, *light.specular * c, {0, infinity_});
       try_channels("the specular term" + of_light, *light.specular, c, infinity_);
     }
-    if (light.lobe) try_lobe(fragment, light, *light.lobe);
     if (light.merl && light.merl->lit) {
       try_factor("n.l" + of_light, light.n_l, light.reflected, {0, 1},
                  [](Span r) { return r.contains(1) ? "as if the cosine were left out" : ""; });
@@ -151,27 +154,72 @@ private:
     }
   }
 
-  /// What another power means for the glossiness.
-  void try_lobe(const FragmentStory& fragment, const LightStory& light, const LobeStory& lobe) {
-    double glossiness = 0;
-    for (const ParameterStory& parameter : fragment.parameters)
-      if (parameter.name == "glossiness") glossiness = parameter.numbers.front();
-    const auto other_glossiness = [&](Span r) -> std::string {
-      const double v = lobe.value, other = typical(r);
-      if (!(v > 0 && v < 1 && other > 0 && other < 1)) return {};
-      return format("a glossiness of about %.3g instead of %.6g", glossiness * std::log(other) / std::log(v),
-                    glossiness);
-    };
-    try_factor("<" + std::string(lobe.cosine_name) + ">^s of " + name_of_light(light), lobe.value,
-               *light.specular * light.arriving, {0, 1}, other_glossiness, Known::no);
+  static bool has_lobes(const FragmentStory& fragment) {
+    return !fragment.lights.empty() && fragment.lights.front().lobe.has_value();
   }
 
-  enum class Known { yes, no }; // whether a remark makes an explanation a likely one
+  /// The parameters of Phong and Blinn-Phong, all lights together.
+  void try_parameters(const FragmentStory& fragment, const Double3& diffuse) {
+    const auto parameter = [&](std::string_view name) -> const ParameterStory* {
+      for (const ParameterStory& each : fragment.parameters)
+        if (each.name == name) return &each;
+      return nullptr;
+    };
+    const ParameterStory *const ka = parameter("ka"), *const kd = parameter("kd"), *const ks = parameter("ks"),
+                                *const s = parameter("glossiness");
+    if (!has_lobes(fragment) || !ka || !kd || !ks || !s) return;
+    const auto colour = [](const ParameterStory& p) { return Double3(p.numbers[0], p.numbers[1], p.numbers[2]); };
+    try_channels("ka", colour(*ka), fragment.texture_colour, infinity_, Rank::parameter);
+    Double3 per_kd(0), per_ks(0);
+    for (int c = 0; c < 3; ++c) per_kd[c] = colour(*kd)[c] > 0 ? diffuse[c] / colour(*kd)[c] : 0;
+    for (const LightStory& light : fragment.lights) per_ks += light.arriving * light.lobe->value;
+    try_channels("kd", colour(*kd), per_kd, infinity_, Rank::parameter);
+    try_channels("ks", colour(*ks), per_ks, infinity_, Rank::parameter);
+    try_glossiness(fragment, colour(*ks), s->numbers.front());
+  }
+
+  /// The glossiness s' that gives each highlight its power of s' / s: all of them fall as it rises, so that the ends of
+  /// what is right are found by bisection.
+  void try_glossiness(const FragmentStory& fragment, const Double3& ks, double s) {
+    if (!(s > 0)) return;
+    constexpr double widest = 10;   // a thousandth to a thousand times of s: beyond, it is another material
+    Span exponent{-widest, widest}; // log2(s' / s)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto i = static_cast<int>(c);
+      const auto change = [&](double log_times) {
+        double sum = 0;
+        for (const LightStory& light : fragment.lights)
+          if (const double lobe = light.lobe->value; lobe > 0 && lobe < 1)
+            sum += (std::pow(lobe, std::exp2(log_times)) - lobe) * ks[i] * light.arriving[i];
+        return weight_ * sum;
+      };
+      const auto where_it_falls_to = [&](double target) {
+        double lo = -widest, hi = widest;
+        for (int step = 0; step < 100; ++step) {
+          const double middle = (lo + hi) / 2;
+          (change(middle) > target ? lo : hi) = middle;
+        }
+        return lo;
+      };
+      if (change(-widest) < missing_[c].least || change(widest) > missing_[c].most) return;
+      exponent = both(exponent, {where_it_falls_to(missing_[c].most), where_it_falls_to(missing_[c].least)});
+    }
+    if (exponent.empty() || (exponent.least <= -widest && exponent.most >= widest)) return;
+    found_.push_back({{WouldBe::Kind::factor,
+                       "the glossiness" + of_,
+                       {s},
+                       {s * std::exp2(exponent.least)},
+                       {s * std::exp2(exponent.most)},
+                       {true, true, true},
+                       {}},
+                      Rank::factor,
+                      std::abs(typical(exponent)) / widest});
+  }
 
   /// `part` of the pixel is proportional to a factor, which is `now` and may lie in `allowed`.
   void try_factor(
       const std::string& what, double now, const Double3& part, const Span& allowed,
-      const std::function<std::string(Span)>& remark = [](Span) { return std::string(); }, Known known = Known::yes) {
+      const std::function<std::string(Span)>& remark = [](Span) { return std::string(); }) {
     Span times; // what it would have to be multiplied by
     for (std::size_t c = 0; c < 3; ++c) {
       const double in_pixel = weight_ * part[static_cast<int>(c)];
@@ -182,15 +230,16 @@ private:
     if (value.empty() || !std::isfinite(typical(value))) return;
     WouldBe found{WouldBe::Kind::factor, what + of_, {now}, {value.least}, {value.most}, {true, true, true}, {}};
     found.remark = remark(value);
-    bool is_known = known == Known::yes && !found.remark.empty();
+    bool is_known = !found.remark.empty();
     if (value.contains(0)) found.remark = "as if it were left out", is_known = true;
     else if (found.remark.empty() && value.contains(2 * now))
       found.remark = "as if it were added twice", is_known = true;
-    found_.push_back({found, is_known ? 0 : 2, std::abs(typical(times) - 1)});
+    found_.push_back({found, is_known ? Rank::known_mistake : Rank::factor, std::abs(typical(times) - 1)});
   }
 
   /// The pixel is per_unit times a colour, which is `now`, and something else.
-  void try_channels(const std::string& what, const Double3& now, const Double3& per_unit, double largest) {
+  void try_channels(const std::string& what, const Double3& now, const Double3& per_unit, double largest,
+                    Rank rank = Rank::term) {
     WouldBe found{WouldBe::Kind::channels, what + of_, {}, {}, {}, {}, {}};
     double change = 0, size = 0;
     for (std::size_t c = 0; c < 3; ++c) {
@@ -208,7 +257,7 @@ private:
       found.least[c] = value.least, found.most[c] = value.most;
       change += std::abs(typical(value) - now[i]), size += std::abs(now[i]);
     }
-    found_.push_back({found, 3, size > 0 ? change / size : infinity_});
+    found_.push_back({found, rank, size > 0 ? change / size : infinity_});
   }
 
   static constexpr double infinity_ = std::numeric_limits<double>::infinity();
