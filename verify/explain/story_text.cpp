@@ -1,5 +1,6 @@
 #include "verify/explain/story_text.h"
 
+#include "io/file/number_text.h"
 #include "io/file/text.h"
 #include "verify/explain/fragment_text.h"
 #include "verify/explain/story_table.h"
@@ -168,13 +169,24 @@ std::string undefined_text(const PixelStory& s) {
   return text.empty() ? "" : heading("UNDEFINED in the mathematics, and what is done") + text;
 }
 
+/// The number of fewest digits in a narrow range: "60", where 59.85 to 60.02 is right.
+std::string simplest(double least, double most) {
+  constexpr int all_digits = 17;
+  const double middle = least + (most - least) / 2;
+  for (int digits = 1; digits < all_digits; ++digits) {
+    double rounded = 0;
+    read_number(general(middle, digits), rounded);
+    if (least <= rounded && rounded <= most) return general(rounded, all_digits - 2);
+  }
+  return general(middle, all_digits);
+}
+
 /// "0.213", "0.2 to 0.3", "0.9 or more".
 std::string range_text(double least, double most) {
   if (std::isinf(most)) return general(least, 4) + " or more";
   if (std::isinf(least)) return general(most, 4) + " or less";
-  const double middle = (least + most) / 2;
-  // Where four digits do not tell the ends apart, or the range is narrow, its middle says it.
-  if (most - least <= 0.05 * std::abs(middle)) return general(middle, 4);
+  constexpr double narrow = 0.05; // of the value: beyond, a single number would say too much
+  if (most - least <= narrow * std::abs(least + most) / 2) return simplest(least, most);
   return general(least, 3) + " to " + general(most, 3);
 }
 
