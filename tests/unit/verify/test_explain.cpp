@@ -298,6 +298,23 @@ TEST_CASE(
   CHECK(found.what == "the background");
 }
 
+TEST_CASE("a term that is another in all triangles of an object is found where a pixel sees several of them") {
+  Scene scene = lit_scene(), other = lit_scene();
+  // A fold through the pixel's middle: half of the samples on either side.
+  Mesh fold;
+  fold.positions = {place(2.5, -8, 2), place(2.5, 16, 2), place(-16, 4, 3), place(24, 4, 3)};
+  fold.normals = {{0, 0, 1}, {0, 0.2f, 1}, {-0.4f, 0, 1}, {0.5f, 0, 1}};
+  fold.triangles = {{0, 2, 1}, {0, 1, 3}};
+  for (Scene* const each : {&scene, &other}) each->objects[0].mesh = std::make_shared<const Mesh>(fold);
+  phong_of(other).glossiness = 11;
+  const ActualPixel actual = float_pixel(story_at(other, 2, 3, {}, 4).in(Precision::double_).radiance);
+  const PixelStory story = story_at(scene, 2, 3, actual, 4);
+  REQUIRE(story.fragments.size() == 2);
+  const WouldBe& found = story.actual->would_be.front();
+  CHECK(found.what == "the glossiness");
+  CHECK((found.least[0] <= 11 && 11 <= found.most[0]));
+}
+
 TEST_CASE("what hides behind is an explanation, if the other renderer shows just that") {
   Scene scene = window_scene();
   add_cover(scene, 2, 0.5);
