@@ -19,6 +19,7 @@
 #include "verify/verdict/verdict_report.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <memory>
@@ -100,7 +101,18 @@ DeviceImage image_from_opengl(const VerifyArguments& a, const Scene& scene, Verd
     image.precision = StoredPrecision::integers(255);
   }
   image.ids = std::move(frame.ids), image.depth = std::move(frame.depth);
+  if (a.judging.samples > 1)
+    for (const GlSamplePosition& at : frame.sample_positions)
+      image.samples.push_back({static_cast<std::int32_t>(std::lround(at.x * subpixels)),
+                               static_cast<std::int32_t>(std::lround(at.y * subpixels))});
   return image;
+}
+
+/// The standard positions of samples, counted from the lower left corner, as in OpenGL's window.
+std::vector<SamplePosition> positions_y_up(int samples) {
+  std::vector<SamplePosition> positions;
+  for (const SamplePosition& at : sample_pattern(samples)) positions.push_back({at.x, subpixels - at.y});
+  return positions;
 }
 
 /// Whether the GLSL of an object is not ours: then nothing is known of how it multiplies its matrices.
@@ -143,6 +155,15 @@ ExitCode run(VerifyArguments& a) {
   if (line) report.options.progress = [&line](double done) { line->show(done); };
   report.transfer = image.transfer;
   report.verdict = judge(scene, image, report.profile, report.options);
+  // A file does not say which way its samples were counted: the better of both for the whole image.
+  if (a.source == Source::file && a.judging.samples > 1 && !report.verdict.is_explained()) {
+    image.samples = positions_y_up(a.judging.samples);
+    Verdict other = judge(scene, image, report.profile, report.options);
+    if (other.count(PixelClass::unexplained) < report.verdict.count(PixelClass::unexplained)) {
+      report.verdict = std::move(other);
+      report.provenance.emplace_back("samples", "at the standard positions counted upward, as in OpenGL's window");
+    }
+  }
   line.reset(); // before anything is printed
   print_file_notes(report.notes, a.diagnostics);
   if (!a.json.empty()) write_text(a.json, verdict_json(report));

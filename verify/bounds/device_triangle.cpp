@@ -26,6 +26,10 @@ const Float3& DeviceTriangle::mesh_position(std::size_t corner) const {
   return mesh.positions[mesh.triangles[ref_.triangle][corner]];
 }
 
+double DeviceTriangle::corner_reach(std::size_t corner) const {
+  return snap_radius() + corner_error_[corner];
+}
+
 double DeviceTriangle::snap_radius() const {
   const RasterProfile& raster = frame_.profile().raster;
   return raster.lattice * raster.snap_steps;
@@ -47,20 +51,21 @@ void DeviceTriangle::place_corners() {
     z_clip_[i] = clip.z, w_clip_[i] = clip.w;
     const double x = frame_.clip_error(ref_.object, 0, p), y = frame_.clip_error(ref_.object, 1, p),
                  z = frame_.clip_error(ref_.object, 2, p), w = frame_.clip_error(ref_.object, 3, p);
-    const double xy = half * (std::max(x, y) + w) + viewport_roundings * u * half * std::abs(clip.w);
-    xy_error_ = std::max(xy_error_, xy), z_error_ = std::max(z_error_, z), w_error_ = std::max(w_error_, w);
+    xy_error_[i] = half * (std::max(x, y) + w), w_error_[i] = w;
+    z_error_[i] = z + w; // of z / w, where that is at most 1
     if (!(clip.w > w)) {
       in_front_ = false;
       continue;
     }
     corner_[i] = Double2(homogeneous[i].x, homogeneous[i].y) / clip.w;
     const double far = std::max(std::abs(corner_[i].x), std::abs(corner_[i].y));
-    corner_error_[i] = (xy + far * w) / (clip.w - w);
+    viewport_error_[i] = viewport_roundings * u * std::max(half, far);
+    corner_error_[i] = (xy_error_[i] + far * w) / (clip.w - w) + viewport_error_[i];
     if (!(v.outcode & outcode::unsnapped)) moved_[i] = corner_[i] - Double2(v.x, v.y) / double{subpixels};
   }
   // Wholly outside of one side of the view, by more than any rounding moves it: the sides and, of three corners in
   // front, nothing else. Depth is judged where it is asked for.
-  seen_ = w_clip_[0] > -w_error_ || w_clip_[1] > -w_error_ || w_clip_[2] > -w_error_;
+  seen_ = w_clip_[0] > -w_error_[0] || w_clip_[1] > -w_error_[1] || w_clip_[2] > -w_error_[2];
   if (!seen_) return;
   clipped_ = any != 0;
   planes_ = WindowTriangle(homogeneous);
@@ -77,8 +82,12 @@ void DeviceTriangle::place_corners() {
     along(0, frame_.width(), box.x, box.width), along(1, frame_.height(), box.y, box.height);
     const Double2 e1 = corner_[1] - corner_[0], e2 = corner_[2] - corner_[0];
     const double area = e1.x * e2.y - e1.y * e2.x; // y down: positive if clockwise
-    const double may_differ =
-        reach_ * (std::abs(e1.x) + std::abs(e1.y) + std::abs(e2.x) + std::abs(e2.y)) * 2 + 8 * reach_ * reach_;
+    double may_differ = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Double2 edge = corner_[(i + 2) % 3] - corner_[(i + 1) % 3];
+      const double r = corner_reach(i);
+      may_differ += r * (std::abs(edge.x) + std::abs(edge.y)) + 2 * r * corner_reach((i + 1) % 3);
+    }
     facing_ = area > may_differ ? -1 : area < -may_differ ? 1 : 0;
   } else {
     // The sign of the homogeneous determinant is that of the area of what lies in front. A double's roundings in it are
@@ -86,7 +95,9 @@ void DeviceTriangle::place_corners() {
     double size = 0;
     for (std::size_t i = 0; i < 3; ++i)
       size += (std::abs(homogeneous[i].x) + std::abs(homogeneous[i].y)) * std::abs(w_clip_[(i + 1) % 3]);
-    const double error = (xy_error_ + snap_radius() * std::max({w_clip_[0], w_clip_[1], w_clip_[2], 0.0}) + w_error_) *
+    const double error = (std::max({xy_error_[0], xy_error_[1], xy_error_[2]}) +
+                          snap_radius() * std::max({w_clip_[0], w_clip_[1], w_clip_[2], 0.0}) +
+                          std::max({w_error_[0], w_error_[1], w_error_[2]})) *
                          size * 3 / std::max(half, 1.0);
     facing_ = planes_.determinant > error ? -1 : planes_.determinant < -error ? 1 : 0;
   }
@@ -97,22 +108,32 @@ Coverage DeviceTriangle::coverage(double x, double y) const {
   return in_front_ ? coverage_in_front(x, y) : coverage_by_weights(x, y);
 }
 
-/// Wherever the corners are within their reach r, the triangle lies within its Minkowski sum with a square of side 2 r,
-/// and holds what is farther than r from every edge, and 2 r^2 of an edge's value for the ends of the edge.
+/// Two ways, of which either suffices. Wherever the corners are, the triangle lies within its Minkowski sum with the
+/// square of all that a corner may be moved, and holds what is farther inside. That is far too much where a corner lies
+/// near the eye plane, and its place in the window is hardly known, though the lines to it are: then what counts is how
+/// an edge is moved near the point. From a to b, p is on the inner side by cross(b - a, p - a); where the ends are
+/// moved by d and e, that changes by cross(e, p - a) + cross(d, b - p) - cross(e, d).
 Coverage DeviceTriangle::coverage_in_front(double x, double y) const {
   const auto [low_x, high_x] = std::minmax({corner_[0].x, corner_[1].x, corner_[2].x});
   const auto [low_y, high_y] = std::minmax({corner_[0].y, corner_[1].y, corner_[2].y});
   if (x < low_x - reach_ || x > high_x + reach_ || y < low_y - reach_ || y > high_y + reach_) return {};
   const Double2 e1 = corner_[1] - corner_[0], e2 = corner_[2] - corner_[0];
   const double sign = e1.x * e2.y - e1.y * e2.x < 0 ? -1 : 1;
+  const auto size = [](const Double2& v) { return std::abs(v.x) + std::abs(v.y); };
+  const double vertex_shift = vertex_shift_at(x, y);
   Coverage result{Coverage::Certainty::inside, 0};
   for (std::size_t k = 0; k < 3; ++k) {
-    const Double2 &a = corner_[(k + 1) % 3], &b = corner_[(k + 2) % 3];
+    const std::size_t ia = (k + 1) % 3, ib = (k + 2) % 3;
+    const Double2 p(x, y), &a = corner_[ia], &b = corner_[ib];
     const Double2 edge = b - a;
     const double value = sign * (edge.x * (y - a.y) - edge.y * (x - a.x));
-    const double reach = reach_ * (std::abs(edge.x) + std::abs(edge.y)) + 2 * reach_ * reach_;
+    double reach = reach_ * size(edge) + 2 * reach_ * reach_;
+    if (facing_ != 0) {
+      const double ra = snap_radius() + viewport_error_[ia], rb = snap_radius() + viewport_error_[ib];
+      reach = std::min(reach, rb * size(p - a) + ra * size(b - p) + 2 * ra * rb + vertex_shift * size(edge));
+    }
     if (value < -reach) return {};
-    if (value <= reach) {
+    if (value <= reach || facing_ == 0) {
       result.certainty = Coverage::Certainty::ambiguous;
       result.ambiguous_edges = static_cast<std::uint8_t>(result.ambiguous_edges | (1 << k));
     }
@@ -120,12 +141,36 @@ Coverage DeviceTriangle::coverage_in_front(double x, double y) const {
   return result;
 }
 
+/// With h = 1 / w = sum l_i and clip coordinates c_i + d_i, the point that has the weights l is moved by
+///     (sum l_i d_i.xy - p sum l_i d_i.w) / (h + sum l_i d_i.w):
+/// that of a corner near the eye plane by no more than others, however far it is in the window. The weights are those
+/// of the point that is moved to p, which lies within the shift itself.
+double DeviceTriangle::vertex_shift_at(double x, double y) const {
+  const std::array<double, 3> weight = planes_.at(x, y);
+  const double from_origin = std::max(std::abs(x), std::abs(y));
+  double moved = 0, change = 0, w_moved = 0, h = 0, h_change = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double error = xy_error_[i] + from_origin * w_error_[i];
+    const double slope = std::abs(planes_.l[i].x) + std::abs(planes_.l[i].y);
+    moved += std::abs(weight[i]) * error, change += slope * error;
+    w_moved += std::abs(weight[i]) * w_error_[i], h += weight[i], h_change += slope;
+  }
+  const auto shift_within = [&](double shift) {
+    const double least = std::abs(h) - h_change * shift - w_moved - 2 * change;
+    return least > 0 ? (moved + change * shift) / least : infinite;
+  };
+  const double first = shift_within(0);
+  for (const double factor : {1.01, 1.1, 2.0})
+    if (shift_within(first * factor) <= first * factor) return first * factor;
+  return infinite;
+}
+
 double DeviceTriangle::reach_at(double x, double y) const {
   const std::array<double, 3> weight = planes_.at(x, y);
   double in_front = 0;
   for (std::size_t i = 0; i < 3; ++i) in_front += std::max(weight[i] * w_clip_[i], 0.0);
-  const double inverse_w = std::abs(weight[0]) + std::abs(weight[1]) + std::abs(weight[2]);
-  return snap_radius() * std::max(in_front, 1.0) + (xy_error_ + std::max(x, y) * w_error_) * inverse_w;
+  const double viewport = viewport_roundings * u * std::max(frame_.width(), frame_.height()) / 2;
+  return (snap_radius() + viewport) * std::max(in_front, 1.0) + vertex_shift_at(x, y);
 }
 
 /// With a corner behind the eye an edge is a ray, and what moves its other corner moves a point on it by as much as the
@@ -189,13 +234,14 @@ double DeviceTriangle::plane_error(double most, const Double2& along, double x, 
 
 ValueRange DeviceTriangle::depth(double x, double y) const {
   if (planes_.is_flat()) return {};
-  const Plane z = plane(z_clip_, x, y), h = plane({1, 1, 1}, x, y);
-  const double inverse_w = std::abs(h.value);
+  const Plane z = plane(z_clip_, x, y);
   // A depth between the planes is at most 1, whatever its corners are.
   const double error_of_plane = clipped_ ? plane_error(1, {std::abs(z.along_x), std::abs(z.along_y)}, x, y) : z.error;
-  const double reach = in_front_ ? reach_ : reach_at(x, y);
-  const double error = (z_error_ + w_error_ * std::max(1.0, std::abs(z.value))) * inverse_w + error_of_plane +
-                       reach * (std::abs(z.along_x) + std::abs(z.along_y));
+  const double reach = in_front_ ? exact_reach_at(x, y) : reach_at(x, y);
+  const std::array<double, 3> weight = planes_.at(x, y);
+  double vertex_error = 0;
+  for (std::size_t i = 0; i < 3; ++i) vertex_error += std::abs(weight[i]) * z_error_[i];
+  const double error = vertex_error + error_of_plane + reach * (std::abs(z.along_x) + std::abs(z.along_y));
   const double quantum = frame_.profile().depth.format == DepthFormat::unorm16 ? 0x1p-16 : 0x1p-24;
   const double centre = 0.5 * z.value + 0.5, radius = 0.5 * error + quantum;
   if (!std::isfinite(centre + radius)) return {};
@@ -211,35 +257,68 @@ SampleShift DeviceTriangle::shift(double x, double y) const {
     result.radius = Double2(both * subpixels);
     return result;
   }
-  // Weights of the corners on the screen add up to 1, and none is negative inside: the shift is a mean of the corners'.
   const bool same_lattice =
       raster.setup_positions == SetupPositions::snapped && raster.lattice * subpixels == 1 && raster.snap_steps <= 0.5;
   const double snap = raster.setup_positions == SetupPositions::exact ? 0 : snap_radius();
-  const std::array<double, 3> weight = planes_.at(x, y);
-  const double outside =
-      std::max(std::abs(weight[0] * w_clip_[0]) + std::abs(weight[1] * w_clip_[1]) + std::abs(weight[2] * w_clip_[2]),
-               1.0); // above 1 where the point is outside
+  // What the vertex stage loses moves samples near the point by no more than that; or corners. Where these are rounded
+  // to the same places, their weights 1 / w still are not the same.
+  const double vertex_shift = vertex_shift_at(x, y);
+  const bool whole = std::isinf(vertex_shift);
   for (int axis = 0; axis < 2; ++axis) {
-    double low = infinite, high = -infinite;
+    std::array<ValueRange, 3> moved;
     for (std::size_t i = 0; i < 3; ++i) {
-      double from = moved_[i][axis] - snap - corner_error_[i], to = moved_[i][axis] + snap + corner_error_[i];
+      const double error = whole ? corner_error_[i] : viewport_error_[i];
+      moved[i] = {moved_[i][axis] - snap - error, moved_[i][axis] + snap + error};
       // A device that rounds to our lattice has our point, but where the exact one is nearly halfway between two.
       if (same_lattice && !clipped_) {
         const double half = 0.5 / subpixels;
-        from = moved_[i][axis] - corner_error_[i] < -half ? -1.0 / subpixels : 0;
-        to = moved_[i][axis] + corner_error_[i] > half ? 1.0 / subpixels : 0;
+        moved[i] = {moved_[i][axis] - corner_error_[i] < -half ? -1.0 / subpixels : 0,
+                    moved_[i][axis] + corner_error_[i] > half ? 1.0 / subpixels : 0};
       }
-      low = std::min(low, from), high = std::max(high, to);
     }
     // What moves the corners one way moves what a sample sees the other way.
-    result.centre[axis] = -(low + high) / 2 * subpixels;
-    result.radius[axis] = (high - low) / 2 * subpixels;
-    if (outside > 1) { // a mean no more
-      const double most = std::max(std::abs(low), std::abs(high)) * outside * subpixels;
-      result.centre[axis] = 0, result.radius[axis] = most;
-    }
+    const ValueRange range = mean_of_corners(moved, x, y);
+    result.centre[axis] = -(range.lo + range.hi) / 2 * subpixels;
+    result.radius[axis] = ((range.hi - range.lo) / 2 + (whole ? 0 : vertex_shift)) * subpixels;
   }
   return result;
+}
+
+/// What is moved at the corners, at a point of the moved triangle: the mean by its weights there. They add up to 1, and
+/// differ from those of the unmoved triangle by what these change over as far as a corner may be moved. Inside none is
+/// negative, and the mean lies between the corners' ends; outside it may lie beyond.
+ValueRange DeviceTriangle::mean_of_corners(const std::array<ValueRange, 3>& moved, double x, double y) const {
+  const std::array<double, 3> weight = planes_.at(x, y);
+  double farthest = 0, sum = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    farthest = std::max({farthest, std::abs(moved[i].lo), std::abs(moved[i].hi), snap_radius() + viewport_error_[i]});
+    sum += std::abs(weight[i] * w_clip_[i]);
+  }
+  const bool inside = sum <= 1 + 0x1p-40;
+  if (!inside) farthest *= 2 * sum; // where the weights of the moved triangle add up to more, too
+  ValueRange mean{0, 0}, hull{infinite, -infinite};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double change = farthest * (std::abs(planes_.l[i].x) + std::abs(planes_.l[i].y)) * std::abs(w_clip_[i]);
+    double low = weight[i] * w_clip_[i] - change, high = weight[i] * w_clip_[i] + change;
+    if (inside) low = std::clamp(low, 0.0, 1.0), high = std::clamp(high, 0.0, 1.0);
+    mean.lo += std::min(low * moved[i].lo, high * moved[i].lo);
+    mean.hi += std::max(low * moved[i].hi, high * moved[i].hi);
+    hull.lo = std::min(hull.lo, moved[i].lo), hull.hi = std::max(hull.hi, moved[i].hi);
+  }
+  if (!inside) return mean;
+  return {std::max(mean.lo, hull.lo), std::min(mean.hi, hull.hi)};
+}
+
+double DeviceTriangle::exact_reach_at(double x, double y) const {
+  std::array<ValueRange, 3> moved;
+  const double vertex_shift = vertex_shift_at(x, y);
+  const bool whole = std::isinf(vertex_shift);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double reach = snap_radius() + (whole ? corner_error_[i] : viewport_error_[i]);
+    moved[i] = {-reach, reach};
+  }
+  const ValueRange range = mean_of_corners(moved, x, y);
+  return std::max(-range.lo, range.hi) + (whole ? 0 : vertex_shift);
 }
 
 double DeviceTriangle::attribute_error(int row, double x, double y) const {

@@ -68,6 +68,13 @@ private:
   /// Of samples, in pixels, where corners are moved by half a lattice step and by what the vertex stage loses.
   double reach_at(double x, double y) const;
   double snap_radius() const;
+  /// How far a corner may be from its exact place, in pixels along each axis; if in front.
+  double corner_reach(std::size_t corner) const;
+  /// How far what the vertex stage loses moves a point, in pixels; infinite where that is not small beside the
+  /// triangle.
+  double vertex_shift_at(double x, double y) const;
+  double exact_reach_at(double x, double y) const;
+  ValueRange mean_of_corners(const std::array<ValueRange, 3>& moved, double x, double y) const;
 
   const DeviceFrame& frame_;
   TriangleRef ref_;
@@ -80,8 +87,9 @@ private:
   std::array<Double2, 3> moved_{Double2(0), Double2(0), Double2(0)};  // from ours, in pixels
   std::array<double, 3> corner_error_{};                              // of the vertex stage, in pixels
   std::array<double, 3> z_clip_{}, w_clip_{};
-  double xy_error_ = 0, z_error_ = 0, w_error_ = 0; // of homogeneous coordinates: pixels w, w, w
-  double reach_ = 0; // how far a corner may be from its exact place, in pixels; if in front
+  // Of the vertex stage, of homogeneous coordinates: in pixels times w, in w, in w; and of the viewport, in pixels.
+  std::array<double, 3> xy_error_{}, z_error_{}, w_error_{}, viewport_error_{};
+  double reach_ = 0; // the most of corner_reach(); if in front
   PixelRect pixels_;
 };
 

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cmath>
 #include <mutex>
+#include <span>
 #include <stdexcept>
 
 namespace refraster {
@@ -58,6 +59,8 @@ private:
     };
     if (image_.colour.empty() || !fits(image_.colour, 3) || !fits(image_.ids, 2) || !fits(image_.depth, 1))
       throw std::invalid_argument("images of colour, ids and depth must be of one size, with 3, 2 and 1 channels");
+    if (!image_.samples.empty() && image_.samples.size() != static_cast<std::size_t>(options_.samples))
+      throw std::invalid_argument("there must be a position for each sample");
   }
   void progress(double done) const {
     if (options_.progress) options_.progress(done);
@@ -130,7 +133,8 @@ private:
 
   void by_bounds(const DeviceFrame& device, const std::vector<PixelPlace>& left) {
     std::vector<std::vector<VisibleSet>> sets;
-    for (const SamplePosition& sample : sample_pattern(options_.samples))
+    const std::span<const SamplePosition> standard = sample_pattern(options_.samples);
+    for (const SamplePosition& sample : image_.samples.empty() ? standard : std::span(image_.samples))
       sets.push_back(find_candidates(device, left, sample));
     verdict_.details.resize(left.size());
     std::vector<std::unique_ptr<PixelJudge>> judges(static_cast<std::size_t>(threads()));

@@ -123,7 +123,8 @@ std::vector<ObjectBias> biases_of(const Verdict& verdict, const DeviceImage& ima
         const float reference = verdict.reference.at(x, y)[c];
         const auto bits = std::bit_cast<std::uint32_t>(reference);
         const double exact = stored.of(static_cast<double>(reference));
-        if (!is_taken(bits, verdict.classes.values.size()) || exact <= 0.5 || exact >= 254.5) continue; // where levels end
+        if (!is_taken(bits, verdict.classes.values.size()) || exact <= 0.5 || exact >= 254.5)
+          continue; // where levels end
         const double apart = stored.levels(image.colour.at(x, y)[c]) - std::nearbyint(exact);
         of_object[object - 1].push_back({bits, static_cast<int>(apart)});
       }

@@ -5,6 +5,7 @@
 #include <refraster/frame.h>
 #include <refraster/render.h>
 
+#include "raster/samples.h"
 #include "verify/bounds/pixel_bounds.h"
 #include "verify/images/stored_precision.h"
 
@@ -59,6 +60,8 @@ struct DeviceImage {
   Transfer transfer = Transfer::linear;
   Image<float> ids;   ///< 2 channels: object and triangle in its mesh, counted from 1; 0 for none. May be empty
   Image<float> depth; ///< 1 channel: window depth in [0, 1]. May be empty
+  /// Where its samples lie in a pixel, if there are several; empty: at the standard positions, y down.
+  std::vector<SamplePosition> samples = {};
 };
 
 /// How an image is judged.

@@ -2,10 +2,9 @@
 // [FIRST, END). A line for each image with pixels that are unexplained, with the first of them, and the sums by class.
 // Exit code 1 if there are any, 77 without the driver.
 
+#include "tests/support/gl/device_images.h"
 #include "tests/support/gl/driver_runs.h"
-#include "verify/verdict/verdict.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -37,24 +36,6 @@ struct ClassCounts {
     std::printf("\n");
   }
 };
-
-DeviceImage in_8_bits(const GlFrame& frame) {
-  DeviceImage image;
-  image.colour = Image<float>(frame.rgb8.width, frame.rgb8.height, 3);
-  std::copy(frame.rgb8.values.begin(), frame.rgb8.values.end(), image.colour.values.begin());
-  image.precision = StoredPrecision::integers(255);
-  image.ids = frame.ids, image.depth = frame.depth;
-  return image;
-}
-
-DeviceImage in_float(const GlFrame& frame) {
-  DeviceImage image;
-  image.colour = frame.radiance;
-  image.full_scale = 1;
-  image.precision = StoredPrecision::floats(0x1p-24);
-  image.ids = frame.ids, image.depth = frame.depth;
-  return image;
-}
 
 void report(std::uint64_t seed, const char* format, const Scene& scene, const Verdict& verdict) {
   if (verdict.is_explained()) return;

@@ -6,8 +6,8 @@
 #include "gl/draw/drawing.h"
 #include "gl/draw/read_back.h"
 #include "raster/samples.h"
-#include "tests/support/gl/ideal_shader.h"
-#include "tests/support/gl/window_triangle.h"
+#include "tests/support/gl/device_images.h"
+#include "tests/support/gl/where.h"
 #include "tests/support/random.h"
 #include "tests/system/gl/window_scenes.h"
 

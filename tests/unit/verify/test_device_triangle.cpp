@@ -182,10 +182,29 @@ TEST_CASE("a device that rounds to our lattice has our points, but where they ar
     window.add({window.place(x, 2, 1), window.place(x + 28, 2, 1), window.place(x, 30, 1)});
     const DeviceFrame frame(window.scene, window.options(), profile, ShaderMatrices::one);
     const SampleShift shift = DeviceTriangle(frame, 0).shift(8.5, 8.5);
-    CHECK(shift.radius.y == 0);
-    if (offset < 0.5 / 256) CHECK(shift.radius.x == 0);
+    const double of_weights = 0.01; // of floats, in an image of 32 pixels
+    CHECK(shift.radius.y < of_weights);
+    if (offset < 0.5 / 256) CHECK(shift.radius.x < of_weights);
     else CHECK(shift.radius.x >= 0.5);
   }
+}
+
+TEST_CASE("a corner near the eye plane, whose place in the window is hardly known, moves no sample far") {
+  const DeviceProfile profile = profile_of(1.0 / 256, SetupPositions::exact);
+  WindowScene window(side, 1e-6);
+  // In the window the first corner lies 16 million pixels to the left; floats of a camera far off say so to 1 in 16.
+  window.add({Float3(-1, 0.1f, -1e-6f), window.place(30, 2, 1), window.place(30, 30, 1)});
+  window.scene.camera.position = {4, 4, 4};
+  window.scene.camera.target = {4, 4, 3};
+  window.scene.objects[0].position = {4, 4, 4};
+  const DeviceFrame frame(window.scene, window.options(), profile, ShaderMatrices::three);
+  const DeviceTriangle triangle(frame, 0);
+  REQUIRE(triangle.is_seen());
+  const SampleShift shift = triangle.shift(20.5, 16.5);
+  CHECK(shift.radius.x < 2);
+  CHECK(shift.radius.y < 2);
+  CHECK(triangle.coverage(20.5, 16.5).certainty == Coverage::Certainty::inside);
+  CHECK(triangle.coverage(31.5, 16.5).certainty == Coverage::Certainty::outside);
 }
 
 TEST_CASE("which side a triangle shows is open only if rounding may turn it over") {
