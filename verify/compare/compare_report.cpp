@@ -15,11 +15,8 @@ std::string line(const char* label, const std::string& content) {
   return format("%-14s %s\n", label, content.c_str());
 }
 
-/// As printf's %.{digits}g in the locale "C".
 std::string number(double x, int digits = 6) {
-  std::array<char, 40> text;
-  return {text.data(),
-          std::to_chars(text.data(), text.data() + text.size(), x, std::chars_format::general, digits).ptr};
+  return general_number(x, digits);
 }
 
 /// Nine digits tell any two floats apart. Levels are integers, or follow from values of single precision, whose
@@ -56,23 +53,9 @@ std::string limits_text(const CompareLimits& limits, CompareUnit unit) {
   return text;
 }
 
-/// What kind of difference it is, where that is known.
 std::string cause_text(const ComparisonReport& report) {
-  const Comparison& found = report.found;
   std::string text;
-  if (report.transformation) {
-    const FoundTransformation& t = *report.transformation;
-    const double in_unit = full_range(found.unit) / 255;
-    const std::string max = std::isfinite(t.max) ? number(t.max * in_unit) : "none";
-    text = line("cause", transformation_text(t, found.unit));
-    text += line("", "then max " + max + ", rms " + number(t.rms * in_unit) + ", " +
-                         format("%llu of %llu pixels equal within the limit and rounding",
-                                static_cast<unsigned long long>(t.within), static_cast<unsigned long long>(t.pixels)));
-  }
-  if (report.compressed != Compressed::none)
-    text += line("cause", std::string("differences follow 8 x 8 blocks: ") +
-                              (report.compressed == Compressed::a ? "a" : "b") +
-                              " was compressed with loss, as JPEG does it");
+  for (const std::string& cause : comparison_causes(report)) text += line(text.empty() ? "cause" : "", cause);
   return text;
 }
 
@@ -92,14 +75,6 @@ void write_transformation(JsonWriter& json, const ComparisonReport& report) {
     json.member("max", t.max * in_unit);
     json.member("rms", t.rms * in_unit);
   });
-}
-
-std::string verdict(const ComparisonReport& report) {
-  const Comparison& found = report.found;
-  if (found.equal_pixels == found.pixels()) return "equal";
-  if (found.same) return "equal within " + limits_text(report.limits, found.unit);
-  if (report.limits.any()) return "differ by more than " + limits_text(report.limits, found.unit);
-  return "differ";
 }
 
 std::string worst_table(const std::vector<PixelDifference>& worst, CompareUnit unit) {
@@ -123,28 +98,56 @@ std::string worst_table(const std::vector<PixelDifference>& worst, CompareUnit u
   return text;
 }
 
-/// Pixels that stand alone are among the worst pixels, or not worth a line.
-std::string clusters_table(const Comparison& found) {
-  std::string text = line("clusters", format("%llu", static_cast<unsigned long long>(found.cluster_count)) +
-                                          (found.clusters.front().pixels == 1 ? ", each of one pixel" : ""));
-  for (const Cluster& c : found.clusters)
-    if (c.pixels > 1)
-      text +=
-          line("", format("%llu pixels in x %d to %d, y %d to %d; worst at (%d, %d): %s",
-                          static_cast<unsigned long long>(c.pixels), c.x, c.x + c.width - 1, c.y, c.y + c.height - 1,
-                          c.worst_x, c.worst_y, std::isfinite(c.largest) ? number(c.largest).c_str() : "none"));
+/// "knot 1200, background 34"; of one object only its name.
+std::string objects_text(const ObjectCounts& objects) {
+  std::string text;
+  for (const auto& [name, pixels] : objects)
+    text += (text.empty() ? "" : ", ") + one_line(name) + (objects.size() == 1 ? "" : " " + std::to_string(pixels));
   return text;
 }
 
-void write_clusters(JsonWriter& json, const Comparison& found) {
+/// Pixels that stand alone are among the worst pixels, or not worth a line.
+std::string clusters_table(const ComparisonReport& report) {
+  const Comparison& found = report.found;
+  std::string text = line("clusters", format("%llu", static_cast<unsigned long long>(found.cluster_count)) +
+                                          (found.clusters.front().pixels == 1 ? ", each of one pixel" : ""));
+  for (std::size_t i = 0; i < found.clusters.size(); ++i) {
+    const Cluster& c = found.clusters[i];
+    if (c.pixels == 1) continue;
+    const std::string worst = std::isfinite(c.largest) ? number(c.largest) : "none";
+    text += line("", format("%llu pixels in x %d to %d, y %d to %d; worst at (%d, %d): %s",
+                            static_cast<unsigned long long>(c.pixels), c.x, c.x + c.width - 1, c.y, c.y + c.height - 1,
+                            c.worst_x, c.worst_y, worst.c_str()));
+    if (i < report.objects.size()) text += line("", "  of " + objects_text(report.objects[i]));
+  }
+  return text;
+}
+
+void write_objects(JsonWriter& json, const ObjectCounts& objects) {
+  json.array([&] {
+    for (const auto& [name, pixels] : objects) {
+      json.object([&] {
+        json.member("name", name);
+        json.member("pixels", pixels);
+      });
+    }
+  });
+}
+
+void write_clusters(JsonWriter& json, const ComparisonReport& report) {
+  const Comparison& found = report.found;
   json.member("cluster_count", found.cluster_count);
   json.array("clusters", [&] {
-    for (const Cluster& c : found.clusters) {
+    for (std::size_t i = 0; i < found.clusters.size(); ++i) {
+      const Cluster& c = found.clusters[i];
       json.object([&] {
         json.member("box", std::vector<int>{c.x, c.y, c.width, c.height});
         json.member("pixels", c.pixels);
         json.member("largest", c.largest);
         json.member("worst", std::vector<int>{c.worst_x, c.worst_y});
+        json.key("objects");
+        if (i < report.objects.size()) write_objects(json, report.objects[i]);
+        else json.null();
       });
     }
   });
@@ -152,9 +155,40 @@ void write_clusters(JsonWriter& json, const Comparison& found) {
 
 } // namespace
 
+std::string general_number(double x, int digits) {
+  std::array<char, 40> text;
+  return {text.data(),
+          std::to_chars(text.data(), text.data() + text.size(), x, std::chars_format::general, digits).ptr};
+}
+
+std::string comparison_verdict(const ComparisonReport& report) {
+  const Comparison& found = report.found;
+  if (found.equal_pixels == found.pixels()) return "equal";
+  if (found.same) return "equal within " + limits_text(report.limits, found.unit);
+  if (report.limits.any()) return "differ by more than " + limits_text(report.limits, found.unit);
+  return "differ";
+}
+
+std::vector<std::string> comparison_causes(const ComparisonReport& report) {
+  std::vector<std::string> causes;
+  if (report.transformation) {
+    const FoundTransformation& t = *report.transformation;
+    const double in_unit = full_range(report.found.unit) / 255;
+    const std::string max = std::isfinite(t.max) ? number(t.max * in_unit) : "none";
+    causes.push_back(transformation_text(t, report.found.unit));
+    causes.push_back("then max " + max + ", rms " + number(t.rms * in_unit) + ", " +
+                     format("%llu of %llu pixels equal within the limit and rounding",
+                            static_cast<unsigned long long>(t.within), static_cast<unsigned long long>(t.pixels)));
+  }
+  if (report.compressed != Compressed::none)
+    causes.push_back(std::string("differences follow 8 x 8 blocks: ") +
+                     (report.compressed == Compressed::a ? "a" : "b") + " was compressed with loss, as JPEG does it");
+  return causes;
+}
+
 std::string comparison_text(const ComparisonReport& report) {
   const Comparison& found = report.found;
-  std::string text = verdict(report) + "\n" + cause_text(report);
+  std::string text = comparison_verdict(report) + "\n" + cause_text(report);
   text += line("a", report.file_a);
   text += line("b", report.file_b);
   text += line("size",
@@ -178,7 +212,7 @@ std::string comparison_text(const ComparisonReport& report) {
   text += line("mean of b - a", means);
   if (report.mean_flip) text += line("flip", format("%.6f", *report.mean_flip));
   if (!found.worst.empty()) text += worst_table(found.worst, found.unit);
-  if (found.cluster_count > 0) text += clusters_table(found);
+  if (found.cluster_count > 0) text += clusters_table(report);
   return text;
 }
 
@@ -188,6 +222,7 @@ std::string comparison_json(const ComparisonReport& report) {
   json.object([&] {
     json.member("a", report.file_a);
     json.member("b", report.file_b);
+    json.text_or_null("scene", report.scene);
     json.member("same", found.same);
     json.member("unit", unit_name(found.unit));
     write_size(json, found.width, found.height);
@@ -222,7 +257,7 @@ std::string comparison_json(const ComparisonReport& report) {
         });
       }
     });
-    write_clusters(json, found);
+    write_clusters(json, report);
     write_transformation(json, report);
     json.key("compressed");
     if (report.compressed == Compressed::none) json.null();

@@ -65,7 +65,7 @@ def check(browser, tools, scene, folder):
 def main():
     browser = next(filter(None, map(shutil.which, BROWSERS)), None)
     if not browser:
-        print("SKIPPED, not tested: no Chromium (Debian: apt-get install chromium)")
+        print("SKIPPED, not tested: no Chromium (Debian: scripts/setup browser)")
         return 77
     tools = pathlib.Path(sys.argv[1]).resolve()
     good = True
