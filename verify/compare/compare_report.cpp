@@ -125,10 +125,10 @@ std::string clusters_table(const ComparisonReport& report) {
 
 void write_objects(JsonWriter& json, const ObjectCounts& objects) {
   json.array([&] {
-    for (const auto& [name, pixels] : objects) {
+    for (const auto& object : objects) {
       json.object([&] {
-        json.member("name", name);
-        json.member("pixels", pixels);
+        json.member("name", object.first);
+        json.member("pixels", object.second);
       });
     }
   });

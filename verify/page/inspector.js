@@ -78,7 +78,7 @@ function loupes([x, y]) {
     context.imageSmoothingEnabled = false;
     context.fillStyle = stageColours.stage;
     context.fillRect(0, 0, canvas.width, canvas.height);
-    context.drawImage(layers.get(name).wholeCanvas(), x - left, y - above, columns, rows, 0, 0, canvas.width, canvas.height);
+    context.drawImage(part(layers.get(name), x - left, y - above, columns, rows), 0, 0, canvas.width, canvas.height);
     for (const [colour, thickness] of [[stageColours["cursor-edge"], 3], [stageColours.cursor, 1.5]]) {
       context.lineWidth = thickness, context.strokeStyle = colour;
       context.strokeRect(left * step, above * step, step, step);

@@ -5,6 +5,7 @@ const rgba = (r, g, b) => (0xff000000 | (b << 16) | (g << 8) | r) >>> 0; // as i
 const rgbaOfCss = (css) => rgba(...[1, 3, 5].map((at) => parseInt(css.slice(at, at + 2), 16)));
 const toByte = (level) => (level >= 255 ? 255 : level > 0 ? (level + 0.5) | 0 : 0);
 
+const max_side = 16384; // of a canvas, in the browser that allows least (Safari)
 const full_bytes = 600e6; // of whole canvases that are kept; a browser tab has some 2 to 4 GB
 const wholeCanvases = []; // of layers, the one used last at the end
 
@@ -42,7 +43,8 @@ class Layer {
   /// The image at a zoom below 1: each pixel of the canvas shows the most severe one of those that fall on it, so that
   /// a single wrong pixel is seen in an image of any size.
   smallCanvas(zoom) {
-    if (!this.small || this.small.zoom !== zoom) this.small = {zoom, ...mostSevere(this.severity(), zoom)};
+    const severity = this.severity ? this.severity() : () => 0; // then the first one
+    if (!this.small || this.small.zoom !== zoom) this.small = {zoom, ...mostSevere(severity, zoom)};
     const {columns, rows, chosen, canvas} = this.small;
     if (canvas) return canvas;
     const colour = this.colour();
@@ -53,11 +55,21 @@ class Layer {
   }
 }
 
+/// A rectangle of a layer, as far as it lies within the image.
+function part(layer, x, y, width, height) {
+  const colour = layer.colour();
+  return painted(width, height, (out) => {
+    for (let row = Math.max(0, -y); row < Math.min(height, model.height - y); row++)
+      for (let column = Math.max(0, -x); column < Math.min(width, model.width - x); column++)
+        out[row * width + column] = colour((y + row) * model.width + x + column);
+  });
+}
+
 /// Of all pixels of the image that fall on one of a smaller image, the most severe one.
 function mostSevere(severity, zoom) {
   const {width, height} = model;
   const columns = Math.max(1, Math.ceil(width * zoom)), rows = Math.max(1, Math.ceil(height * zoom));
-  const column = Uint16Array.from({length: width}, (_, x) => Math.min(columns - 1, Math.floor(x * zoom)));
+  const column = Uint32Array.from({length: width}, (_, x) => Math.min(columns - 1, Math.floor(x * zoom)));
   const chosen = new Uint32Array(columns * rows), best = new Float64Array(columns);
   for (let y = 0, row = -1; y < height; y++) {
     const next = Math.min(rows - 1, Math.floor(y * zoom));

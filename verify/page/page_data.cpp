@@ -49,10 +49,10 @@ std::string notes_json(const ReportPage& page) {
         json.member("x", note.x);
         json.member("y", note.y);
         json.array("attribution", [&] {
-          for (const auto& [cause, fraction] : note.attribution) {
+          for (const auto& part : note.attribution) {
             json.object([&] {
-              json.member("cause", cause);
-              json.member("fraction", fraction);
+              json.member("cause", part.first);
+              json.member("fraction", part.second);
             });
           }
         });

@@ -132,20 +132,19 @@ function sides() {
 }
 
 function drawLayer(layer) {
-  const {zoom} = state, [ox, oy] = imageCorner();
-  if (zoom < 1 && layer.severity) {
+  const {zoom} = state, {x0, y0, x1, y1, ox, oy} = visiblePixels();
+  if (x0 >= x1 || y0 >= y1) return;
+  const fits = Math.max(model.width, model.height) <= max_side;
+  if (zoom < 1 && (layer.severity || !fits)) {
     context.imageSmoothingEnabled = false;
     context.drawImage(layer.smallCanvas(zoom), ox, oy);
     return;
   }
   context.imageSmoothingEnabled = zoom < 1;
   context.imageSmoothingQuality = "high";
-  const x = Math.max(0, Math.floor(-ox / zoom)), y = Math.max(0, Math.floor(-oy / zoom));
-  const width = Math.min(model.width, Math.ceil((canvas.width - ox) / zoom)) - x;
-  const height = Math.min(model.height, Math.ceil((canvas.height - oy) / zoom)) - y;
-  if (width > 0 && height > 0)
-    context.drawImage(layer.wholeCanvas(), x, y, width, height, ox + x * zoom, oy + y * zoom, width * zoom,
-                      height * zoom);
+  const width = x1 - x0, height = y1 - y0, place = [ox + x0 * zoom, oy + y0 * zoom, width * zoom, height * zoom];
+  if (fits) context.drawImage(layer.wholeCanvas(), x0, y0, width, height, ...place);
+  else context.drawImage(part(layer, x0, y0, width, height), 0, 0, width, height, ...place);
 }
 
 function visiblePixels() {

@@ -5,6 +5,7 @@
 
 Exit 1 where a page does not do what it should. Exit 77, with a word, where there is no Chromium or chromedriver."""
 
+import array
 import pathlib
 import subprocess
 import sys
@@ -326,7 +327,7 @@ def floats(pages):
 
 
 def odd_sizes(pages):
-    for size in ("1x1", "8192x5", "3x2000"):
+    for size in ("1x1", "8192x5", "3x2000", "2x16384"):
         pixels = pages.sample(size, "rgb8")
         for pixel in pixels:
             pages.open(pages.page, f"#{pixel[0]},{pixel[1]}")
@@ -350,6 +351,23 @@ def odd_sizes(pages):
         for (let i = 0; i < data.length; i += 4) if (data[i] === 0xf1 && data[i + 1] === 0x4d && data[i + 2] === 0x10) return true;
         return false;""")
     check(found, "one pixel of 8192 is seen in the whole image")
+
+
+def wider_than_a_canvas(pages, refraster):
+    """Browsers draw no canvas of more than 16384 to 65535 pixels on a side; `compare` reads images up to the latter."""
+    width, files = 40000, [pages.folder / name for name in ("a.pfm", "b.pfm")]
+    for file, last in zip(files, (0.25, 0.75)):
+        row = array.array("f", [x / width for x in range(width - 1)] + [last])
+        file.write_bytes(f"Pf\n{width} 1\n-1.0\n".encode() + row.tobytes())
+    page = pages.folder / "wide.html"
+    subprocess.run([refraster, "compare", "-q", *files, "--html", page])
+    pages.open(page)
+    check(pages.colour(width - 1, 0) == [0xf1, 0x4d, 0x10], "the pixel that differs is seen in the whole image")
+    pages.open(page, f"#{width - 1},0")
+    pages.press("2")
+    check(pages.colour(width - 1, 0) == [191] * 3, "and large, as it is")
+    check(pages.colour(width - 2, 0) == [255] * 3, "beside its neighbour")
+    pages.quiet("a wide image")
 
 
 def comparison(pages, refraster):
@@ -404,6 +422,7 @@ def main():
             floats(pages)
             odd_sizes(pages)
             comparison(pages, refraster)
+            wider_than_a_canvas(pages, refraster)
         finally:
             browser.close()
     print(f"{len(faults)} faults")

@@ -49,8 +49,9 @@ std::vector<std::uint32_t> bits_of(const Image<float>& image) {
 
 TEST_CASE("what is packed can be unpacked, bit for bit: bytes, whole numbers, floats with NaN") {
   Random random(1);
-  for (const auto& [width, height] : sizes)
+  for (const auto& size : sizes)
     for (const int channels : {1, 2, 3, 4}) {
+      const int width = size[0], height = size[1];
       CAPTURE(width);
       CAPTURE(channels);
       const Image<std::uint8_t> bytes = mixed_image(width, height, channels, random);
