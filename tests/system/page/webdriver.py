@@ -33,10 +33,13 @@ class Browser:
     def __init__(self, profile):
         self.driver = subprocess.Popen(["chromedriver", "--port=0"], text=True, stdout=subprocess.PIPE,
                                        stderr=subprocess.STDOUT, start_new_session=True)
+        found = None
         for line in self.driver.stdout:
             found = re.search(r"started successfully on port (\d+)", line)
             if found:
                 break
+        if not found:
+            raise RuntimeError("chromedriver has not started")
         self.url = f"http://127.0.0.1:{found.group(1)}"
         binary = next(filter(None, map(shutil.which, BROWSERS)))
         options = {"binary": binary, "args": OPTIONS + [f"--user-data-dir={profile}"]}
