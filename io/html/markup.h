@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace refraster::bench {
+namespace refraster {
 
 /// With &, <, > and quotes as entities. What XML cannot hold, control characters and bytes that are no UTF-8, becomes
 /// '?' and U+FFFD.
@@ -22,4 +22,4 @@ inline std::string escaped(std::string_view text) {
   return result;
 }
 
-} // namespace refraster::bench
+} // namespace refraster
