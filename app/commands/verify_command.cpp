@@ -16,7 +16,7 @@
 #include "raster/samples.h"
 #include "verify/device/read_profile.h"
 #include "verify/images/read_device_image.h"
-#include "verify/verdict/verdict_report.h"
+#include "verify/verdict/verdict_page.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +31,7 @@ namespace {
 enum class Source { file, opengl_rgb8, opengl_float };
 
 struct VerifyArguments {
-  std::string scene, actual, json, device;
+  std::string scene, actual, json, html, device;
   DeviceImageRequest image;
   SceneOptions reading;
   JudgeOptions judging;
@@ -121,12 +121,21 @@ bool has_own_vertex_shader(const Scene& scene) {
                      [](const Object& object) { return !object.vertex_shader_path.empty(); });
 }
 
+void write_page(const VerifyArguments& a, const VerdictReport& report, const Scene& scene, const DeviceImage& image,
+                const MemoryBudget& memory) {
+  constexpr std::uint64_t bytes_a_pixel = 96; // of images, maps and the text that they become
+  const auto line = progress_line(a.diagnostics, "writing " + a.html);
+  memory.need(bytes_a_pixel * report.verdict.classes.values.size(), a.html);
+  write_text(a.html, report_html(verdict_page(report, scene, image)));
+}
+
 ExitCode run(VerifyArguments& a) {
   const MemoryBudget memory = set_memory_limit(a.max_memory, 1);
   if (a.source != Source::file) clear_memory_limit(); // drivers do not bear it
   a.reading.memory = memory;
-  check_different({a.json}, {a.scene, a.actual, a.image.ids, a.image.depth});
-  if (!a.json.empty()) check_writable(a.json);
+  check_different({a.json, a.html}, {a.scene, a.actual, a.image.ids, a.image.depth});
+  for (const std::string& path : {a.json, a.html})
+    if (!path.empty()) check_writable(path);
   prepare_cache(a.reading.mesh_cache);
   VerdictReport report;
   report.scene = a.scene, report.actual = a.source == Source::file ? a.actual : "drawn by OpenGL";
@@ -167,6 +176,7 @@ ExitCode run(VerifyArguments& a) {
   line.reset(); // before anything is printed
   print_file_notes(report.notes, a.diagnostics);
   if (!a.json.empty()) write_text(a.json, verdict_json(report));
+  if (!a.html.empty()) write_page(a, report, scene, image, memory);
   if (a.json != standard_output && a.diagnostics.verbosity == Verbosity::normal) std::cout << verdict_text(report);
   return report.passes() ? ExitCode::ok : ExitCode::differ;
 }
@@ -241,6 +251,8 @@ Command verify_command() {
                               if (auto fault = add_limit(part, a.limits)) return fault;
                             return std::nullopt;
                           }),
+             file_option("--html", "FILE", a.html,
+                         "write a page to look at: both images, what each pixel is, and why; docs/report-page.md"),
              file_option("--json", "FILE", a.json, "write the verdict as JSON; - is standard output"),
              memory_option(a.max_memory), strict_option(a.diagnostics),
              quiet_option(a.diagnostics,

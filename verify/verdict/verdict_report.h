@@ -33,6 +33,12 @@ struct VerdictReport {
   bool passes() const { return exceeded().empty(); }
 };
 
+/// The first line of verdict_text(), without a full stop.
+std::string verdict_headline(const VerdictReport& report);
+
+/// How sharp the check was, in a sentence without a full stop; empty if no pixel shows a surface.
+std::string power_text(const JudgePower& power);
+
 /// A few aligned lines; the first one is the verdict. Numbers are rounded for reading.
 std::string verdict_text(const VerdictReport& report);
 

@@ -26,17 +26,6 @@ std::string allowed_text(const ColourBox& box) {
   return text;
 }
 
-std::string headline(const VerdictReport& report) {
-  const Verdict& verdict = report.verdict;
-  const auto pixels = static_cast<unsigned long long>(verdict.classes.values.size());
-  const std::string device = report.profile.name;
-  if (const std::uint64_t wrong = verdict.count(PixelClass::unexplained); wrong > 0)
-    return format("unexplained: %llu of %llu pixels are not what a device such as %s may show\n",
-                  static_cast<unsigned long long>(wrong), pixels, device.c_str());
-  if (!report.passes()) return "explained, but over a limit\n";
-  return "explained: each pixel is what a device such as " + device + " may show\n";
-}
-
 std::string clusters_text(const Verdict& verdict) {
   std::string text;
   for (std::size_t i = 0; i < std::min(verdict.clusters.size(), most_clusters); ++i) {
@@ -89,9 +78,27 @@ std::vector<ClassLimit> VerdictReport::exceeded() const {
   return all;
 }
 
+std::string verdict_headline(const VerdictReport& report) {
+  const Verdict& verdict = report.verdict;
+  const auto pixels = static_cast<unsigned long long>(verdict.classes.values.size());
+  const std::string device = report.profile.name;
+  if (const std::uint64_t wrong = verdict.count(PixelClass::unexplained); wrong > 0)
+    return format("unexplained: %llu of %llu pixels are not what a device such as %s may show",
+                  static_cast<unsigned long long>(wrong), pixels, device.c_str());
+  if (!report.passes()) return "explained, but over a limit";
+  return "explained: each pixel is what a device such as " + device + " may show";
+}
+
+std::string power_text(const JudgePower& power) {
+  if (power.pixels == 0) return {};
+  return "colours that pass are less than 0.1 levels apart in " + percent(power.below_tenth) + ", 1 level in " +
+         percent(power.below_one) + ", 4 levels in " + percent(power.below_four) + " of the pixels; " +
+         rounded_text(power.median, 3) + " in the median";
+}
+
 std::string verdict_text(const VerdictReport& report) {
   const Verdict& verdict = report.verdict;
-  std::string text = headline(report);
+  std::string text = verdict_headline(report) + "\n";
   text += report_line("scene", report.scene);
   text += report_line("image", report.actual);
   text += report_line("device", report.profile.name + ", version " + std::to_string(report.profile.version) +
@@ -118,10 +125,10 @@ std::string verdict_text(const VerdictReport& report) {
                                  bias.object + 1, percent(bias.moved).c_str(), percent(bias.allowed_moved).c_str()));
   if (verdict.power.pixels > 0) {
     const JudgePower& power = verdict.power;
-    text += report_line("power", "colours that pass are less than 0.1 levels apart in " + percent(power.below_tenth) +
-                                     ", 1 level in " + percent(power.below_one) + ",");
-    text += report_line("", "4 levels in " + percent(power.below_four) + " of the pixels; " +
-                                rounded_text(power.median, 3) + " levels in the median");
+    text +=
+        report_line("power", "colours that pass are less than 0.1 levels apart in " + percent(power.below_tenth) + ",");
+    text += report_line("", "1 level in " + percent(power.below_one) + ", 4 levels in " + percent(power.below_four) +
+                                " of the pixels; " + rounded_text(power.median, 3) + " in the median");
     if (const std::string causes = causes_text(verdict.causes); !causes.empty())
       text += report_line("because of", causes);
   }
