@@ -121,9 +121,10 @@ std::vector<SeededFault> glsl_faults() {
        {"radiance_missing"},
        {{fragment, point_radiance, "vec3(attenuation)"},
         {fragment, "Incident(-light.direction, light.radiance)", "Incident(-light.direction, vec3(1.0))"}}},
-      {"the first light of each list missing",
+      {"the first point light missing",
        {"light_missing"},
-       {{fragment, "for (int i = 0; i <", "for (int i = 1; i <"}}},
+       {{fragment, "reflected(n, v, t, arriving(pointLights[i], fs_in(FragPos)))",
+         "(i > 0 ? reflected(n, v, t, arriving(pointLights[i], fs_in(FragPos))) : vec3(0.0))"}}},
       {"ambient missing", {"ambient_missing"}, {{fragment, summed, "with_lights(vec3(0.0), n, v, t)"}}},
       {"ambient twice", {"ambient_twice"}, {{fragment, summed, "with_lights(2.0 * ambient(t), n, v, t)"}}},
       {"ambient once a light",
@@ -171,10 +172,18 @@ std::vector<SeededFault> glsl_faults() {
        {{fragment, texel, "textureLod(tex, fs_in(TexCoord), 0.0).rgb"}}},
       {"texture clamped",
        {"texture_clamped"},
-       {{fragment, texel,
-         "textureGrad(tex, clamp(fs_in(TexCoord), 0.5 / vec2(textureSize(tex, 0)), 1.0 - 0.5 / vec2(textureSize(tex, "
-         "0))), "
-         "dFdx(fs_in(TexCoord)), dFdy(fs_in(TexCoord))).rgb"}}},
+       {{fragment, texel, "clamped(fs_in(TexCoord)).rgb"},
+        {fragment, "uniform sampler2D tex;",
+         "uniform sampler2D tex;\n"
+         "vec4 clamped_at(vec2 uv, int level) {\n"
+         "    vec2 margin = 0.5 / vec2(textureSize(tex, level));\n"
+         "    return textureLod(tex, clamp(uv, margin, 1.0 - margin), float(level));\n"
+         "}\n"
+         "vec4 clamped(vec2 uv) {\n"
+         "    vec2 size = vec2(textureSize(tex, 0)), right = dFdx(uv) * size, up = dFdy(uv) * size;\n"
+         "    float detail = max(log2(max(length(right), length(up))), 0.0);\n"
+         "    return mix(clamped_at(uv, int(detail)), clamped_at(uv, int(detail) + 1), fract(detail));\n"
+         "}\n"}}},
       {"mip levels one too coarse",
        {"mip_bias_coarser"},
        {{fragment, texel, "texture(tex, fs_in(TexCoord), 1.0).rgb"}}},

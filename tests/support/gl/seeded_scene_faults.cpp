@@ -208,7 +208,7 @@ std::vector<SeededFault> seeded_image_faults() {
       {"the image in video range", {"video_range"}, {}, nullptr, video_range},
       {"the image stretched from video range", {"video_range_removed"}, {}, nullptr, video_range_removed},
       {"the image darker", {"scaled"}, {}, nullptr, darker},
-      {"the image of every second pixel, enlarged", {"half_size"}, {}, nullptr, enlarged},
+      {"the image of every second pixel, enlarged", {"every_second_pixel"}, {}, nullptr, enlarged},
       {"the image blurred", {}, {}, nullptr, blurred},
       {"noise on the image", {}, {}, nullptr, noisy},
   };

@@ -1,4 +1,4 @@
-#include "tests/support/gl/fault_scenes.h"
+#include "tests/support/scenes/fault_scenes.h"
 
 #include "math/vec.h"
 
@@ -90,9 +90,9 @@ Scene plastics(SpecularGate gate) {
   Object box = thing("box", cube_mesh(), {0.2, -0.45, 1.7}, {0, 33, 0}, {0.35, 0.45, 0.3},
                      plastic<BlinnPhong>({0.06, 0.05, 0.05}, {0.5, 0.5, 0.45}, {0.3, 0.3, 0.3}, 8, gate));
   show(box, 8, 6, TextureFilter::nearest);
-  Object open = thing("bowl", bowl(), {0.1, 0.35, -1.6}, {-24, 0, 10}, {0.9, 0.7, 0.9},
+  Object open = thing("bowl", bowl(), {0.1, 0.45, -1.6}, {48, 0, 10}, {0.9, 0.7, 0.9},
                       plastic<Phong>({0.06, 0.06, 0.07}, {0.45, 0.3, 0.5}, {0.3, 0.35, 0.3}, 5, gate));
-  Object culled = thing("culled bowl", bowl(), {2.2, 0.5, -2.2}, {-160, 20, 0}, {0.8, 0.9, 0.8},
+  Object culled = thing("culled bowl", bowl(), {2.2, 0.6, -2.2}, {52, 20, 0}, {0.8, 0.9, 0.8},
                         plastic<BlinnPhong>({0.05, 0.06, 0.05}, {0.5, 0.5, 0.2}, {0.3, 0.3, 0.3}, 20, gate));
   culled.cull = Cull::back;
   const Double3 wall(-0.9, 0.9, -3);

@@ -1,5 +1,5 @@
 #pragma once
-// Scenes on which the faults of tests/support/gl/seeded_faults.h show.
+// Scenes on which the faults of tests/support/gl/seeded_faults.h show, and others.
 
 #include <refraster/scene.h>
 
