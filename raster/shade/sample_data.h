@@ -154,6 +154,8 @@ public:
 
   /// Of the triangle.
   std::uint32_t object() const { return ref_.object; }
+  /// In the object's mesh.
+  std::uint32_t triangle() const { return ref_.triangle; }
 
   bool may_have_texture_coordinates() const {
     const Mesh& mesh = *context_.scene.objects[ref_.object].mesh;

@@ -44,11 +44,12 @@ public:
     return apart <= precision_.relative * std::abs(exact);
   }
 
-private:
+  /// How far what is stored may be from what was computed.
   double tolerance(double radiance) const {
     return is_integer() ? rounding_ : precision_.relative * 2 * std::abs(of(radiance));
   }
 
+private:
   Transfer transfer_;
   double to_levels_;
   StoredPrecision precision_;
