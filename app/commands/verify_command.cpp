@@ -14,18 +14,21 @@
 #include "gl/render_gl.h"
 #include "io/file/sha256.h"
 #include "raster/samples.h"
+#include "verify/device/enter_environment.h"
 #include "verify/device/read_profile.h"
 #include "verify/images/read_device_image.h"
 #include "verify/verdict/verdict_page.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <iostream>
 #include <memory>
 
 namespace refraster {
 namespace {
+
+/// What is assumed of a device of which nothing is known.
+constexpr const char* widest_device = "gl-generic";
 
 /// What draws the image that is judged.
 enum class Source { file, opengl_rgb8, opengl_float };
@@ -73,10 +76,18 @@ DeviceImage image_from_file(const VerifyArguments& a, VerdictReport& report) {
   return read_device_image(request, report.notes);
 }
 
-/// Driven as the profile says: its renderer, and its environment unless that is set.
+/// Of the shipped profiles the one that a driver of this name has; else what every device may do.
+DeviceProfile profile_of_driver(const std::string& renderer) {
+  for (const std::string_view name : device_profile_names())
+    if (name != widest_device && renderer.find(name) != std::string::npos) return device_profile(std::string(name));
+  if (renderer.find("SwiftShader") != std::string::npos) return device_profile("swiftshader");
+  return device_profile(widest_device);
+}
+
+/// Driven as the profile says: by its renderer, in its environment.
 DeviceImage image_from_opengl(const VerifyArguments& a, const Scene& scene, VerdictReport& report) {
   const DeviceProfile& profile = report.profile;
-  for (const auto& [name, value] : profile.environment) setenv(name.c_str(), value.c_str(), 0);
+  enter_environment(profile);
   GlOptions options;
   const Size size = a.size.value_or(Size{});
   options.width = size.width, options.height = size.height;
@@ -88,6 +99,7 @@ DeviceImage image_from_opengl(const VerifyArguments& a, const Scene& scene, Verd
   GlFrame frame = render_gl(scene, options);
   if (a.diagnostics.verbosity == Verbosity::normal)
     for (const std::string& line : frame.warnings) std::cerr << "warning: " << line << "\n";
+  if (a.device.empty()) report.profile = profile_of_driver(frame.driver.renderer);
   report.provenance.emplace_back("driver", frame.driver.renderer);
   report.provenance.emplace_back("OpenGL", frame.driver.version);
   DeviceImage image;
@@ -139,7 +151,7 @@ ExitCode run(VerifyArguments& a) {
   prepare_cache(a.reading.mesh_cache);
   VerdictReport report;
   report.scene = a.scene, report.actual = a.source == Source::file ? a.actual : "drawn by OpenGL";
-  report.profile = device_profile(a.device);
+  report.profile = device_profile(a.device.empty() ? widest_device : a.device);
   report.limits = a.limits;
   SceneOptions reading = a.reading;
   reading.notes = &report.notes;
@@ -173,6 +185,11 @@ ExitCode run(VerifyArguments& a) {
       report.provenance.emplace_back("samples", "at the standard positions counted upward, as in OpenGL's window");
     }
   }
+  const bool is_told = a.diagnostics.verbosity == Verbosity::normal || !a.json.empty() || !a.html.empty();
+  if (is_told && !report.verdict.is_explained()) {
+    line = progress_line(a.diagnostics, "looking for the cause");
+    rank_causes(report, scene, image);
+  }
   line.reset(); // before anything is printed
   print_file_notes(report.notes, a.diagnostics);
   if (!a.json.empty()) write_text(a.json, verdict_json(report));
@@ -197,7 +214,6 @@ void check_together(const VerifyArguments& a) {
 Command verify_command() {
   const auto arguments = std::make_shared<VerifyArguments>();
   VerifyArguments& a = *arguments;
-  a.device = "gl-generic";
   Option actual = argument("ACTUAL", a.actual, "image to judge: " + readable_formats());
   actual.occurs = Occurs::at_most_once;
   std::vector<std::string> renderers;
@@ -234,9 +250,10 @@ Command verify_command() {
              alpha_option(a.image.alpha, a.image.background, ComparedAlpha::refused),
              text_option("--layer", "NAME", a.image.layer, "of .exr files: the layer whose R, G and B are judged")}},
            {"Device",
-            {text_option("--device", "NAME|FILE", a.device,
-                         "what a right device may do: one of refraster list devices, or a file of your own")
-                 .by_default(a.device),
+            {text_option(
+                 "--device", "NAME|FILE", a.device,
+                 "what a right device may do: one of refraster list devices, or a file of your own; by default, "
+                 "with --gl, that of the driver if there is one, else gl-generic"),
              word_option(
                  "--matrices", {"one", "three"},
                  [&a](std::size_t i) { a.matrices = EnumNames<ShaderMatrices>::names[i].first; },

@@ -62,9 +62,10 @@ private:
   double twice_area_, along_x_, along_y_;
 };
 
-/// One triangle a square cell of the target, `columns` x `columns` of them from (x, y) on.
+/// One triangle a square cell of the target, `columns` x `columns` of them from (x, y) on; corners may lie so many
+/// pixels outside.
 struct Cells {
-  int x, y, size, columns;
+  int x, y, size, columns, outside;
 };
 
 std::vector<Triangle> random_triangles(const Cells& cells, std::mt19937& random) {
@@ -76,8 +77,13 @@ std::vector<Triangle> random_triangles(const Cells& cells, std::mt19937& random)
     double area = 0;
     while (area < 1e-2 * cells.size * cells.size) { // some are thin, none so thin that it holds no sample
       for (Corner& corner : triangle) {
-        // Exact in float through clip space and viewport: multiples of 2^-14 pixel, times a power of two.
-        const auto inside = [&] { return up_to(static_cast<unsigned>(cells.size) << 14) * 0x1p-14; };
+        // Exact in float through clip space and viewport: multiples of 2^-14 pixel inside the window, times a power of
+        // two, and of 2^-13 within three times its size.
+        const int bits = cells.outside == 0 ? 14 : 13;
+        const auto inside = [&] {
+          const auto steps = static_cast<unsigned>(cells.size + 2 * cells.outside) << bits;
+          return std::ldexp(up_to(steps), -bits) - cells.outside;
+        };
         corner = {left + inside(), low + inside(), up_to(1U << 20) * 0x1p-20, std::ldexp(1.0, up_to(7) - 3),
                   (up_to(1U << 21) - (1 << 20)) * 0x1p-20};
       }
@@ -174,9 +180,10 @@ PlaneFacts probe_planes(ProbeCanvas& canvas, double lattice) {
   const GLuint program = canvas.program("    result = vec4(v.xy, gl_FragCoord.w, gl_FragCoord.z);\n");
   std::mt19937 random(1);
   PlaneFacts facts;
-  for (const int place : {0, 448, 896}) look_at(canvas, program, {place, place, 8, 16}, lattice, random, facts);
-  look_at(canvas, program, {0, 0, 32, 32}, lattice, random, facts);
-  for (int i = 0; i < 4; ++i) look_at(canvas, program, {0, 0, 341, 3}, lattice, random, facts);
+  for (const int place : {0, 448, 896}) look_at(canvas, program, {place, place, 8, 16, 0}, lattice, random, facts);
+  look_at(canvas, program, {0, 0, 32, 32, 0}, lattice, random, facts);
+  for (int i = 0; i < 4; ++i) look_at(canvas, program, {0, 0, 341, 3, 0}, lattice, random, facts);
+  for (int i = 0; i < 8; ++i) look_at(canvas, program, {0, 0, side, 1, side}, lattice, random, facts); // cut, or not
   canvas.gl().Disable(GL_DEPTH_TEST);
   check_probe(canvas, "varyings and depth");
   return facts;

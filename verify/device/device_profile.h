@@ -200,6 +200,7 @@ inline constexpr std::string_view driver_switches[] = {"GALLIVM_PERF", "GALLIUM_
 /// What a profile was measured on, in the driver's words.
 struct MeasuredDevice {
   std::string vendor, renderer, version, glsl_version;
+  std::string habits;    ///< what it does where OpenGL leaves it open, beside what the members say
   int probe_version = 0; ///< of the probes: numbers of another version may mean something else
 
   static void fields(auto& self, auto&& field) {
@@ -207,6 +208,7 @@ struct MeasuredDevice {
     field("renderer", self.renderer, "the driver's renderer");
     field("version", self.version, "its version of OpenGL");
     field("glsl_version", self.glsl_version, "its version of GLSL");
+    field("habits", self.habits, "what it does where OpenGL leaves it open");
   }
   bool operator==(const MeasuredDevice&) const = default;
 };

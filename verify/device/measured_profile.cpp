@@ -91,9 +91,9 @@ void add_interpolation(const DeviceFacts& facts, DeviceProfile& profile, Measure
            from_origin));
   const double most = std::max(at_corner ? from_corner : from_origin, of_depth);
   set("interpolation/units", profile.interpolation.units, std::ceil(2 * most),
-      text("P4, P5: %.3g, twice that, rounded up: roundings seldom all go one way, and corners of any w divide once "
-           "more",
-           most));
+      text("P4, P5: %.3g of %.0f pixels, twice that, rounded up: roundings seldom all go one way, and corners of any w "
+           "divide once more",
+           most, facts.planes.samples));
   set("interpolation/relative", profile.interpolation.relative, 0.0, "P4: all errors are within the sums");
 }
 
@@ -174,6 +174,20 @@ void add_output(const DeviceFacts& facts, DeviceProfile& profile, Measured& set)
   levels("output/srgb_levels", profile.output.srgb_levels, facts.output.srgb);
 }
 
+/// What no member of a profile says.
+std::string habits_of(const DeviceFacts& facts) {
+  const HabitFacts& habits = facts.habits;
+  const auto either = [](bool holds, const char* yes, const char* no) { return std::string(holds ? yes : no); };
+  return text("SUBPIXEL_BITS is %d; ", facts.subpixel_bits) +
+         either(habits.fuses, "a * b + c is rounded once; ", "a * b + c is rounded twice; ") +
+         either(habits.reads_denormals, "denormals are read; ", "denormals are read as 0; ") +
+         either(habits.min_of_nan_is_number && habits.max_of_nan_is_number,
+                "min and max of NaN and a number give the number; ", "min and max of NaN and a number may be NaN; ") +
+         either(facts.output.whole_levels_are_exact, "whole levels are stored exactly; ",
+                "whole levels are not all stored exactly; ") +
+         text("a varying of 1/3 at all corners is off by %.3g of it", facts.planes.constant * u);
+}
+
 } // namespace
 
 bool is_measured(const DeviceProfile& profile, const std::string& place) {
@@ -186,8 +200,8 @@ DeviceProfile measured_profile(const DeviceFacts& facts, const std::string& name
   DeviceProfile profile = device_profile("gl-generic");
   profile.name = name, profile.version = 1;
   profile.meaning = "Measured by refraster gl --probe on " + facts.driver.renderer + ", " + facts.driver.version + ".";
-  profile.measured = MeasuredDevice{facts.driver.vendor, facts.driver.renderer, facts.driver.version,
-                                    facts.driver.glsl_version, probe_version};
+  profile.measured = MeasuredDevice{facts.driver.vendor,       facts.driver.renderer, facts.driver.version,
+                                    facts.driver.glsl_version, habits_of(facts),      probe_version};
   Measured set(profile);
   add_raster(facts, profile, set);
   add_interpolation(facts, profile, set);

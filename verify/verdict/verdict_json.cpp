@@ -104,6 +104,22 @@ std::string verdict_json(const VerdictReport& report) {
         });
     });
     write_unexplained(json, verdict);
+    json.optional("hypotheses", report.ranking, [&](const hypotheses::Ranking& ranking) {
+      json.object([&] {
+        json.member("tried", ranking.tried);
+        json.member("named", ranking.named() != nullptr);
+        json.array("causes", [&] {
+          for (std::size_t i = 0; i < ranking.causes.size(); ++i)
+            json.object([&] {
+              const hypotheses::Cause& cause = ranking.causes[i];
+              json.member("keys", cause.keys);
+              json.member("text", report.cause_sentences[i]);
+              json.member("explained", cause.explained);
+              json.member("kept", cause.kept);
+            });
+        });
+      });
+    });
     json.object("provenance", [&] {
       for (const auto& [label, content] : report.provenance) json.member(label, content);
     });

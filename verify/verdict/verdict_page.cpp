@@ -169,6 +169,17 @@ ReportPage verdict_page(const VerdictReport& report, const Scene& scene, const D
   page.cluster_count = verdict.clusters.size();
   constexpr std::size_t most_clusters = 100;
   if (page.clusters.size() > most_clusters) page.clusters.resize(most_clusters);
+  if (report.ranking)
+    for (std::size_t i = 0; i < report.ranking->causes.size(); ++i) {
+      const hypotheses::Cause& cause = report.ranking->causes[i];
+      const std::uint64_t before = report.ranking->unexplained_in_image;
+      PageHypothesis& hypothesis = page.hypotheses.emplace_back();
+      hypothesis.text = report.cause_sentences[i];
+      hypothesis.explained = cause.explained;
+      hypothesis.before = before;
+      hypothesis.after = static_cast<std::uint64_t>(std::lround((1 - cause.explained) * static_cast<double>(before)));
+      hypothesis.detail = rounded_text(100 * cause.kept, 3) + " % of the pixels that are explained stay so";
+    }
   page.tables = {class_table(verdict), cause_table(verdict)};
   if (!verdict.biases.empty()) page.tables.push_back(drift_table(verdict, scene));
   page.provenance = {{"scene", report.scene}, {"image", report.actual}};

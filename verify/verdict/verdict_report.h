@@ -3,6 +3,7 @@
 
 #include <refraster/notes.h>
 
+#include "verify/hypotheses/rank.h"
 #include "verify/verdict/verdict.h"
 
 #include <string>
@@ -26,12 +27,17 @@ struct VerdictReport {
   std::vector<ClassLimit> limits; ///< beside that on unexplained pixels, unless it is among them
   std::vector<std::pair<std::string, std::string>> provenance; ///< label and content: hashes, the driver's words
   Verdict verdict;
+  std::optional<hypotheses::Ranking> ranking = {}; ///< of what may be wrong, where that was asked for
+  std::vector<std::string> cause_sentences = {};   ///< of the ranking's causes, in their order
   NoteList notes;
 
   /// The limits that are exceeded; that of unexplained pixels is 0 where none is given.
   std::vector<ClassLimit> exceeded() const;
   bool passes() const { return exceeded().empty(); }
 };
+
+/// Fills in the ranking, where pixels are unexplained. `scene` and `image` are those that were judged.
+void rank_causes(VerdictReport& report, const Scene& scene, const DeviceImage& image);
 
 /// The first line of verdict_text(), without a full stop.
 std::string verdict_headline(const VerdictReport& report);

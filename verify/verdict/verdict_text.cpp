@@ -1,3 +1,4 @@
+#include "verify/hypotheses/rank_request.h"
 #include "verify/report_text.h"
 #include "verify/verdict/verdict_report.h"
 
@@ -56,6 +57,20 @@ std::string clusters_text(const Verdict& verdict) {
   return text;
 }
 
+/// The likely cause, or that there is none.
+std::string hypotheses_text(const VerdictReport& report) {
+  if (!report.ranking) return {};
+  const hypotheses::Ranking& ranking = *report.ranking;
+  if (ranking.causes.empty() || !ranking.named())
+    return report_line("cause",
+                       "none of " + std::to_string(ranking.tried) + " hypotheses explains more than half of them");
+  constexpr std::size_t most_causes = 3;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(report.cause_sentences.size(), most_causes); ++i)
+    text += report_line(i == 0 ? "cause" : "or", report.cause_sentences[i]);
+  return text;
+}
+
 std::string causes_text(const CauseShares& shares) {
   std::vector<std::pair<double, std::string_view>> sorted;
   for (std::size_t i = 0; i < shares.size(); ++i)
@@ -96,6 +111,15 @@ std::string power_text(const JudgePower& power) {
          rounded_text(power.median, 3) + " in the median";
 }
 
+void rank_causes(VerdictReport& report, const Scene& scene, const DeviceImage& image) {
+  if (report.verdict.is_explained()) return;
+  Image<float> values;
+  report.ranking =
+      rank_hypotheses(hypotheses::rank_request(scene, image, report.profile, report.options, report.verdict, values));
+  for (const hypotheses::Cause& cause : report.ranking->causes)
+    report.cause_sentences.push_back(hypotheses::sentence(cause, *report.ranking, scene));
+}
+
 std::string verdict_text(const VerdictReport& report) {
   const Verdict& verdict = report.verdict;
   std::string text = verdict_headline(report) + "\n";
@@ -111,6 +135,7 @@ std::string verdict_text(const VerdictReport& report) {
   for (const auto& [pixel_class, name] : EnumNames<PixelClass>::names)
     if (verdict.count(pixel_class) > 0 || pixel_class == PixelClass::exact || pixel_class == PixelClass::unexplained)
       text += report_line(std::string(name), share_text(verdict.count(pixel_class), pixels));
+  text += hypotheses_text(report);
   text += clusters_text(verdict);
   for (const ClassLimit& limit : report.exceeded())
     if (limit.pixel_class != PixelClass::unexplained || limit.most > 0)

@@ -93,7 +93,7 @@ void add_devices(Seeds& seeds) {
   seeds.add("device", "written", device_profile_json(device_profile("llvmpipe")));
   seeds.add("device", "measured",
             R"({"name": "m", "based_on": "softpipe", "version": 2, "measured": {"vendor": "v", "renderer": "r",
-                "version": "4.5", "glsl_version": "4.50", "probe_version": 1}, "depth": {"format": "unorm16"}})");
+                "version": "4.5", "glsl_version": "4.50", "habits": "h", "probe_version": 1}, "depth": {"format": "unorm16"}})");
   seeds.add("device", "unknown", R"({"name": 1, "based_on": "none", "raster": {"latice": [], "fill_rule": "up"}})");
 }
 

@@ -7,12 +7,12 @@
 #include "tests/support/scenes/half_textured.h"
 #include "tests/support/scenes/listed_scenes.h"
 #include "tests/system/gl/small_scenes.h"
+#include "verify/device/enter_environment.h"
 #include "verify/device/read_profile.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <sstream>
 
@@ -23,7 +23,7 @@ namespace {
 /// As the profile's driver is told to draw. Mesa reads that once a process.
 DeviceProfile entered(const std::string& name) {
   DeviceProfile profile = device_profile(name);
-  for (const auto& [variable, value] : profile.environment) setenv(variable.c_str(), value.c_str(), 1);
+  enter_environment(profile);
   return profile;
 }
 

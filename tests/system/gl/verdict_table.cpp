@@ -4,10 +4,10 @@
 #include <refraster/notes.h>
 
 #include "tests/support/gl/device_images.h"
+#include "verify/device/enter_environment.h"
 #include "verify/device/read_profile.h"
 
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 
 using namespace refraster;
@@ -19,7 +19,7 @@ int main(int argc, char** argv) try {
     return 2;
   }
   const DeviceProfile profile = device_profile(argv[1]);
-  for (const auto& [name, value] : profile.environment) setenv(name.c_str(), value.c_str(), 1);
+  enter_environment(profile);
   for (int i = 3; i < argc; ++i) {
     GlOptions options;
     options.width = width, options.height = height;

@@ -2,8 +2,8 @@
 //     probe_web PROFILE DRIVER
 // It is an OpenGL whose calls are lines on standard output, JSON arrays of a name and arguments, which a page carries
 // out (probe.html); those that begin with "?" are answered on standard input, by eight bytes that give a length, the
-// lowest first, and so many bytes. The last line is the table of what was found. Exit 1 if the profile
-// is tighter, or more than twice as wide.
+// lowest first, and so many bytes. The last line is the table of what was found. Exit 1 if the profile is tighter, or
+// more than twice as wide.
 
 #include "gl/probe/probe_api.h"
 #include "tests/support/gl/profile_relation.h"

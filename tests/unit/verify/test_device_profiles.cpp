@@ -137,7 +137,7 @@ TEST_CASE("every shipped profile reads back as it is written") {
     CAPTURE(profile.name);
     const std::string written = device_profile_json(profile);
     CHECK(device_profile_json(parsed(written)) == written);
-    profile.measured = MeasuredDevice{"Mesa", "llvmpipe (LLVM 15.0.6, 256 bits)", "4.5", "4.50", 1};
+    profile.measured = MeasuredDevice{"Mesa", "llvmpipe (LLVM 15.0.6, 256 bits)", "4.5", "4.50", "habits", 1};
     CHECK(parsed(device_profile_json(profile)).measured == profile.measured);
   }
 }

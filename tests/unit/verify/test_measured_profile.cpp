@@ -22,7 +22,9 @@ DeviceFacts some_facts() {
   facts.planes.varyings = {3, 2, 500, 100};
   facts.planes.depth = {4, 2, 400, 90};
   facts.functions = {1, 1, 1.4, 1, 2.3, 2, 3.5, 4, 0.01, 100};
-  facts.habits.min_exp2 = -126;
+  facts.planes.constant = 1;
+  facts.subpixel_bits = 8;
+  facts.habits = {true, false, false, -126, true, true};
   facts.texture_reads = {0.01, 0x1p-13, 0.002, 0.001, 0.003, 0.001, 257};
   facts.detail = {0.1, 0.2};
   facts.output = {0.5, 0.6, true};
@@ -113,7 +115,12 @@ TEST_CASE("a measured profile is valid, reads back, and has what no probe measur
   const DeviceProfile profile = profile_of([](DeviceFacts&) {}), generic = device_profile("gl-generic");
   const std::string written = device_profile_json(profile);
   CHECK(device_profile_json(parse_device_profile("measured.json", written)) == written);
-  CHECK(profile.measured == MeasuredDevice{"a vendor", "a renderer", "4.6", "4.60", probe_version});
+  CHECK(profile.measured ==
+        MeasuredDevice{"a vendor", "a renderer", "4.6", "4.60", profile.measured->habits, probe_version});
+  CHECK(profile.measured->habits ==
+        "SUBPIXEL_BITS is 8; a * b + c is rounded once; denormals are read as 0; min and max of NaN and a number give "
+        "the "
+        "number; whole levels are stored exactly; a varying of 1/3 at all corners is off by 5.96e-08 of it");
   CHECK(is_measured(profile, "raster/lattice"));
   CHECK_FALSE(is_measured(profile, "raster/guard_band"));
   CHECK_FALSE(is_measured(generic, "texture/place_error"));
