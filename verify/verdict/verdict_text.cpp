@@ -66,8 +66,10 @@ std::string hypotheses_text(const VerdictReport& report) {
                        "none of " + std::to_string(ranking.tried) + " hypotheses explains more than half of them");
   constexpr std::size_t most_causes = 3;
   std::string text;
-  for (std::size_t i = 0; i < std::min(report.cause_sentences.size(), most_causes); ++i)
+  for (std::size_t i = 0; i < std::min(report.cause_sentences.size(), most_causes); ++i) {
+    if (ranking.causes[i].score() < ranking.causes[0].score() / 4) break; // no rival
     text += report_line(i == 0 ? "cause" : "or", report.cause_sentences[i]);
+  }
   return text;
 }
 
