@@ -197,10 +197,10 @@ template <class B, std::size_t dimensions, class Read>
 auto read_walk(CellWalk<B, dimensions>& walk, const Read& read) {
   auto value = read(walk.cells());
   if constexpr (requires {
-                  B::most_cells;
+                  B::max_cells;
                   affine_detail::anything_like(value);
                 })
-    if (walk.count() > B::most_cells) return affine_detail::anything_like(value);
+    if (walk.count() > B::max_cells) return affine_detail::anything_like(value);
   while (walk.next()) value = join(value, read(walk.cells()));
   return value;
 }

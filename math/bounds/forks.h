@@ -18,7 +18,7 @@ namespace refraster::inline REFRASTER_KIT {
 /// are too many: then is_complete() is false. While there is no Forks, open comparisons stay open, and are counted.
 class Forks {
 public:
-  static constexpr std::size_t most_paths = 16, most_decisions = 16;
+  static constexpr std::size_t max_paths = 16, max_decisions = 16;
 
   Forks() { current() = this; }
   ~Forks() { current() = nullptr; }
@@ -30,7 +30,7 @@ public:
     if (met_ < decisions_) decisions_ = met_;
     while (decisions_ > 0 && yes_[decisions_ - 1] == 0) --decisions_;
     if (decisions_ == 0) return false;
-    if (++paths_ >= most_paths) return complete_ = false;
+    if (++paths_ >= max_paths) return complete_ = false;
     yes_[decisions_ - 1] = 0;
     met_ = 0;
     return true;
@@ -50,7 +50,7 @@ public:
 
 private:
   Certainty decide() {
-    if (met_ == most_decisions) {
+    if (met_ == max_decisions) {
       complete_ = false;
       return Certainty::unknown;
     }
@@ -62,7 +62,7 @@ private:
     return forks;
   }
 
-  std::array<std::uint8_t, most_decisions> yes_{};
+  std::array<std::uint8_t, max_decisions> yes_{};
   std::size_t decisions_ = 0, met_ = 0, paths_ = 0;
   bool complete_ = true;
 };

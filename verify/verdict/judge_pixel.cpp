@@ -8,7 +8,7 @@ namespace refraster {
 namespace {
 
 /// Combinations of what a pixel's samples may show that are tried one by one; of more, the hull of each sample counts.
-constexpr std::size_t most_combinations = 512;
+constexpr std::size_t max_combinations = 512;
 
 ColourBox hull(const ColourBox& a, const ColourBox& b) {
   return {glm::min(a.lo, b.lo), glm::max(a.hi, b.hi)};
@@ -122,7 +122,7 @@ PixelClass PixelJudge::by_samples(const PixelCase& pixel, JudgedDetail& detail) 
     auto& options = choices.emplace_back();
     if (set->background) options.push_back(box_of(std::nullopt));
     for (const Candidate& c : set->candidates) options.push_back(box_of(c.number)), edges |= !c.certain;
-    combinations = std::min(combinations * options.size(), most_combinations + 1);
+    combinations = std::min(combinations * options.size(), max_combinations + 1);
   }
   const double weight = 1.0 / static_cast<double>(pixel.samples.size());
   // A driver may take the mean in its own format: by one step more.
@@ -135,7 +135,7 @@ PixelClass PixelJudge::by_samples(const PixelCase& pixel, JudgedDetail& detail) 
   };
   std::vector<ColourBox> chosen(choices.size());
   bool found = false;
-  if (combinations > most_combinations) {
+  if (combinations > max_combinations) {
     for (std::size_t s = 0; s < choices.size(); ++s) {
       chosen[s] = *choices[s][0];
       for (const ColourBox* box : choices[s]) chosen[s] = hull(chosen[s], *box);

@@ -7,7 +7,7 @@ namespace refraster {
 namespace {
 
 /// Unexplained pixels and clusters that are listed: more than anyone reads, fewer than make a file large.
-constexpr std::size_t most_listed = 1000;
+constexpr std::size_t max_listed = 1000;
 
 std::vector<double> channels(const Double3& v) {
   return {v.x, v.y, v.z};
@@ -24,7 +24,7 @@ void write_unexplained(JsonWriter& json, const Verdict& verdict) {
   json.array("unexplained", [&] {
     std::size_t listed = 0;
     for (const JudgedDetail& detail : verdict.details) {
-      if (detail.found != PixelClass::unexplained || listed++ >= most_listed) continue;
+      if (detail.found != PixelClass::unexplained || listed++ >= max_listed) continue;
       json.object([&] {
         json.member("x", detail.x);
         json.member("y", detail.y);
@@ -40,7 +40,7 @@ void write_unexplained(JsonWriter& json, const Verdict& verdict) {
     }
   });
   json.array("clusters", [&] {
-    for (std::size_t i = 0; i < std::min(verdict.clusters.size(), most_listed); ++i) {
+    for (std::size_t i = 0; i < std::min(verdict.clusters.size(), max_listed); ++i) {
       const auto& [c, object] = verdict.clusters[i];
       json.object([&] {
         json.member("box", std::vector<int>{c.x, c.y, c.width, c.height});

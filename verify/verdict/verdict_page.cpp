@@ -13,9 +13,9 @@ namespace refraster {
 namespace {
 
 /// A story is some kilobytes of text, and takes a frame's time for the vertices.
-constexpr std::size_t most_stories = 12;
+constexpr std::size_t max_stories = 12;
 /// Pixels with an interval that may be looked at; unexplained ones come first.
-constexpr std::size_t most_intervals = 200'000;
+constexpr std::size_t max_intervals = 200'000;
 
 /// What each class means, in the order of PixelClass.
 constexpr std::string_view meanings[] = {
@@ -73,7 +73,7 @@ void add_intervals(const Verdict& verdict, ReportPage& page) {
   for (const bool unexplained : {true, false})
     for (const JudgedDetail& detail : verdict.details) {
       if ((detail.found == PixelClass::unexplained) != unexplained || !detail.allowed.is_finite()) continue;
-      if (page.allowed.size() == most_intervals) return;
+      if (page.allowed.size() == max_intervals) return;
       page.allowed.push_back({detail.x, detail.y, floats(detail.allowed.lo), floats(detail.allowed.hi)});
     }
 }
@@ -92,7 +92,7 @@ void add_notes(const VerdictReport& report, const Scene& scene, const DeviceImag
   ExplainRequest request;
   request.width = verdict.width, request.height = verdict.height;
   request.samples = report.options.samples, request.transfer = report.transfer;
-  for (std::size_t i = 0; i < std::min(verdict.clusters.size(), most_stories); ++i) {
+  for (std::size_t i = 0; i < std::min(verdict.clusters.size(), max_stories); ++i) {
     const Cluster& cluster = verdict.clusters[i].where;
     request.x = cluster.worst_x, request.y = cluster.worst_y;
     const float* const at = image.colour.at(request.x, request.y);
@@ -167,8 +167,8 @@ ReportPage verdict_page(const VerdictReport& report, const Scene& scene, const D
   for (const UnexplainedCluster& cluster : verdict.clusters)
     page.clusters.push_back({cluster.where, {{cluster.object, cluster.where.pixels}}});
   page.cluster_count = verdict.clusters.size();
-  constexpr std::size_t most_clusters = 100;
-  if (page.clusters.size() > most_clusters) page.clusters.resize(most_clusters);
+  constexpr std::size_t max_clusters = 100;
+  if (page.clusters.size() > max_clusters) page.clusters.resize(max_clusters);
   if (report.ranking)
     for (std::size_t i = 0; i < report.ranking->causes.size(); ++i) {
       const hypotheses::Cause& cause = report.ranking->causes[i];

@@ -1,5 +1,5 @@
-#include "verify/hypotheses/rank_request.h"
 #include "verify/report_text.h"
+#include "verify/verdict/rank_request.h"
 #include "verify/verdict/verdict_report.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace refraster {
 namespace {
 
 /// Clusters and pixels that are listed.
-constexpr std::size_t most_clusters = 6;
+constexpr std::size_t max_clusters = 6;
 
 std::string percent(double share) {
   return rounded_text(100 * share, 3) + " %";
@@ -29,7 +29,7 @@ std::string allowed_text(const ColourBox& box) {
 
 std::string clusters_text(const Verdict& verdict) {
   std::string text;
-  for (std::size_t i = 0; i < std::min(verdict.clusters.size(), most_clusters); ++i) {
+  for (std::size_t i = 0; i < std::min(verdict.clusters.size(), max_clusters); ++i) {
     const auto& [c, object] = verdict.clusters[i];
     const std::string pixels = c.pixels == 1 ? "1 pixel" : std::to_string(c.pixels) + " pixels";
     text += report_line(i == 0 ? "clusters" : "",
@@ -52,8 +52,8 @@ std::string clusters_text(const Verdict& verdict) {
                                                            std::to_string(worst->surfaces - 1) + " more may show"
                                                      : ""));
   }
-  if (verdict.clusters.size() > most_clusters)
-    text += report_line("", format("and %zu more", verdict.clusters.size() - most_clusters));
+  if (verdict.clusters.size() > max_clusters)
+    text += report_line("", format("and %zu more", verdict.clusters.size() - max_clusters));
   return text;
 }
 
@@ -64,9 +64,9 @@ std::string hypotheses_text(const VerdictReport& report) {
   if (ranking.causes.empty() || !ranking.named())
     return report_line("cause",
                        "none of " + std::to_string(ranking.tried) + " hypotheses explains more than half of them");
-  constexpr std::size_t most_causes = 3;
+  constexpr std::size_t max_causes = 3;
   std::string text;
-  for (std::size_t i = 0; i < std::min(report.cause_sentences.size(), most_causes); ++i) {
+  for (std::size_t i = 0; i < std::min(report.cause_sentences.size(), max_causes); ++i) {
     if (ranking.causes[i].score() < ranking.causes[0].score() / 4) break; // no rival
     text += report_line(i == 0 ? "cause" : "or", report.cause_sentences[i]);
   }

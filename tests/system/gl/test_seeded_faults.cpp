@@ -6,7 +6,7 @@
 #include "tests/support/gl/seeded_faults.h"
 #include "tests/support/scenes/fault_scenes.h"
 #include "verify/device/read_profile.h"
-#include "verify/hypotheses/rank_request.h"
+#include "verify/verdict/rank_request.h"
 
 #include <doctest/doctest.h>
 

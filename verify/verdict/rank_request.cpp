@@ -1,4 +1,4 @@
-#include "verify/hypotheses/rank_request.h"
+#include "verify/verdict/rank_request.h"
 
 #include "raster/parallel.h"
 #include "verify/bounds/candidates.h"
@@ -13,7 +13,7 @@ namespace refraster::hypotheses {
 namespace {
 
 /// Explained ones cost bounds each; fewer tell as well what a hypothesis breaks.
-constexpr std::size_t most_explained = 1024;
+constexpr std::size_t max_explained = 1024;
 
 /// At most so many, which ones is chance; in the order they were in.
 template <class Value>
@@ -52,7 +52,7 @@ RankRequest rank_request(const Scene& scene, const DeviceImage& image, const Dev
   for (int y = 0; y < verdict.height; ++y)
     for (int x = 0; x < verdict.width; ++x)
       if (static_cast<PixelClass>(*verdict.classes.at(x, y)) <= PixelClass::texel) right.push_back({x, y});
-  choose(right, std::min(most_explained, max_judged_pixels), random);
+  choose(right, std::min(max_explained, max_judged_pixels), random);
   places.insert(places.end(), right.begin(), right.end());
 
   RenderOptions render;
