@@ -69,7 +69,8 @@ std::vector<Tallying::Place> Tallying::places(View view, std::span<const Judged>
     result[i].taps = taps_of(view, request_.scene, image_, shift_, pixels[i].pixel->x, pixels[i].pixel->y);
     constexpr WindowPoint beside[PixelColours::alternatives] = {{0, 0}, {1, 1}, {-1, 1}, {1, -1}, {-1, -1}};
     for (const WindowPoint& moved : beside)
-      for (const Tap& tap : result[i].taps) points.push_back({tap.seen.x + step * moved.x, tap.seen.y + step * moved.y});
+      for (const Tap& tap : result[i].taps)
+        points.push_back({tap.seen.x + step * moved.x, tap.seen.y + step * moved.y});
   }
   std::vector<std::vector<Covering>> covering = geometry(view).covering(points);
   auto next = covering.begin();
