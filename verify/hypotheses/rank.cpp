@@ -11,12 +11,12 @@
 namespace refraster::hypotheses {
 namespace {
 
-/// Of each kind, on which all are tried; the best of them then on all. A share is known to 6 % of the pixels then, at
-/// two standard deviations.
+/// Of each kind, on which all are tried; those that are shown then on all. A share is known to 6 % of the pixels then,
+/// at two standard deviations.
 constexpr std::size_t first_pixels = 256;
 /// On which it is decided what is tried beside the most promising single one.
 constexpr std::size_t few_pixels = 96;
-constexpr std::size_t best_singles = 10, best_pairs = 5, max_causes = 10;
+constexpr std::size_t best_singles = 10, shown_singles = 5, best_pairs = 5;
 /// A single hypothesis is enough from this score on; and a pair must be better than the best single by so much, as it
 /// fits more images by chance.
 constexpr double enough = 0.95, pair_margin = 0.05;
@@ -97,8 +97,8 @@ public:
   std::vector<Candidate> best(std::vector<Candidate> singles) {
     sort_by_promise(singles);
     const std::size_t first = singles.front().of[0];
-    std::vector<std::size_t> halves;
-    for (std::size_t i = 0; i < std::min(best_singles / 2, singles.size()); ++i) halves.push_back(singles[i].of[0]);
+    std::vector<std::size_t> tried;
+    for (std::size_t i = 0; i < std::min(best_singles / 2, singles.size()); ++i) tried.push_back(singles[i].of[0]);
     std::vector<Candidate> beside;
     for (std::size_t i = 0; i < all_.size(); ++i)
       if (auto pair = pairing_.of(first, i)) beside.push_back(std::move(*pair));
@@ -106,13 +106,13 @@ public:
     sort_by_promise(beside);
     for (const Candidate& pair : beside) {
       const std::size_t other = pair.of[0] == first ? pair.of[1] : pair.of[0];
-      if (halves.size() == best_singles) break;
-      if (std::find(halves.begin(), halves.end(), other) == halves.end()) halves.push_back(other);
+      if (tried.size() == best_singles) break;
+      if (std::find(tried.begin(), tried.end(), other) == tried.end()) tried.push_back(other);
     }
     std::vector<Candidate> pairs;
-    for (std::size_t i = 0; i < halves.size(); ++i)
-      for (std::size_t j = i + 1; j < halves.size(); ++j)
-        if (auto pair = pairing_.of(halves[i], halves[j])) pairs.push_back(std::move(*pair));
+    for (std::size_t i = 0; i < tried.size(); ++i)
+      for (std::size_t j = i + 1; j < tried.size(); ++j)
+        if (auto pair = pairing_.of(tried[i], tried[j])) pairs.push_back(std::move(*pair));
     tally(pairs, first_pixels);
     sort(pairs);
     pairs.resize(std::min(pairs.size(), best_pairs));
@@ -180,7 +180,7 @@ Ranking rank_hypotheses(const RankRequest& request) {
   ranking.tried = singles.size();
   sort(singles);
   std::vector<Candidate> best(singles.begin(),
-                              singles.begin() + static_cast<std::ptrdiff_t>(std::min(singles.size(), best_singles)));
+                              singles.begin() + static_cast<std::ptrdiff_t>(std::min(singles.size(), shown_singles)));
   count(tallying, best, max_judged_pixels);
   sort(best);
 
@@ -192,8 +192,7 @@ Ranking rank_hypotheses(const RankRequest& request) {
     sort(best);
   }
   for (const Candidate& candidate : best)
-    if (candidate.tally.score() > 0 && candidate.tally.fits > 0 && ranking.causes.size() < max_causes)
-      ranking.causes.push_back(cause_of(candidate, all));
+    if (candidate.tally.score() > 0 && candidate.tally.fits > 0) ranking.causes.push_back(cause_of(candidate, all));
   return ranking;
 }
 

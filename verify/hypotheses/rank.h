@@ -51,7 +51,7 @@ struct Cause {
 };
 
 struct Ranking {
-  std::vector<Cause> causes;          ///< the best first; those with a score above 0, ten at most
+  std::vector<Cause> causes; ///< the best first; those with a score above 0, five singles and five pairs at most
   std::vector<std::uint32_t> objects; ///< to which the unexplained pixels belong; hypotheses change these alone
   bool background = false;            ///< whether some belong to no object
   std::uint64_t unexplained_in_image = 0;

@@ -75,9 +75,9 @@ Double3 interpolated_normal(const SampleData<double>& data, const PacketBarycent
     return change.matrix * vector_at(data, normal_row, at.at) * scale;
   }
   const Barycentric<double> corners[3] = {{0, 0}, {1, 0}, {0, 1}};
-  const double share[3] = {1 - at.at.b1 - at.at.b2, at.at.b1, at.at.b2};
+  const double weight[3] = {1 - at.at.b1 - at.at.b2, at.at.b1, at.at.b2};
   Double3 sum(0);
-  for (int k = 0; k < 3; ++k) sum += normalize(change.matrix * vector_at(data, normal_row, corners[k])) * share[k];
+  for (int k = 0; k < 3; ++k) sum += normalize(change.matrix * vector_at(data, normal_row, corners[k])) * weight[k];
   return sum;
 }
 

@@ -17,13 +17,13 @@ struct Tally {
   std::size_t fits = 0, kept = 0;             // of these: those whose value it explains
   double nearer = 0; // sum over unexplained pixels: 1 - distance to the value / that of the reference, in [-1, 1]
 
-  double explained_share() const { return share(fits, unexplained); }
-  double kept_share() const { return explained == 0 ? 1 : share(kept, explained); }
+  double explained_share() const { return fraction_of(fits, unexplained); }
+  double kept_share() const { return explained == 0 ? 1 : fraction_of(kept, explained); }
   double score() const { return explained_share() + kept_share() - 1; }
   double nearness() const { return unexplained == 0 ? 0 : nearer / static_cast<double>(unexplained); }
 
 private:
-  static double share(std::size_t part, std::size_t all) {
+  static double fraction_of(std::size_t part, std::size_t all) {
     return all == 0 ? 0 : static_cast<double>(part) / static_cast<double>(all);
   }
 };

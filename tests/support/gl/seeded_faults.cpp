@@ -70,9 +70,9 @@ std::vector<SeededFault> glsl_faults() {
        {"half_float_varyings"},
        {{fragment, version,
          "#version 330 core\n#extension GL_ARB_shading_language_packing : enable\n"
-         "vec2 halves(vec2 a) { return unpackHalf2x16(packHalf2x16(a)); }\n"
-         "vec3 halves(vec3 a) { return vec3(halves(a.xy), halves(a.zz).x); }\n"},
-        {fragment, "fs_in_block.name", "halves(fs_in_block.name)"}}},
+         "vec2 half_floats(vec2 a) { return unpackHalf2x16(packHalf2x16(a)); }\n"
+         "vec3 half_floats(vec3 a) { return vec3(half_floats(a.xy), half_floats(a.zz).x); }\n"},
+        {fragment, "fs_in_block.name", "half_floats(fs_in_block.name)"}}},
       {"the depth test off",
        {"depth_test_off"},
        {{fragment, begin_main,

@@ -121,63 +121,6 @@ TEST_CASE("docs/hypotheses.md has the table of the declared list") {
   CHECK(page.find(hypotheses_markdown()) != std::string::npos);
 }
 
-TEST_CASE(
-    "with nothing changed a pixel has the frame's colour, whatever is seen there and with any number of samples") {
-  for (const FaultScene& place : fault_scenes())
-    for (const int samples : {1, 4}) {
-      const Scene& scene = place.scene;
-      const Image<double> frame = drawn(scene, samples);
-      const WindowGeometry geometry(scene, width, height, 2);
-      const Prepared prepared(scene);
-      const Setting setting{scene, prepared, Transfer::linear, 1, std::vector<bool>(scene.objects.size(), true), true};
-      struct Pixel {
-        int x, y;
-        std::vector<Tap> taps;
-      };
-      std::vector<Pixel> pixels;
-      std::vector<WindowPoint> points;
-      for (int y = 0; y < height; y += 3)
-        for (int x = y % 5; x < width; x += 5) {
-          pixels.push_back({x, y, taps_of(View::right, scene, {width, height, samples}, {}, x, y)});
-          for (const Tap& tap : pixels.back().taps) points.push_back(tap.seen);
-        }
-      const auto covering = geometry.covering(points);
-      const std::span<const std::vector<Covering>> all(covering);
-      std::size_t next = 0;
-      int different = 0;
-      for (const Pixel& pixel : pixels) {
-        PixelColours colours(setting, geometry, pixel.taps, all.subspan(next, pixel.taps.size()));
-        next += pixel.taps.size();
-        const Double3 apart = colours.stored({}, 0) - at(frame, pixel.x, pixel.y);
-        // Roundings of double only: of a power with exponents up to 45, and of the table's cells.
-        different += !(std::max({std::abs(apart.x), std::abs(apart.y), std::abs(apart.z)}) <= 1e-10);
-      }
-      CHECK_MESSAGE(different == 0, std::string(place.name) << " with " << samples);
-    }
-}
-
-TEST_CASE("an image that passes is given no fault") {
-  for (const FaultScene& place : fault_scenes()) {
-    const Ranking ranking = rank_hypotheses(request_about(place.scene, drawn(place.scene)));
-    CHECK(ranking.causes.empty());
-    CHECK(ranking.named() == nullptr);
-    CHECK(ranking.tried == 0);
-  }
-}
-
-TEST_CASE("the cause is found whatever the number of samples and the curve of the image") {
-  Scene wrong = plastics();
-  for (PointLight& light : wrong.point_lights) light.quadratic = 0;
-  for (const int samples : {1, 4})
-    for (const Transfer transfer : {Transfer::linear, Transfer::srgb}) {
-      const Ranking ranking = rank_hypotheses(request_about(plastics(), drawn(wrong, samples), samples, transfer));
-      CHECK(first_cause(ranking) == std::vector<std::string>{"attenuation_without_square"});
-      REQUIRE(ranking.named() != nullptr);
-      CHECK(ranking.named()->explained > 0.98);
-      CHECK(ranking.named()->kept > 0.98);
-    }
-}
-
 TEST_CASE("a fault of one object is found, though others of the same kind are right, and the sentence names it") {
   Scene wrong = plastics();
   auto& torus = std::get<BlinnPhong>(wrong.objects[2].material.fragment_function);
@@ -190,35 +133,6 @@ TEST_CASE("a fault of one object is found, though others of the same kind are ri
   const std::string text = sentence(ranking.causes.at(0), ranking, plastics());
   CHECK(text.find("Phong's highlight where Blinn-Phong's is asked for") == 0);
   CHECK(text.find(" unexplained pixels of `torus`") != std::string::npos);
-}
-
-TEST_CASE("two faults at once are found as a pair, and one of them that does not show leaves the other alone") {
-  Scene wrong = plastics();
-  for (PointLight& light : wrong.point_lights) light.quadratic = light.linear = 0, light.constant = 1;
-  for (Object& object : wrong.objects)
-    std::visit(
-        [](auto& function) {
-          if constexpr (requires { function.ka; }) function.ka *= 2.0;
-        },
-        object.material.fragment_function);
-  const Ranking both = rank_hypotheses(request_about(plastics(), drawn(wrong)));
-  REQUIRE(!both.causes.empty());
-  CHECK(std::set<std::string>(both.causes[0].keys.begin(), both.causes[0].keys.end()) ==
-        std::set<std::string>{"attenuation_missing", "ambient_twice"});
-  CHECK(both.causes[0].explained > 0.97);
-
-  // A material without an ambient term has none to be added twice.
-  Scene dark = plastics(), wrong_dark = dark;
-  for (Scene* const scene : {&dark, &wrong_dark})
-    for (Object& object : scene->objects)
-      std::visit(
-          [](auto& function) {
-            if constexpr (requires { function.ka; }) function.ka = Double3(0);
-          },
-          object.material.fragment_function);
-  wrong_dark.point_lights = wrong.point_lights;
-  CHECK(first_cause(rank_hypotheses(request_about(dark, drawn(wrong_dark)))) ==
-        std::vector<std::string>{"attenuation_missing"});
 }
 
 TEST_CASE("what no hypothesis covers is explained by none: no cause is named") {
@@ -234,18 +148,107 @@ TEST_CASE("what no hypothesis covers is explained by none: no cause is named") {
   for (const Cause& cause : ranking.causes) CHECK_MESSAGE(cause.explained <= 0.5, cause.text);
 }
 
-TEST_CASE("the ranking does not depend on the number of threads") {
-  Scene wrong = plastics();
-  wrong.camera.fov_y_degrees /= 2;
-  RankRequest request = request_about(plastics(), drawn(wrong));
-  std::vector<std::string> told;
-  for (const int threads : {1, 3}) {
-    request.threads = threads;
-    const Ranking ranking = rank_hypotheses(request);
-    std::string text;
-    for (const Cause& cause : ranking.causes) text += sentence(cause, ranking, plastics()) + "\n";
-    told.push_back(text);
+TEST_SUITE("slow") {
+  TEST_CASE(
+      "with nothing changed a pixel has the frame's colour, whatever is seen there and with any number of samples") {
+    for (const FaultScene& place : fault_scenes())
+      for (const int samples : {1, 4}) {
+        const Scene& scene = place.scene;
+        const Image<double> frame = drawn(scene, samples);
+        const WindowGeometry geometry(scene, width, height, 2);
+        const Prepared prepared(scene);
+        const Setting setting{scene, prepared, Transfer::linear, 1, std::vector<bool>(scene.objects.size(), true),
+                              true};
+        struct Pixel {
+          int x, y;
+          std::vector<Tap> taps;
+        };
+        std::vector<Pixel> pixels;
+        std::vector<WindowPoint> points;
+        for (int y = 0; y < height; y += 3)
+          for (int x = y % 5; x < width; x += 5) {
+            pixels.push_back({x, y, taps_of(View::right, scene, {width, height, samples}, {}, x, y)});
+            for (const Tap& tap : pixels.back().taps) points.push_back(tap.seen);
+          }
+        const auto covering = geometry.covering(points);
+        const std::span<const std::vector<Covering>> all(covering);
+        std::size_t next = 0;
+        int different = 0;
+        for (const Pixel& pixel : pixels) {
+          PixelColours colours(setting, geometry, pixel.taps, all.subspan(next, pixel.taps.size()));
+          next += pixel.taps.size();
+          const Double3 apart = colours.stored({}, 0) - at(frame, pixel.x, pixel.y);
+          // Roundings of double only: of a power with exponents up to 45, and of the table's cells.
+          different += !(std::max({std::abs(apart.x), std::abs(apart.y), std::abs(apart.z)}) <= 1e-10);
+        }
+        CHECK_MESSAGE(different == 0, std::string(place.name) << " with " << samples);
+      }
   }
-  CHECK(told[0] == told[1]);
-  CHECK(told[0].find("half the field of view: explains") == 0);
+
+  TEST_CASE("an image that passes is given no fault") {
+    for (const FaultScene& place : fault_scenes()) {
+      const Ranking ranking = rank_hypotheses(request_about(place.scene, drawn(place.scene)));
+      CHECK(ranking.causes.empty());
+      CHECK(ranking.named() == nullptr);
+      CHECK(ranking.tried == 0);
+    }
+  }
+
+  TEST_CASE("the cause is found whatever the number of samples and the curve of the image") {
+    Scene wrong = plastics();
+    for (PointLight& light : wrong.point_lights) light.quadratic = 0;
+    for (const int samples : {1, 4})
+      for (const Transfer transfer : {Transfer::linear, Transfer::srgb}) {
+        const Ranking ranking = rank_hypotheses(request_about(plastics(), drawn(wrong, samples), samples, transfer));
+        CHECK(first_cause(ranking) == std::vector<std::string>{"attenuation_without_square"});
+        REQUIRE(ranking.named() != nullptr);
+        CHECK(ranking.named()->explained > 0.98);
+        CHECK(ranking.named()->kept > 0.98);
+      }
+  }
+
+  TEST_CASE("two faults at once are found as a pair, and one of them that does not show leaves the other alone") {
+    Scene wrong = plastics();
+    for (PointLight& light : wrong.point_lights) light.quadratic = light.linear = 0, light.constant = 1;
+    for (Object& object : wrong.objects)
+      std::visit(
+          [](auto& function) {
+            if constexpr (requires { function.ka; }) function.ka *= 2.0;
+          },
+          object.material.fragment_function);
+    const Ranking both = rank_hypotheses(request_about(plastics(), drawn(wrong)));
+    REQUIRE(!both.causes.empty());
+    CHECK(std::set<std::string>(both.causes[0].keys.begin(), both.causes[0].keys.end()) ==
+          std::set<std::string>{"attenuation_missing", "ambient_twice"});
+    CHECK(both.causes[0].explained > 0.97);
+
+    // A material without an ambient term has none to be added twice.
+    Scene dark = plastics(), wrong_dark = dark;
+    for (Scene* const scene : {&dark, &wrong_dark})
+      for (Object& object : scene->objects)
+        std::visit(
+            [](auto& function) {
+              if constexpr (requires { function.ka; }) function.ka = Double3(0);
+            },
+            object.material.fragment_function);
+    wrong_dark.point_lights = wrong.point_lights;
+    CHECK(first_cause(rank_hypotheses(request_about(dark, drawn(wrong_dark)))) ==
+          std::vector<std::string>{"attenuation_missing"});
+  }
+
+  TEST_CASE("the ranking does not depend on the number of threads") {
+    Scene wrong = plastics();
+    wrong.camera.fov_y_degrees /= 2;
+    RankRequest request = request_about(plastics(), drawn(wrong));
+    std::vector<std::string> told;
+    for (const int threads : {1, 3}) {
+      request.threads = threads;
+      const Ranking ranking = rank_hypotheses(request);
+      std::string text;
+      for (const Cause& cause : ranking.causes) text += sentence(cause, ranking, plastics()) + "\n";
+      told.push_back(text);
+    }
+    CHECK(told[0] == told[1]);
+    CHECK(told[0].find("half the field of view: explains") == 0);
+  }
 }
