@@ -167,8 +167,8 @@ ReportPage verdict_page(const VerdictReport& report, const Scene& scene, const D
   for (const UnexplainedCluster& cluster : verdict.clusters)
     page.clusters.push_back({cluster.where, {{cluster.object, cluster.where.pixels}}});
   page.cluster_count = verdict.clusters.size();
-  constexpr std::size_t max_clusters = 100;
-  if (page.clusters.size() > max_clusters) page.clusters.resize(max_clusters);
+  constexpr std::size_t max_shown_clusters = 100;
+  if (page.clusters.size() > max_shown_clusters) page.clusters.resize(max_shown_clusters);
   if (report.ranking)
     for (std::size_t i = 0; i < report.ranking->causes.size(); ++i) {
       const hypotheses::Cause& cause = report.ranking->causes[i];

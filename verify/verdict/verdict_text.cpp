@@ -10,7 +10,7 @@ namespace refraster {
 namespace {
 
 /// Clusters and pixels that are listed.
-constexpr std::size_t max_clusters = 6;
+constexpr std::size_t max_shown_clusters = 6;
 
 std::string percent(double share) {
   return rounded_text(100 * share, 3) + " %";
@@ -29,7 +29,7 @@ std::string allowed_text(const ColourBox& box) {
 
 std::string clusters_text(const Verdict& verdict) {
   std::string text;
-  for (std::size_t i = 0; i < std::min(verdict.clusters.size(), max_clusters); ++i) {
+  for (std::size_t i = 0; i < std::min(verdict.clusters.size(), max_shown_clusters); ++i) {
     const auto& [c, object] = verdict.clusters[i];
     const std::string pixels = c.pixels == 1 ? "1 pixel" : std::to_string(c.pixels) + " pixels";
     text += report_line(i == 0 ? "clusters" : "",
@@ -52,8 +52,8 @@ std::string clusters_text(const Verdict& verdict) {
                                                            std::to_string(worst->surfaces - 1) + " more may show"
                                                      : ""));
   }
-  if (verdict.clusters.size() > max_clusters)
-    text += report_line("", format("and %zu more", verdict.clusters.size() - max_clusters));
+  if (verdict.clusters.size() > max_shown_clusters)
+    text += report_line("", format("and %zu more", verdict.clusters.size() - max_shown_clusters));
   return text;
 }
 
