@@ -123,6 +123,17 @@ public:
     result.right = either(at[0][0], at[0][1], at[1][0], at[1][1]);
     result.down = either(at[0][0], at[1][0], at[0][1], at[1][1]);
   }
+  /// The triangle's corners may be moved, so that it is stretched and turned by a matrix that is off from 1 by no more
+  /// than this, below 1: from now on, what changes along the axes of the window is, too.
+  void set_turned(double by) { turned_ = by / (1 - by); }
+  void turn(Vec2<T>& right, Vec2<T>& down) const {
+    if (turned_ == 0) return;
+    for (int c = 0; c < 2; ++c) {
+      const T r = abs(right[c]), d = abs(down[c]);
+      const double error = turned_ * (r.hi + d.hi);
+      right[c] += T(-error, error), down[c] += T(-error, error);
+    }
+  }
   /// Of the difference of two values of a component.
   T difference_error(int r) const {
     const double error = block_ ? 2 * error_[static_cast<std::size_t>(r)] : 0;
@@ -314,7 +325,7 @@ private:
   std::array<std::array<T, 4>, attribute_rows> row_;
   std::int32_t x_ = 0, y_ = 0;
   EdgeValue dx_{}, dy_{};
-  double normal_factor_ = 1;
+  double normal_factor_ = 1, turned_ = 0;
   std::array<double, attribute_rows> error_{};
   std::optional<std::array<int, 2>> block_;
 };

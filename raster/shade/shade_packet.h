@@ -44,6 +44,7 @@ TexturePoint<T> texture_point(TextureFilter filter, const Data& data, const Pack
     };
     point.right = change(at.right);
     point.down = change(at.down);
+    if constexpr (!NumberTraits<T>::decides) data.turn(point.right, point.down);
   }
   return point;
 }

@@ -7,8 +7,8 @@
 
 namespace refraster {
 
-/// How a vertex shader makes clip coordinates: from one matrix, that was multiplied before, or as the product projection
-/// view model position, where the roundings of each add up.
+/// How a vertex shader makes clip coordinates: from one matrix, that was multiplied before, or as the product
+/// projection view model position, where the roundings of each add up.
 enum class ShaderMatrices { one, three };
 template <>
 struct EnumNames<ShaderMatrices> {

@@ -284,6 +284,21 @@ SampleShift DeviceTriangle::shift(double x, double y) const {
   return result;
 }
 
+/// The matrix is 1 + sum of d_i (gradient of b_i) with d_i what corner i is moved by; the gradient of its weight b_i is
+/// 1 over its altitude.
+double DeviceTriangle::turned() const {
+  if (planes_.is_flat()) return infinite;
+  const double snap = frame_.profile().raster.setup_positions == SetupPositions::exact ? 0 : snap_radius();
+  double sum = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double gradient = std::hypot(planes_.l[i].x, planes_.l[i].y) * std::abs(w_clip_[i]);
+    const double error = corner_error_[i];
+    const Double2 moved(std::abs(moved_[i].x) + snap + error, std::abs(moved_[i].y) + snap + error);
+    sum += std::hypot(moved.x, moved.y) * gradient;
+  }
+  return sum;
+}
+
 /// What is moved at the corners, at a point of the moved triangle: the mean by its weights there. They add up to 1, and
 /// differ from those of the unmoved triangle by what these change over as far as a corner may be moved. Inside none is
 /// negative, and the mean lies between the corners' ends; outside it may lie beyond.

@@ -49,6 +49,9 @@ public:
   bool may_face_back() const { return facing_ <= 0; }
 
   SampleShift shift(double x, double y) const;
+  /// How far the matrix that makes the device's triangle of ours may be from 1: what is linear in the window changes
+  /// along its axes by as much more or less. Infinite if nothing is known.
+  double turned() const;
   /// How far an interpolated component may be off at a point, beside that shift. Row as in AttributeSetup: of position,
   /// normal and texture coordinates; infinite where nothing is known.
   double attribute_error(int row, double x, double y) const;

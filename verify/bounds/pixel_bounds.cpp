@@ -81,6 +81,11 @@ PixelBounds PixelBounder::bounds(const DeviceTriangle& triangle, int x, int y, B
       data.add_error(r, error);
     }
   }
+  if (causes.has(BoundCause::sample_shift) && material.texture && material.texture_filter == TextureFilter::trilinear) {
+    const double turned = triangle.turned();
+    if (!(turned < 1)) return unknown;
+    data.set_turned(turned);
+  }
   SampleShift shift = triangle.shift(centre_x, centre_y);
   if (!causes.has(BoundCause::sample_shift)) shift.radius = Double2(0);
   if (!std::isfinite(shift.radius.x + shift.radius.y)) return unknown;
