@@ -59,6 +59,8 @@ std::string version_text();
 // One file each.
 Command render_command();  // render_command.cpp
 Command compare_command(); // compare_command.cpp
+Command verify_command();  // verify_command.cpp
+Command explain_command(); // explain_command.cpp
 Command gl_command();      // gl_command.cpp
 Command bench_command();   // bench_command.cpp
 Command mesh_command();    // mesh_command.cpp

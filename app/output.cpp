@@ -2,6 +2,7 @@
 
 #include <refraster/files.h>
 #include <refraster/notes.h>
+#include <refraster/render.h>
 
 #include "app/interrupt.h"
 #include "app/usage_error.h"
@@ -73,13 +74,22 @@ void check_extension(const std::string& option, const std::string& path, std::in
     throw UsageError(option, "\"" + path + "\"", "a name ending in " + writable_extensions(contents));
 }
 
-void write_values(const std::string& path, const Image<float>& image) {
-  if (image.channels != 2) return write_image(path, image);
-  if (format_to_write(path, {{ImageValues::floats, 2}})) return write_image(path, image, {"U", "V"});
+void write_values(const std::string& path, const Image<float>& image, std::vector<std::string> channels) {
+  if (image.channels == 2 && channels.empty()) channels = {"U", "V"};
+  if (image.channels != 2 || format_to_write(path, {{ImageValues::floats, 2}}))
+    return write_image(path, image, std::move(channels));
   Image<float> padded(image.width, image.height, 3);
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x) std::copy_n(image.at(x, y), 2, padded.at(x, y));
   write_image(path, padded);
+}
+
+void check_triangle_numbers(const std::string& path, const Scene& scene, const std::string& option) {
+  for (std::size_t i = 0; i < scene.objects.size(); ++i)
+    if (const std::size_t triangles = scene.objects[i].mesh->triangles.size(); triangles > max_exact_triangle_id)
+      throw InputError(InputFault{path, 0, 0, "/objects/" + std::to_string(i), std::to_string(triangles) + " triangles",
+                                  "at most " + std::to_string(max_exact_triangle_id) + ", which the floats of " +
+                                      option + " can number"});
 }
 
 std::string stem(const std::string& path) {

@@ -2,6 +2,7 @@
 // Where results go.
 
 #include <refraster/image.h>
+#include <refraster/scene.h>
 
 #include "io/image/image_formats.h"
 
@@ -37,7 +38,12 @@ void write_text(const std::string& path, const std::string& text);
 void check_extension(const std::string& option, const std::string& path, std::initializer_list<ImageContent> contents);
 
 /// Writes an image of floats, format by extension; one that has no images of two channels gets a third one of zeros.
-void write_values(const std::string& path, const Image<float>& image);
+/// `channels` names those of a file that has names; by default as write_image does, and U V of two.
+void write_values(const std::string& path, const Image<float>& image, std::vector<std::string> channels = {});
+
+/// Throws InputError for an object with more triangles than floats can number: where a number would stand for several
+/// triangles, none is written. `option` is what asked for the numbers.
+void check_triangle_numbers(const std::string& path, const Scene& scene, const std::string& option);
 
 /// "scenes/ball.json" gives "ball".
 std::string stem(const std::string& path);

@@ -33,6 +33,10 @@ std::string gl_report_json(const std::string& scene, const GlOptions& options, c
     json.member("refraster", this_build().version);
     json.member("scene", scene);
     write_size(json, options.width, options.height);
+    json.member("samples", options.samples);
+    json.array("sample_positions", [&] {
+      for (const GlSamplePosition& at : frame.sample_positions) json.value(std::vector<double>{at.x, at.y});
+    });
     json.object("driver", [&] {
       json.member("asked_for", name_of(options.renderer));
       json.member("vendor", frame.driver.vendor);

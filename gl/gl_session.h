@@ -12,8 +12,8 @@ namespace refraster {
 /// chosen by the environment.
 class GlSession {
 public:
-  /// Throws NoOpenGl; InputError for GLSL that does not compile, link or draw. Of the options, size, renderer and
-  /// merl_filter count.
+  /// Throws NoOpenGl; InputError for GLSL that does not compile, link or draw. Of the options, size, samples,
+  /// renderer and merl_filter count.
   GlSession(const Scene& scene, const GlOptions& options);
   ~GlSession();
   GlSession(const GlSession&) = delete;

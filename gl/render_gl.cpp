@@ -5,28 +5,15 @@
 #include "gl/context/gl_errors.h"
 #include "gl/context/target.h"
 #include "gl/draw/drawing.h"
+#include "gl/draw/read_back.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <utility>
 
 namespace refraster {
 namespace {
-
-/// The current framebuffer's pixels, the top row first. OpenGL counts rows from the bottom, and gives them so.
-template <class Value>
-Image<Value> read_pixels(const GlApi& gl, const GlOptions& options, GLenum format, int channels) {
-  Image<Value> image(options.width, options.height, channels);
-  gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
-  gl.ReadPixels(0, 0, options.width, options.height, format, sizeof(Value) == 1 ? GL_UNSIGNED_BYTE : GL_FLOAT,
-                image.values.data());
-  const auto row_values = static_cast<std::ptrdiff_t>(options.width) * channels;
-  for (int top = 0, bottom = options.height - 1; top < bottom; ++top, --bottom) {
-    const auto row = image.values.begin() + top * row_values;
-    std::swap_ranges(row, row + row_values, image.values.begin() + bottom * row_values);
-  }
-  return image;
-}
 
 NonFinitePixels non_finite_pixels(const Image<float>& image) {
   NonFinitePixels found;
@@ -42,15 +29,38 @@ NonFinitePixels non_finite_pixels(const Image<float>& image) {
   return found;
 }
 
+/// "1 pixel is …, at 3,4 from the top left"; "7 pixels are …, the first at 3,4 from the top left".
+std::string pixels_are(std::uint64_t count, const std::string& what, int x, int y) {
+  return (count == 1 ? "1 pixel is " : std::to_string(count) + " pixels are ") + what +
+         (count == 1 ? ", at " : ", the first at ") + std::to_string(x) + "," + std::to_string(y) +
+         " from the top left";
+}
+
 void warn_of(const NonFinitePixels& found, std::vector<std::string>& warnings) {
-  const auto warn = [&](std::uint64_t count, const std::string& what, int x, int y, const std::string& effect) {
-    if (count > 0)
-      warnings.push_back((count == 1 ? "1 pixel is " : std::to_string(count) + " pixels are ") + what +
-                         (count == 1 ? ", at " : ", the first at ") + std::to_string(x) + "," + std::to_string(y) +
-                         " from the top left: " + effect);
-  };
-  warn(found.nan, "NaN", found.nan_x, found.nan_y, "what 8 bits show there is the driver's choice");
-  warn(found.infinite, "infinite", found.infinite_x, found.infinite_y, "8 bits show the end of their range there");
+  if (found.nan > 0)
+    warnings.push_back(pixels_are(found.nan, "NaN", found.nan_x, found.nan_y) +
+                       ": what 8 bits show there is the driver's choice");
+  if (found.infinite > 0)
+    warnings.push_back(pixels_are(found.infinite, "infinite", found.infinite_x, found.infinite_y) +
+                       ": 8 bits show the end of their range there");
+}
+
+/// The same program and state give the same depth, bit for bit (OpenGL 4.6, A.2, rule 2): else the images are not of
+/// the same surfaces.
+void warn_of_other_depth(const Image<float>& depth, const Image<float>& other, const std::string& whose,
+                         const std::string& meaning, std::vector<std::string>& warnings) {
+  std::uint64_t count = 0;
+  int first_x = 0, first_y = 0;
+  for (int y = 0; y < depth.height; ++y)
+    for (int x = 0; x < depth.width; ++x)
+      if (std::bit_cast<std::uint32_t>(*depth.at(x, y)) != std::bit_cast<std::uint32_t>(*other.at(x, y)) &&
+          count++ == 0)
+        first_x = x, first_y = y;
+  if (count > 0)
+    warnings.push_back(pixels_are(count,
+                                  "of another depth in the draw of " + whose + " than in that of the float image",
+                                  first_x, first_y) +
+                       ": " + meaning);
 }
 
 } // namespace
@@ -61,28 +71,40 @@ GlFrame render_gl(const Scene& scene, const GlOptions& options) {
   GlFrame frame;
   frame.driver = context.driver();
 
-  make_target(gl, GL_RGBA8, options);
+  const bool want_surfaces = options.want_depth || options.want_ids;
+  const GlTarget levels = make_target(gl, GL_RGBA8, options);
   GlDrawing drawing(gl, scene, options);
   frame.shaders = drawing.shaders();
   frame.samples_passed = drawing.draw_checked(); // and what drivers put off until the first frame is done
   frame.warnings = drawing.warnings();
-  if (options.want_rgb8) frame.rgb8 = read_pixels<std::uint8_t>(gl, options, GL_RGB, 3);
-  if (options.want_depth) frame.depth = read_pixels<float>(gl, options, GL_DEPTH_COMPONENT, 1);
+  if (options.want_rgb8) frame.rgb8 = read_rgb8(gl, levels);
+  Image<float> levels_depth;
+  if (options.want_rgb8 && want_surfaces) levels_depth = read_sample_depth(gl, levels, 0);
   gl.Finish();
   frame.times = time_frames(options.timed_frames, [&] {
     drawing.draw(GlPass::colour);
     gl.Finish();
   });
 
-  make_target(gl, GL_RGBA32F, options);
+  const GlTarget floats = make_target(gl, GL_RGBA32F, options);
+  frame.sample_positions = sample_positions(gl, floats);
   drawing.draw(GlPass::colour);
-  Image<float> radiance = read_pixels<float>(gl, options, GL_RGB, 3);
+  Image<float> radiance = read_radiance(gl, floats);
   frame.non_finite = non_finite_pixels(radiance);
   warn_of(frame.non_finite, frame.warnings);
   if (options.want_radiance) frame.radiance = std::move(radiance);
-  if (options.want_ids) {
-    drawing.draw(GlPass::ids);
-    frame.ids = read_pixels<float>(gl, options, GL_RG, 2);
+  if (want_surfaces) {
+    Image<float> depth = read_sample_depth(gl, floats, 0);
+    if (options.want_rgb8)
+      warn_of_other_depth(depth, levels_depth, "the 8-bit image", "the driver does not repeat itself", frame.warnings);
+    if (options.want_ids) {
+      drawing.draw(GlPass::ids);
+      frame.ids = read_sample(gl, floats, 0, 2);
+      warn_of_other_depth(depth, read_sample_depth(gl, floats, 0), "the ids",
+                          "its fragment shader discards there or sets the depth, which the ids do not know",
+                          frame.warnings);
+    }
+    if (options.want_depth) frame.depth = std::move(depth);
   }
   throw_if_error(gl, "drawing and reading back");
   return frame;

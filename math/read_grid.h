@@ -75,4 +75,12 @@ auto read_grid(const std::array<T, dimensions>& place, const std::array<GridAxis
   }
 }
 
+/// The same where read(cells) jumps from cell to cell: bounds that follow paths read one cell on each.
+template <Number T, std::size_t dimensions, class Read>
+auto read_nearest(const std::array<T, dimensions>& place, const std::array<GridAxis, dimensions>& axes,
+                  const Read& read) {
+  if constexpr (requires { read_one_cell(place, axes, read); }) return read_one_cell(place, axes, read);
+  else return read_grid(place, axes, read);
+}
+
 } // namespace refraster::inline REFRASTER_KIT

@@ -112,7 +112,7 @@ struct MerlReader {
   }
 
   MerlValue<T> nearest(const MerlPoint<T>& at) const {
-    return read_grid(std::array{at.u, at.v, at.w}, merl_axes, [&](const Cells& cell) {
+    return read_nearest(std::array{at.u, at.v, at.w}, merl_axes, [&](const Cells& cell) {
       return sample(clamp_index(cell[0].index, 0, MerlTable::theta_h_bins - 1),
                     clamp_index(cell[1].index, 0, MerlTable::theta_d_bins - 1), last_or_first(cell[2].index));
     });

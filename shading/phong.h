@@ -38,12 +38,18 @@ Rgb<T> diffuse_and_highlight(const PhongParameters& material, const Fragment<T>&
   return (as<T>(material.kd) * at.texture * max0(n_l) + as<T>(material.ks) * kept) * light.radiance;
 }
 
+/// r = 2 (n.l) n - l, the mirror image of l about n.
+template <Number T>
+Vec3<T> mirrored(const Vec3<T>& n, const Vec3<T>& l, const T& n_l) {
+  return n * (T(2) * n_l) - l;
+}
+
 /// (kd t <n.l> + ks <r.v>^s) C: see Phong in <refraster/material.h>.
 template <Number T>
 Rgb<T> reflected(const Phong& phong, const Fragment<T>& at, const Incident<T>& light) {
   const Vec3<T> n = at.normal, l = light.direction, v = at.to_eye;
   const T n_l = dot(n, l);
-  const Vec3<T> r = n * (T(2) * n_l) - l;
+  const Vec3<T> r = mirrored(n, l, n_l);
   return diffuse_and_highlight(phong, at, light, n_l, phong_lobe(phong, at, r, v, MirrorGap<T>{n, l, v}));
 }
 

@@ -3,6 +3,7 @@
 
 #include <refraster/texture.h>
 
+#include "math/bounds/texture_errors.h"
 #include "math/elementary.h"
 #include "math/read_grid.h"
 
@@ -29,12 +30,30 @@ T fewer_turns(const T& u) {
   return select(abs(u) < as<T>(turns), u, as<T>(turns) * fraction(u * as<T>(1 / turns)));
 }
 
+/// x, which a device may have lower by `below` and higher by `above`: for bounds; other numbers are exact about it. The
+/// errors are times `scale`.
+template <Number T>
+T as_read([[maybe_unused]] const T& x, [[maybe_unused]] double TextureErrors::*below,
+          [[maybe_unused]] double TextureErrors::*above, [[maybe_unused]] double scale = 1) {
+  if constexpr (requires { NumberTraits<T>::texture_errors(); }) {
+    const TextureErrors& errors = NumberTraits<T>::texture_errors();
+    if (errors.*below != 0 || errors.*above != 0) return x + T(-(errors.*below) * scale, errors.*above * scale);
+  }
+  return x;
+}
+template <Number T>
+Rgb<T> as_read(const Rgb<T>& rgb, double TextureErrors::*error, double scale = 1) {
+  return {as_read(rgb.x, error, error, scale), as_read(rgb.y, error, error, scale),
+          as_read(rgb.z, error, error, scale)};
+}
+
 /// The texel that holds the point, as stored.
 template <Number T>
 Rgb<T> sample_nearest(const TextureLevel& level, const Vec2<T>& uv) {
   const auto texels = texels_of<RealOf<T>>(level);
-  const std::array<T, 2> place = {uv.x * as<T>(level.width), uv.y * as<T>(level.height)};
-  return read_grid(place, axes_of(level), [&](const std::array<Cell<T>, 2>& cell) {
+  const auto placed = [](const T& x) { return as_read(x, &TextureErrors::nearest, &TextureErrors::nearest); };
+  const std::array<T, 2> place = {placed(uv.x * as<T>(level.width)), placed(uv.y * as<T>(level.height))};
+  return read_nearest(place, axes_of(level), [&](const std::array<Cell<T>, 2>& cell) {
     return stored_value<T>(texels, wrap_index(cell[0].index, level.width), wrap_index(cell[1].index, level.height),
                            IndexOf<T>{});
   });
@@ -44,7 +63,8 @@ Rgb<T> sample_nearest(const TextureLevel& level, const Vec2<T>& uv) {
 template <Number T>
 Rgb<T> sample_bilinear(const TextureLevel& level, const Vec2<T>& uv) {
   const auto texels = texels_of<RealOf<T>>(level);
-  const std::array<T, 2> place = {uv.x * as<T>(level.width) - as<T>(0.5), uv.y * as<T>(level.height) - as<T>(0.5)};
+  const auto placed = [](const T& x) { return as_read(x - as<T>(0.5), &TextureErrors::place, &TextureErrors::place); };
+  const std::array<T, 2> place = {placed(uv.x * as<T>(level.width)), placed(uv.y * as<T>(level.height))};
   return read_grid(place, axes_of(level), [&](const std::array<Cell<T>, 2>& cell) {
     const auto& [x, y] = cell;
     // Wrapping follows the floor, in integers: a point just left of u = 0 lies between the last texel and the first.
@@ -65,7 +85,14 @@ T level_of_detail(const TextureLevel& image, const Vec2<T>& uv_dx, const Vec2<T>
   const auto texels = [&](const Vec2<T>& uv_step) {
     return length(Vec3<T>(uv_step.x * as<T>(image.width), uv_step.y * as<T>(image.height), T(0)));
   };
-  return log2(max(texels(uv_dx), texels(uv_dy)));
+  return as_read(log2(max(texels(uv_dx), texels(uv_dy))), &TextureErrors::detail_below, &TextureErrors::detail_above);
+}
+
+/// A level of the chain, filtered; as a device has stored it.
+template <Number T>
+Rgb<T> sample_level(const Texture& texture, std::size_t k, const Vec2<T>& uv) {
+  const Rgb<T> colour = sample_bilinear(texture.levels[k], uv);
+  return k == 0 ? colour : as_read(colour, &TextureErrors::mip, texture.full_scale);
 }
 
 /// Between the two levels on either side of the level of detail; the image itself where it is magnified.
@@ -73,11 +100,21 @@ template <Number T>
 Rgb<T> sample_trilinear(const Texture& texture, const Vec2<T>& uv, const Vec2<T>& uv_dx, const Vec2<T>& uv_dy) {
   const T last = as<T>(static_cast<double>(texture.levels.size() - 1));
   const T detail = min(max0(level_of_detail(texture.levels[0], uv_dx, uv_dy)), last);
+  if constexpr (!NumberTraits<T>::decides) { // of bounds, the shares of two levels depend on each other
+    const auto count = static_cast<std::int32_t>(texture.levels.size());
+    return read_grid(std::array{detail}, std::array{GridAxis{GridAxis::Beyond::clamped, count}},
+                     [&](const std::array<Cell<T>, 1>& cell) {
+                       const auto level = [&](std::int32_t k) {
+                         return sample_level(texture, static_cast<std::size_t>(clamp_index(k, 0, count - 1)), uv);
+                       };
+                       return mix(level(cell[0].index), level(cell[0].index + 1), cell[0].fraction);
+                     });
+  }
   Rgb<T> sum(T(0));
   for (std::size_t k = 0; k < texture.levels.size(); ++k) {
     // 1 at its own level, falling to 0 at the next ones: two levels at most have a share, and the shares add up to 1.
     const T weight = max0(T(1) - abs(detail - as<T>(static_cast<double>(k))));
-    if (any(weight > T(0))) sum += sample_bilinear(texture.levels[k], uv) * weight;
+    if (any(weight > T(0))) sum += sample_level(texture, k, uv) * weight;
   }
   return sum;
 }
@@ -100,7 +137,8 @@ Rgb<T> sample(const Texture& texture, TextureFilter filter, const Vec2<T>& uv, c
     }
     return Rgb<T>(T(0));
   };
-  return stored() / as<T>(texture.full_scale);
+  const Rgb<T> colour = stored() / as<T>(texture.full_scale);
+  return filter == TextureFilter::nearest ? colour : as_read(colour, &TextureErrors::filter);
 }
 
 } // namespace refraster::inline REFRASTER_KIT

@@ -2,6 +2,7 @@
 
 #include <refraster/files.h>
 #include <refraster/notes.h>
+#include <refraster/scene.h>
 
 #include "app/arguments.h"
 #include "app/command.h"
@@ -11,12 +12,15 @@
 #include "app/output.h"
 #include "app/progress_line.h"
 #include "app/usage_error.h"
+#include "io/file/text.h"
+#include "verify/compare/cluster_objects.h"
 #include "verify/compare/compare.h"
 #include "verify/compare/compare_report.h"
 #include "verify/compare/flip.h"
 #include "verify/compare/heat_legend.h"
 #include "verify/compare/limits_file.h"
 #include "verify/images/image_pair.h"
+#include "verify/page/compare_page.h"
 
 #include <algorithm>
 #include <array>
@@ -27,39 +31,17 @@ namespace refraster {
 namespace {
 
 struct CompareArguments {
-  std::string a, b, diff, json, limits_file, unit = "levels", premultiplied;
+  std::string a, b, scene, diff, html, json, limits_file, unit = "levels", premultiplied;
   CompareLimits limits;
   PairRequest pair;
   std::optional<double> heat_max; // levels
+  SceneOptions reading;
   Diagnostics diagnostics;
   std::uint64_t max_memory = 0;
   enum class Flip { no, yes } flip = Flip::no;
 
   CompareUnit compare_unit() const { return unit == "levels" ? CompareUnit::levels : CompareUnit::values; }
 };
-
-/// What --alpha says.
-struct AlphaChoice {
-  AlphaUse use;
-  std::array<double, 3> background{};
-};
-std::optional<AlphaChoice> alpha_from(std::string_view text) {
-  if (text == "ignore") return AlphaChoice{AlphaUse::ignored};
-  if (text == "compare") return AlphaChoice{AlphaUse::compared};
-  constexpr std::string_view over = "over:";
-  if (!text.starts_with(over)) return std::nullopt;
-  text.remove_prefix(over.size());
-  AlphaChoice choice{AlphaUse::composited};
-  for (std::size_t c = 0; c < 3; ++c) {
-    const std::size_t comma = c < 2 ? text.find(',') : text.size();
-    if (comma == std::string_view::npos) return std::nullopt;
-    const std::optional<double> value = distance_from(text.substr(0, comma));
-    if (!value) return std::nullopt;
-    choice.background[c] = *value;
-    text.remove_prefix(std::min(comma + 1, text.size()));
-  }
-  return choice;
-}
 
 /// A number of levels above 0.
 std::optional<double> heat_max_from(std::string_view text) {
@@ -118,11 +100,43 @@ void note_on_limits(const CompareLimits& limits, const ImagePair& images, Compar
     print_note("no two images of 8 or 16 bits differ by more than --max-abs", diagnostics);
 }
 
+/// What the pixels of the images see, where a scene says it.
+std::optional<SeenObjects> objects_of_scene(const CompareArguments& arguments, const Comparison& found,
+                                            const MemoryBudget& memory, NoteList& notes) {
+  if (arguments.scene.empty()) return std::nullopt;
+  if (std::max(found.width, found.height) > largest_side)
+    throw InputError(
+        InputFault{arguments.a, 0, 0, "", format("%d x %d pixels", found.width, found.height),
+                   "at most " + std::to_string(largest_side) + " on a side, which --scene is rendered in"});
+  SceneOptions reading = arguments.reading;
+  reading.memory = memory;
+  reading.notes = &notes;
+  return seen_objects(read_scene(arguments.scene, reading), found.width, found.height, memory);
+}
+
+/// What is seen in each cluster of the report.
+void name_clusters(ComparisonReport& report, const ImagePair& images, const PixelScale& scale,
+                   const SeenObjects& seen) {
+  const Image<double> differences = pixel_differences(images.a, images.b, scale);
+  const Image<std::uint8_t> over = pixels_over(images.a, images.b, differences, scale, report.limits);
+  for (const Cluster& cluster : report.found.clusters) report.objects.push_back(cluster_objects(over, cluster, seen));
+}
+
+/// Some tens of bytes a pixel: the images once more, filtered, compressed and as text.
+void write_page(const CompareArguments& arguments, const ComparisonReport& report, const ImagePair& images,
+                const PixelScale& scale, const std::optional<SeenObjects>& seen, const MemoryBudget& memory) {
+  constexpr std::uint64_t bytes_a_pixel = 48;
+  memory.need(bytes_a_pixel * report.found.pixels(), arguments.html);
+  write_text(arguments.html, report_html(comparison_page(report, images, scale, seen)));
+}
+
 ExitCode run(const CompareArguments& arguments) {
-  const MemoryBudget memory = set_memory_limit(arguments.max_memory, 1);
-  check_different({arguments.diff, arguments.json}, {arguments.a, arguments.b, arguments.limits_file});
-  if (!arguments.diff.empty()) check_writable(arguments.diff);
-  if (!arguments.json.empty()) check_writable(arguments.json);
+  const MemoryBudget memory = set_memory_limit(arguments.max_memory, arguments.scene.empty() ? 1 : 0);
+  const std::vector<std::string> outputs = {arguments.diff, arguments.html, arguments.json};
+  check_different(outputs, {arguments.a, arguments.b, arguments.limits_file, arguments.scene});
+  for (const std::string& path : outputs)
+    if (!path.empty()) check_writable(path);
+  prepare_cache(arguments.reading.mesh_cache);
   const CompareUnit unit = arguments.compare_unit();
   const CompareLimits limits = all_limits(arguments);
   const double limit_levels = converted(limits, unit, CompareUnit::levels).max_abs.value_or(0);
@@ -136,6 +150,9 @@ ExitCode run(const CompareArguments& arguments) {
   ComparisonReport report{arguments.a, arguments.b, limits, compare(images.a, images.b, scale, limits)};
   report.notes = images.notes;
   if (arguments.flip == CompareArguments::Flip::yes) report.mean_flip = flip_of(images, arguments);
+  report.scene = arguments.scene;
+  const std::optional<SeenObjects> seen = objects_of_scene(arguments, report.found, memory, report.notes);
+  if (seen) name_clusters(report, images, scale, *seen);
   if (!report.found.same) {
     const StoredImage a = stored_a(images), b = stored_b(images);
     report.transformation = find_transformation(a, b, images.alpha, limit_levels);
@@ -147,8 +164,9 @@ ExitCode run(const CompareArguments& arguments) {
     const double end = heat_ramp_end(report.found, asked);
     write_image(arguments.diff, with_legend(heat_image(images.a, images.b, scale, end), report.found, end));
   }
+  if (!arguments.html.empty()) write_page(arguments, report, images, scale, seen, memory);
   line.reset(); // before anything is printed
-  print_file_notes(images.notes, arguments.diagnostics);
+  print_file_notes(report.notes, arguments.diagnostics);
   note_on_limits(limits, images, unit, arguments.diagnostics);
   if (!arguments.json.empty()) write_text(arguments.json, comparison_json(report));
   if (arguments.json != standard_output && !quiet) std::cout << comparison_text(report);
@@ -160,13 +178,6 @@ ExitCode run(const CompareArguments& arguments) {
 Command compare_command() {
   const auto arguments = std::make_shared<CompareArguments>();
   CompareArguments& a = *arguments;
-  const auto set_alpha = [&a](const std::string& text) -> std::optional<ValueFault> {
-    const std::optional<AlphaChoice> choice = alpha_from(text);
-    if (!choice) return ValueFault{"ignore, compare or over:R,G,B (numbers >= 0; 1 is white)"};
-    a.pair.alpha = choice->use;
-    a.pair.background = choice->background;
-    return std::nullopt;
-  };
   return {
       .name = "compare",
       .meaning = "How far two images are apart, and where",
@@ -174,10 +185,7 @@ Command compare_command() {
           {{"Images",
             {argument("A", a.a, "image: " + readable_formats()),
              argument("B", a.b, "image of the same size; differences are b - a"),
-             value_option("--alpha", "ignore|compare|over:R,G,B",
-                          "what to do with an alpha that is not 1 everywhere: leave it out, compare it too, or compare "
-                          "colours over this background",
-                          set_alpha),
+             alpha_option(a.pair.alpha, a.pair.background, ComparedAlpha::offered),
              choice_option("--premultiplied", a.premultiplied, {"yes", "no"},
                            "whether colours are stored multiplied by alpha; by default those of .exr files are, others "
                            "not"),
@@ -193,11 +201,17 @@ Command compare_command() {
                            "of limits and report: levels of 1/255, whatever the files hold; or values, 1 being white"),
              file_option("--limits", "FILE", a.limits_file,
                          "JSON file with max_abs, max_rms, max_count, unit; options above it go first")}},
+           {"Scene",
+            {file_option("--scene", "SCENE", a.scene,
+                         "the scene that both images show: clusters are named by its objects, as its camera sees them"),
+             outside_option(a.reading.outside), cache_option(a.reading.mesh_cache)}},
            {"Report",
             {file_option("--diff", "FILE.png", a.diff,
                          "write a heat image: black where equal, the lighter the more different; with a legend below"),
              parsed_option("--heat-max", "LEVELS", a.heat_max, heat_max_from, "a number > 0",
                            "difference at the end of --diff's ramp, so that two heat images can be compared"),
+             file_option("--html", "FILE", a.html,
+                         "write a page to look at both images pixel by pixel; one file, without network"),
              file_option("--json", "FILE", a.json, "write the numbers as JSON; - is standard output"),
              flag(
                  "--flip", [&a] { a.flip = CompareArguments::Flip::yes; },

@@ -22,7 +22,7 @@ namespace refraster {
 namespace {
 
 struct GlArguments {
-  std::string scene, output, radiance, depth, json;
+  std::string scene, output, radiance, depth, ids, json;
   Size size;
   SceneOptions reading;
   std::uint64_t max_memory = 0;
@@ -36,6 +36,7 @@ void write_outputs(const GlArguments& a, const GlOptions& options, const GlFrame
   if (!a.output.empty()) write_image(a.output, frame.rgb8);
   if (!a.radiance.empty()) write_image(a.radiance, frame.radiance);
   if (!a.depth.empty()) write_image(a.depth, frame.depth);
+  if (!a.ids.empty()) write_values(a.ids, frame.ids, {"object", "triangle"});
   if (!a.json.empty()) write_text(a.json, gl_report_json(a.scene, options, frame));
 }
 
@@ -43,13 +44,13 @@ void write_outputs(const GlArguments& a, const GlOptions& options, const GlFrame
 std::string why_dark(const Scene& scene, const GlOptions& options, const GlFrame& frame) {
   if (frame.rgb8.empty() && frame.radiance.empty()) return {};
   RenderOptions view;
-  view.width = options.width, view.height = options.height;
+  view.width = options.width, view.height = options.height, view.samples = options.samples;
   view.want_rgb8 = !frame.rgb8.empty();
   return explain_dark_image(scene, view, {frame.rgb8, frame.radiance}, std::nullopt);
 }
 
 ExitCode run(const GlArguments& a) {
-  const std::vector<std::string> outputs = {a.output, a.radiance, a.depth, a.json};
+  const std::vector<std::string> outputs = {a.output, a.radiance, a.depth, a.ids, a.json};
   check_different(outputs, {a.scene});
   for (const std::string& path : outputs)
     if (!path.empty()) check_writable(path);
@@ -60,6 +61,7 @@ ExitCode run(const GlArguments& a) {
   options.want_rgb8 = !a.output.empty();
   options.want_radiance = !a.radiance.empty();
   options.want_depth = !a.depth.empty();
+  options.want_ids = !a.ids.empty();
 
   GlFrame frame;
   std::string note;
@@ -71,6 +73,7 @@ ExitCode run(const GlArguments& a) {
     const Scene scene = read_scene(a.scene, reading);
     line.reset(); // before anything is printed
     print_file_notes(notes, a.diagnostics);
+    if (options.want_ids) check_triangle_numbers(a.scene, scene, "--ids");
     line = progress_line(a.diagnostics, "drawing " + a.scene);
     frame = render_gl(scene, options);
     note = why_dark(scene, options, frame);
@@ -85,17 +88,20 @@ ExitCode run(const GlArguments& a) {
   if (!note.empty()) print_note(note, a.diagnostics);
   write_outputs(a, options, frame);
   if (a.json == standard_output) return ExitCode::ok; // which then holds the report and nothing else
-  for (const std::string& path : {a.output, a.radiance, a.depth})
+  for (const std::string& path : {a.output, a.radiance, a.depth, a.ids})
     if (!path.empty()) std::cout << path << "\n";
   return ExitCode::ok;
 }
 
 /// What one option alone does not show; and the default output.
 void check_together(GlArguments& a) {
-  if (a.output.empty() && a.radiance.empty() && a.depth.empty() && a.json.empty()) a.output = stem(a.scene) + ".gl.png";
+  if (a.output.empty() && a.radiance.empty() && a.depth.empty() && a.ids.empty() && a.json.empty())
+    a.output = stem(a.scene) + ".gl.png";
   if (!a.output.empty()) check_extension("--output", a.output, {rgb8_image});
   if (!a.radiance.empty()) check_extension("--float", a.radiance, {float_rgb_image});
   if (!a.depth.empty()) check_extension("--depth", a.depth, {float_grey_image});
+  if (!a.ids.empty()) check_extension("--ids", a.ids, {float_grey_image});
+  check_frame_samples(a.size.width, a.size.height, a.options.samples);
 }
 
 /// What is done instead of drawing a scene. Throws UsageError for what only a scene has.
@@ -133,7 +139,13 @@ Command gl_command() {
              file_option("--depth", "FILE", a.depth,
                          "window depth to write, 1 where nothing was drawn: " +
                              writable_extensions({float_grey_image})),
-             size_option(a.size)}},
+             file_option("--ids", "FILE", a.ids,
+                         "numbers of object and triangle to write, each counted from 1, 0 where nothing was drawn: " +
+                             writable_extensions({float_grey_image})),
+             size_option(a.size),
+             number_choice_option("--samples", a.options.samples, {1, 2, 4, 8, 16},
+                                  "samples a pixel, where and as the driver resolves them; depth and ids are those of "
+                                  "sample 0")}},
            {"OpenGL",
             {enum_option("--renderer", a.options.renderer, "who draws; the software drivers are Mesa's"),
              enum_option("--merl-filter", a.options.merl_filter,
@@ -155,8 +167,8 @@ Command gl_command() {
       .notes = {"An object is drawn by the GLSL files that the scene names where they exist, else by our own GLSL of "
                 "the same formulas; a line on standard error says which. docs/glsl-interface.md: what a shader is "
                 "given.",
-                "Exit code 3: GLSL that does not compile, link or draw. 5: no OpenGL 3.3, or not the renderer that was "
-                "asked for."},
+                "Exit code 3: GLSL that does not compile, link or draw. 5: no OpenGL 3.3, not the renderer or not the "
+                "number of samples that was asked for."},
       .finish = [arguments]() -> Action {
         if (arguments->probes) return probing(*arguments);
         if (!arguments->device.empty()) throw UsageError("gl", "--device without --probe", "both");

@@ -123,16 +123,6 @@ std::vector<std::string> write_images(const Frame& frame, const RenderArguments&
   return paths;
 }
 
-/// Where a number would stand for several triangles, none is written.
-void check_triangle_numbers(const Scene& scene, const RenderArguments& arguments) {
-  if (std::find(arguments.aovs.begin(), arguments.aovs.end(), Aov::triangle) == arguments.aovs.end()) return;
-  for (std::size_t i = 0; i < scene.objects.size(); ++i)
-    if (const std::size_t triangles = scene.objects[i].mesh->triangles.size(); triangles > max_exact_triangle_id)
-      throw InputError(InputFault{
-          arguments.scene, 0, 0, "/objects/" + std::to_string(i), std::to_string(triangles) + " triangles",
-          "at most " + std::to_string(max_exact_triangle_id) + ", which the floats of --aov triangle can number"});
-}
-
 ExitCode run(const RenderArguments& arguments) {
   std::vector<std::string> outputs = {arguments.output, arguments.report};
   for (const Aov aov : arguments.aovs) outputs.push_back(aov_path(arguments.output, aov));
@@ -145,7 +135,8 @@ ExitCode run(const RenderArguments& arguments) {
   std::vector<std::string> notes;
   const Scene scene = scene_of(arguments, notes);
   const double read_seconds = reading.seconds();
-  check_triangle_numbers(scene, arguments);
+  if (std::find(arguments.aovs.begin(), arguments.aovs.end(), Aov::triangle) != arguments.aovs.end())
+    check_triangle_numbers(arguments.scene, scene, "--aov triangle");
   if (interrupted()) return ExitCode::interrupted;
 
   const Frame frame = rendered(scene, arguments);

@@ -3,6 +3,43 @@
 #include "app/memory_limit.h"
 
 namespace refraster {
+namespace {
+
+/// The numbers behind "over:".
+std::optional<std::array<double, 3>> colour_over(std::string_view text) {
+  constexpr std::string_view over = "over:";
+  if (!text.starts_with(over)) return std::nullopt;
+  const std::vector<std::string_view> parts = split(text.substr(over.size()), ',');
+  std::array<double, 3> colour{};
+  if (parts.size() != colour.size()) return std::nullopt;
+  for (std::size_t c = 0; c < colour.size(); ++c) {
+    const std::optional<double> value = distance_from(parts[c]);
+    if (!value) return std::nullopt;
+    colour[c] = *value;
+  }
+  return colour;
+}
+
+} // namespace
+
+Option alpha_option(AlphaUse& use, std::array<double, 3>& background, ComparedAlpha compared) {
+  const bool offered = compared == ComparedAlpha::offered;
+  const std::string words = offered ? "ignore|compare|over:R,G,B" : "ignore|over:R,G,B";
+  const auto read = [&use, &background, offered](const std::string& text) -> std::optional<ValueFault> {
+    if (text == "ignore") use = AlphaUse::ignored;
+    else if (text == "compare" && offered) use = AlphaUse::compared;
+    else if (const auto colour = colour_over(text)) use = AlphaUse::composited, background = *colour;
+    else
+      return ValueFault{std::string(offered ? "ignore, compare" : "ignore") +
+                        " or over:R,G,B (numbers >= 0; 1 is white)"};
+    return std::nullopt;
+  };
+  return value_option("--alpha", words,
+                      std::string("what to do with an alpha that is not 1 everywhere: leave it out, ") +
+                          (offered ? "compare it too, or compare colours over this background"
+                                   : "or judge colours over this background"),
+                      read);
+}
 
 Option scene_argument(std::string& path) {
   return argument("SCENE", path, "scene file; docs/scene-format.md");

@@ -6,7 +6,9 @@
 #include "app/arguments.h"
 #include "app/diagnostics.h"
 #include "app/options/option.h"
+#include "verify/images/image_pair.h"
 
+#include <array>
 #include <cstdint>
 #include <string>
 
@@ -23,6 +25,12 @@ Option outside_option(Outside& outside);
 
 /// --cache, for the commands that read scenes: a folder of large meshes that were read before. check_cache_folder.
 Option cache_option(std::string& folder);
+
+/// Whether an alpha channel may be compared as a fourth one.
+enum class ComparedAlpha { offered, refused };
+
+/// --alpha: what is done with an alpha that is not 1 everywhere.
+Option alpha_option(AlphaUse& use, std::array<double, 3>& background, ComparedAlpha compared);
 
 /// --max-memory SIZE; 0 if it is not given.
 Option memory_option(std::uint64_t& bytes);

@@ -1,7 +1,7 @@
 #include "bench/page/charts.h"
 
 #include "bench/page/svg.h"
-#include "bench/report/format.h"
+#include "io/file/text.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,7 +1,7 @@
 #include "bench/page/charts.h"
 
-#include "bench/report/format.h"
 #include "bench/report/report_text.h"
+#include "io/file/text.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "bench/page/charts.h"
 
-#include "bench/report/format.h"
+#include "io/file/text.h"
 
 #include <algorithm>
 

@@ -1,11 +1,12 @@
 #include "bench/page/page.h"
 
 #include "bench/page/charts.h"
-#include "bench/page/markup.h"
 #include "bench/page/style.h"
 #include "bench/page/tables.h"
-#include "bench/report/format.h"
 #include "io/file/build_info.h"
+#include "io/file/text.h"
+#include "io/html/base_style.h"
+#include "io/html/markup.h"
 
 #include <cctype>
 
@@ -104,6 +105,7 @@ std::string headline(const Run& run) {
 std::string run_html(const Run& run) {
   std::string page = "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
                      "<meta name=\"viewport\" content=\"width=device-width\">\n<title>refraster bench</title>\n<style>";
+  page += base_style;
   page += page_style;
   page += "</style>\n</head>\n<body>\n<main>\n" + headline(run);
   page += section("Frames",

@@ -1,6 +1,6 @@
 #include "bench/page/scale.h"
 
-#include "bench/report/format.h"
+#include "io/file/text.h"
 
 #include <algorithm>
 #include <cmath>

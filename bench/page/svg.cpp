@@ -1,8 +1,8 @@
 #include "bench/page/svg.h"
 
 #include "bench/page/chart_style.h"
-#include "bench/page/markup.h"
-#include "bench/report/format.h"
+#include "io/file/text.h"
+#include "io/html/markup.h"
 
 namespace refraster::bench {
 namespace {

@@ -1,38 +1,13 @@
 #include "bench/page/tables.h"
 
 #include "bench/page/charts.h"
-#include "bench/page/markup.h"
-#include "bench/report/format.h"
 #include "bench/report/report_text.h"
 #include "io/file/build_info.h"
+#include "io/file/text.h"
+#include "io/html/html_table.h"
 
 namespace refraster::bench {
 namespace {
-
-/// Rows of cells; the first `left` columns hold words, the others numbers.
-class HtmlTable {
-public:
-  HtmlTable(std::vector<std::string> headings, std::size_t left) : left_(left) {
-    html_ = "<div class=\"wide\"><table>\n<tr>";
-    for (std::size_t i = 0; i < headings.size(); ++i) html_ += cell("th", headings[i], i);
-    html_ += "</tr>\n";
-  }
-  enum class Group { first, same };
-  void add(const std::vector<std::string>& cells, Group group = Group::same) {
-    html_ += group == Group::first ? "<tr class=\"first\">" : "<tr>";
-    for (std::size_t i = 0; i < cells.size(); ++i) html_ += cell("td", cells[i], i);
-    html_ += "</tr>\n";
-    ++rows_;
-  }
-  std::string html() const { return rows_ == 0 ? "" : html_ + "</table></div>\n"; }
-
-private:
-  std::string cell(const char* element, const std::string& words, std::size_t i) const {
-    return std::string("<") + element + (i < left_ ? " class=\"left\">" : ">") + escaped(words) + "</" + element + ">";
-  }
-  std::size_t left_, rows_ = 0;
-  std::string html_;
-};
 
 std::string plus_minus(const Spread& spread) {
   return format("± %.1f %%", 50 * (spread.upper - spread.lower) / spread.median);

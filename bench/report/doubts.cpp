@@ -1,6 +1,6 @@
 #include "bench/report/doubts.h"
 
-#include "bench/report/format.h"
+#include "io/file/text.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #include "bench/report/report_text.h"
 
-#include "bench/report/format.h"
 #include "bench/report/text_table.h"
+#include "io/file/text.h"
 
 #include <cmath>
 

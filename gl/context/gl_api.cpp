@@ -31,6 +31,7 @@ const char* load(GlApi& gl, GlFunction (*get)(const char* name)) {
     if (version >= since || has_extension(gl, extension))
       function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(get(name));
   };
+  later(gl.GetInternalformativ, "glGetInternalformativ", 42, "GL_ARB_internalformat_query");
   later(gl.GetProgramInterfaceiv, "glGetProgramInterfaceiv", 43, "GL_ARB_program_interface_query");
   later(gl.GetProgramResourceName, "glGetProgramResourceName", 43, "GL_ARB_program_interface_query");
   later(gl.GetProgramResourceiv, "glGetProgramResourceiv", 43, "GL_ARB_program_interface_query");

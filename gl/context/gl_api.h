@@ -17,6 +17,7 @@ namespace refraster {
   F(BINDRENDERBUFFER, BindRenderbuffer)                                                                                \
   F(BINDTEXTURE, BindTexture)                                                                                          \
   F(BINDVERTEXARRAY, BindVertexArray)                                                                                  \
+  F(BLITFRAMEBUFFER, BlitFramebuffer)                                                                                  \
   F(BUFFERDATA, BufferData)                                                                                            \
   F(CHECKFRAMEBUFFERSTATUS, CheckFramebufferStatus)                                                                    \
   F(CLEAR, Clear)                                                                                                      \
@@ -32,8 +33,10 @@ namespace refraster {
   F(CULLFACE, CullFace)                                                                                                \
   F(DELETEFRAMEBUFFERS, DeleteFramebuffers)                                                                            \
   F(DELETEQUERIES, DeleteQueries)                                                                                      \
+  F(DELETERENDERBUFFERS, DeleteRenderbuffers)                                                                          \
   F(DEPTHFUNC, DepthFunc)                                                                                              \
   F(DISABLE, Disable)                                                                                                  \
+  F(DRAWARRAYS, DrawArrays)                                                                                            \
   F(DRAWELEMENTS, DrawElements)                                                                                        \
   F(ENABLE, Enable)                                                                                                    \
   F(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray)                                                                  \
@@ -56,6 +59,7 @@ namespace refraster {
   F(GETATTRIBLOCATION, GetAttribLocation)                                                                              \
   F(GETERROR, GetError)                                                                                                \
   F(GETINTEGERV, GetIntegerv)                                                                                          \
+  F(GETMULTISAMPLEFV, GetMultisamplefv)                                                                                \
   F(GETPROGRAMINFOLOG, GetProgramInfoLog)                                                                              \
   F(GETPROGRAMIV, GetProgramiv)                                                                                        \
   F(GETQUERYOBJECTUIV, GetQueryObjectuiv)                                                                              \
@@ -95,6 +99,7 @@ namespace refraster {
 
 /// Of later versions or of extensions: null where the driver has neither.
 #define REFRASTER_GL_LATER_FUNCTIONS(F)                                                                                \
+  F(GETINTERNALFORMATIV, GetInternalformativ)                                                                          \
   F(GETPROGRAMINTERFACEIV, GetProgramInterfaceiv)                                                                      \
   F(GETPROGRAMRESOURCENAME, GetProgramResourceName)                                                                    \
   F(GETPROGRAMRESOURCEIV, GetProgramResourceiv)                                                                        \

@@ -31,6 +31,14 @@ std::string format(const char* pattern, Arguments... arguments) {
 /// "1 number", "2 numbers".
 std::string counted(std::size_t count, std::string_view noun);
 
+/// "1,048,576".
+inline std::string with_commas(unsigned long long count) {
+  std::string text = std::to_string(count);
+  for (std::ptrdiff_t at = static_cast<std::ptrdiff_t>(text.size()) - 3; at > 0; at -= 3)
+    text.insert(static_cast<std::size_t>(at), ",");
+  return text;
+}
+
 /// "a", "a or b", "a, b or c": what may stand somewhere. "" for none.
 std::string alternatives(const std::vector<std::string>& choices);
 

@@ -148,6 +148,11 @@ public:
   Affine& operator/=(const Affine& b) { return *this = *this / b; }
 
   friend Certainty operator<(const Affine& a, const Affine& b) {
+    if constexpr (requires { Budget::decided(Certainty::unknown); }) return Budget::decided(certainly_less(a, b));
+    else return certainly_less(a, b);
+  }
+  /// What the numbers say: where they leave it open, so does this.
+  friend Certainty certainly_less(const Affine& a, const Affine& b) {
     const Certainty by_range = a.range() < b.range();
     if (by_range != Certainty::unknown || !a.form.is_finite() || !b.form.is_finite()) return by_range;
     const AffineForm d = sum(a.form, b.form, -1);

@@ -40,7 +40,7 @@ Affine<B> select(Certainty m, const Affine<B>& x, const Affine<B>& y) {
 template <class B>
 Affine<B> max(const Affine<B>& x, const Affine<B>& y) {
   using namespace affine_detail;
-  const Certainty less = x < y;
+  const Certainty less = certainly_less(x, y);
   if (less != Certainty::unknown) return less == Certainty::yes ? y : x;
   const Interval<B> range = max(x.range(), y.range());
   if (!x.form.is_finite() || !y.form.is_finite()) return Affine<B>(range);

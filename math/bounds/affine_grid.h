@@ -134,29 +134,103 @@ Vec4<Affine<B>> mix_cubic(const Vec4<Affine<B>>& a, const Vec4<Affine<B>>& b, co
           component(a.z, b.z, c.z, d.z, range.z), component(a.w, b.w, c.w, d.w, range.w)};
 }
 
-/// See read_grid. Each cell is read with the whole form of the place in it, of which only the part inside counts as
-/// range: so that its value is a slope times the place, and what holds all cells' values still is. Every cell is read,
-/// however many there are.
+namespace affine_detail {
+
+template <int components, class B>
+auto anything_like(const glm::vec<components, Affine<B>, glm::defaultp>&) {
+  return glm::vec<components, Affine<B>, glm::defaultp>(Affine<B>::anything());
+}
+
+} // namespace affine_detail
+
+/// The cells that a place may lie in, each with the whole form of the place in it, of which only the part inside counts
+/// as range: so that a value is a slope times the place, and what holds all cells' values still is.
+template <class B, std::size_t dimensions>
+class CellWalk {
+public:
+  using Cells = std::array<Cell<Affine<B>>, dimensions>;
+
+  CellWalk(const std::array<Affine<B>, dimensions>& place, const std::array<GridAxis, dimensions>& axes)
+      : inside_(place) {
+    for (std::size_t d = 0; d < dimensions; ++d) {
+      Interval<B> bounded = place[d].range();
+      range_[d] = interval_detail::cells_of(bounded, axes[d]);
+      if (bounded.lo != place[d].lo || bounded.hi != place[d].hi) inside_[d] = Affine<B>(bounded);
+    }
+    start();
+  }
+
+  std::int64_t count() const {
+    std::int64_t count = 1;
+    for (const auto& [first, last] : range_) count *= std::int64_t{last} - first + 1;
+    return count;
+  }
+  /// To the first cell.
+  void start() {
+    for (std::size_t d = 0; d < dimensions; ++d) enter(d, range_[d].first);
+  }
+  /// To the next; false, and to the first, after the last.
+  bool next() {
+    std::size_t d = 0;
+    while (d < dimensions && cells_[d].index == range_[d].last) enter(d, range_[d].first), ++d;
+    if (d == dimensions) return false;
+    enter(d, cells_[d].index + 1);
+    return true;
+  }
+  const Cells& cells() const { return cells_; }
+
+private:
+  void enter(std::size_t d, std::int32_t index) {
+    // [0, 1] less what of it is outside of the range.
+    const Interval<B> rest = inside_[d].range() - Interval<B>(index);
+    cells_[d] = {index,
+                 (inside_[d] - Affine<B>(index)).clipped(std::clamp(rest.lo, 0.0, 1.0), std::clamp(rest.hi, 0.0, 1.0))};
+  }
+
+  std::array<interval_detail::CellRange, dimensions> range_;
+  std::array<Affine<B>, dimensions> inside_;
+  Cells cells_;
+};
+
+/// What is read in any of the cells; where the budget has a limit and there are more, of a colour nothing is known.
+template <class B, std::size_t dimensions, class Read>
+auto read_walk(CellWalk<B, dimensions>& walk, const Read& read) {
+  auto value = read(walk.cells());
+  if constexpr (requires {
+                  B::max_cells;
+                  affine_detail::anything_like(value);
+                })
+    if (walk.count() > B::max_cells) return affine_detail::anything_like(value);
+  while (walk.next()) value = join(value, read(walk.cells()));
+  return value;
+}
+
+/// See read_grid.
 template <class B, std::size_t dimensions, class Read>
 auto read_every_cell(const std::array<Affine<B>, dimensions>& place, const std::array<GridAxis, dimensions>& axes,
                      const Read& read) {
-  using namespace interval_detail;
-  std::array<CellRange, dimensions> range;
-  std::array<Affine<B>, dimensions> inside = place;
-  std::array<Cell<Affine<B>>, dimensions> cells;
-  const auto enter = [&](std::size_t d, std::int32_t index) {
-    // [0, 1] less what of it is outside of the range.
-    const Interval<B> rest = inside[d].range() - Interval<B>(index);
-    cells[d] = {index,
-                (inside[d] - Affine<B>(index)).clipped(std::clamp(rest.lo, 0.0, 1.0), std::clamp(rest.hi, 0.0, 1.0))};
-  };
-  for (std::size_t d = 0; d < dimensions; ++d) {
-    Interval<B> bounded = place[d].range();
-    range[d] = cells_of(bounded, axes[d]);
-    if (bounded.lo != place[d].lo || bounded.hi != place[d].hi) inside[d] = Affine<B>(bounded);
-    enter(d, range[d].first);
+  CellWalk<B, dimensions> walk(place, axes);
+  return read_walk(walk, read);
+}
+
+/// See read_nearest: of one of the cells on each path that is followed (Forks); while none is, of all.
+template <class B, std::size_t dimensions, class Read>
+  requires requires {
+    B::decided(Certainty::unknown);
   }
-  return interval_detail::read_all(range, cells, enter, read);
+auto read_one_cell(const std::array<Affine<B>, dimensions>& place, const std::array<GridAxis, dimensions>& axes,
+                   const Read& read) {
+  CellWalk<B, dimensions> walk(place, axes);
+  for (std::int64_t left = walk.count(); left > 1; --left) {
+    const Certainty is_this = B::decided(Certainty::unknown);
+    if (is_this == Certainty::yes) return read(walk.cells());
+    if (is_this == Certainty::unknown) {
+      walk.start();
+      return read_walk(walk, read);
+    }
+    walk.next();
+  }
+  return read(walk.cells());
 }
 
 } // namespace refraster::inline REFRASTER_KIT

@@ -1,7 +1,9 @@
 #pragma once
 // The rounding budget of a device that is known only when the program runs.
 
+#include "math/bounds/forks.h"
 #include "math/bounds/rounding_budget.h"
+#include "math/bounds/texture_errors.h"
 
 namespace refraster::inline REFRASTER_KIT {
 
@@ -19,7 +21,7 @@ struct OperationErrors {
   double cut_off = -126;
 };
 
-/// The arithmetic of the OperationErrors in use on this thread.
+/// The arithmetic of the OperationErrors in use on this thread, which reads textures with the TextureErrors in use.
 struct DeviceArithmetic {
   /// One of them, read where a formula asks for it.
   struct Value {
@@ -36,13 +38,26 @@ struct DeviceArithmetic {
   static constexpr double largest = std::numeric_limits<float>::max();
   static constexpr Sums sums = Sums::in_any_order;
   static constexpr Powers powers = Powers::by_logarithm;
+  /// Of a texture, at once: a place that may be in more is not known well enough for what is read to mean anything.
+  static constexpr std::int64_t max_cells = 256;
 
   /// From now on, on this thread; a render does so for its own (SampleRequest::enter).
-  static void use(const OperationErrors& errors) { current() = errors; }
+  static void use(const OperationErrors& errors, const TextureErrors& texture = {}) {
+    current() = errors;
+    textures() = texture;
+  }
+  static const TextureErrors& texture() { return textures(); }
+
+  /// What a comparison says: where the numbers leave it open, the path that is being followed.
+  static Certainty decided(Certainty c) { return c == Certainty::unknown ? Forks::decided() : c; }
 
 private:
   static OperationErrors& current() {
     static thread_local constinit OperationErrors errors;
+    return errors;
+  }
+  static TextureErrors& textures() {
+    static thread_local constinit TextureErrors errors;
     return errors;
   }
 };

@@ -2,7 +2,9 @@
 // The simplest bounds number: a range that holds whatever a formula may give, exactly or in the arithmetic of a
 // rounding budget, for any points of its operands. Moore, "Interval Analysis", 1966.
 
+#include "math/bounds/certainty.h"
 #include "math/bounds/rounding_budget.h"
+#include "math/bounds/texture_errors.h"
 #include "math/constants.h"
 #include "math/vec.h"
 
@@ -14,31 +16,6 @@
 #include <initializer_list>
 
 namespace refraster::inline REFRASTER_KIT {
-
-/// What a comparison of ranges says. It does not convert to bool: an `if` on it does not compile.
-enum class Certainty { no, unknown, yes };
-
-constexpr Certainty operator&(Certainty a, Certainty b) {
-  return std::min(a, b);
-}
-constexpr Certainty operator|(Certainty a, Certainty b) {
-  return std::max(a, b);
-}
-constexpr Certainty operator!(Certainty a) {
-  return a == Certainty::yes ? Certainty::no : a == Certainty::no ? Certainty::yes : Certainty::unknown;
-}
-/// Whether it may be so.
-constexpr bool any(Certainty a) {
-  return a != Certainty::no;
-}
-/// Only what is certain counts.
-constexpr int count_lanes(Certainty a) {
-  return a == Certainty::yes ? 1 : 0;
-}
-/// Of two cases of which either may be.
-constexpr Certainty join(Certainty a, Certainty b) {
-  return a == b ? a : Certainty::unknown;
-}
 
 namespace interval_detail {
 /// The next double above x, as std::nextafter has it, without a call.
@@ -186,6 +163,9 @@ struct BoundsTraits {
   static constexpr int lanes = 1;
   static constexpr bool has_lanes = false, decides = false, is_ieee = false;
   static constexpr double largest = Budget::largest;
+  /// How the device reads textures.
+  static const TextureErrors& texture_errors() requires requires { Budget::texture(); }
+  { return Budget::texture(); }
 };
 
 template <class Budget>

@@ -255,6 +255,7 @@ PacketBarycentrics<T> barycentrics(const Data& data) {
     };
     result.right = change(edges.right);
     result.down = change(edges.down);
+    if constexpr (!NumberTraits<T>::decides) data.take_differences(edges, result);
   }
   return result;
 }
@@ -278,6 +279,8 @@ T interpolated(const Data& data, int component_row, const Barycentric<T>& at) {
 template <class Data, class T = typename Data::Number>
 T interpolated_uv(const Data& data, int c, const PacketBarycentrics<T>& at) {
   const T uv = interpolated(data, uv_row + c, at.at);
+  if constexpr (!NumberTraits<T>::decides)
+    if (data.is_of_device()) return uv; // which keeps it in no range
   return select(at.inside, min(data.row(max_uv_row + c)[3], max(data.row(min_uv_row + c)[3], uv)), uv);
 }
 

@@ -92,6 +92,43 @@ public:
     dx_ = dx, dy_ = dy;
   }
 
+  // What a device may do otherwise: for bounds.
+
+  /// From now on, component `r` of an attribute may be off by `error` wherever it is interpolated.
+  void add_error(int r, double error) {
+    const auto i = static_cast<std::size_t>(r);
+    row_[i][0] += T(-error, error);
+    error_[i] += error;
+  }
+  bool is_of_device() const { return block_.has_value(); }
+  /// Where the pixel is in its block of 2 x 2, 0 or 1 to the right and down: from now on changes by one pixel are the
+  /// differences between any two neighbours in the block, of which OpenGL leaves open which.
+  void set_place_in_block(int column, int row) { block_ = {column, row}; }
+
+  void take_differences(const EdgeValues<T>& edges, PacketBarycentrics<T>& result) const {
+    if (!block_) return;
+    const auto weights = [&](int column, int row) -> Barycentric<T> {
+      const T dx(column - (*block_)[0]), dy(row - (*block_)[1]);
+      std::array<T, 3> mu;
+      for (std::size_t k = 0; k < 3; ++k)
+        mu[k] = (edges.value[k] + dx * edges.right[k] + dy * edges.down[k]) * row_[k][3];
+      const T sum = mu[0] + mu[1] + mu[2];
+      return {mu[1] / sum, mu[2] / sum};
+    };
+    const Barycentric<T> at[2][2] = {{weights(0, 0), weights(1, 0)}, {weights(0, 1), weights(1, 1)}};
+    const auto either = [](const Barycentric<T>& from1, const Barycentric<T>& to1, const Barycentric<T>& from2,
+                           const Barycentric<T>& to2) -> Barycentric<T> {
+      return {join(to1.b1 - from1.b1, to2.b1 - from2.b1), join(to1.b2 - from1.b2, to2.b2 - from2.b2)};
+    };
+    result.right = either(at[0][0], at[0][1], at[1][0], at[1][1]);
+    result.down = either(at[0][0], at[1][0], at[0][1], at[1][1]);
+  }
+  /// Of the difference of two values of a component.
+  T difference_error(int r) const {
+    const double error = block_ ? 2 * error_[static_cast<std::size_t>(r)] : 0;
+    return T(-error, error);
+  }
+
   /// As PacketData's.
   const std::array<T, 4>& row(int r) const { return row_[static_cast<std::size_t>(r)]; }
 
@@ -112,8 +149,13 @@ public:
     return edges;
   }
 
+  /// What normals are multiplied by, so that no digit of them is lost.
+  double normal_factor() const { return normal_factor_; }
+
   /// Of the triangle.
   std::uint32_t object() const { return ref_.object; }
+  /// In the object's mesh.
+  std::uint32_t triangle() const { return ref_.triangle; }
 
   bool may_have_texture_coordinates() const {
     const Mesh& mesh = *context_.scene.objects[ref_.object].mesh;
@@ -141,12 +183,12 @@ private:
     value = Edge::whole(edge.at(x_, y_)) + a * dx_ + b * dy_;
   }
 
-  SampleCorners<T> corners(const std::array<WindowVertex, 3>& window) const {
+  SampleCorners<T> corners(const std::array<WindowVertex, 3>& window) {
     SampleCorners<T> result;
     const Mesh& mesh = *context_.scene.objects[ref_.object].mesh;
     std::array<WorldVertex, 3> world;
     for (std::size_t k = 0; k < 3; ++k) world[k] = context_.geometry.world[ref_.vertex[corner_[k]]];
-    const double scale = normal_scale(world[0], world[1], world[2]);
+    const double scale = normal_factor_ = normal_scale(world[0], world[1], world[2]);
     for (std::size_t k = 0; k < 3; ++k) {
       result.position[k] = as<T>(world[k].position);
       result.normal[k] = as<T>(world[k].normal * scale);
@@ -272,6 +314,9 @@ private:
   std::array<std::array<T, 4>, attribute_rows> row_;
   std::int32_t x_ = 0, y_ = 0;
   EdgeValue dx_{}, dy_{};
+  double normal_factor_ = 1;
+  std::array<double, attribute_rows> error_{};
+  std::optional<std::array<int, 2>> block_;
 };
 
 template <Derivatives, class T>

@@ -22,11 +22,16 @@ TileGrid tile_grid(const FrameInput& input) {
   return {region.x, region.y, region.width, region.height, input.options.tile_size};
 }
 
-const ProjectiveTriangle& Bins::projective_triangle(std::uint32_t number) const {
+const ProjectiveTriangle* Bins::find_projective(std::uint32_t number) const {
   const auto at = std::lower_bound(projective.begin(), projective.end(), number,
                                    [](const NumberedProjective& p, std::uint32_t n) { return p.triangle < n; });
-  assert(at != projective.end() && at->triangle == number);
-  return at->set_up;
+  return at != projective.end() && at->triangle == number ? &at->set_up : nullptr;
+}
+
+const ProjectiveTriangle& Bins::projective_triangle(std::uint32_t number) const {
+  const ProjectiveTriangle* const found = find_projective(number);
+  assert(found);
+  return *found;
 }
 
 namespace {

@@ -33,6 +33,8 @@ struct Bins {
   std::vector<NumberedProjective> projective; // in order of number: there are few
 
   const ProjectiveTriangle& projective_triangle(std::uint32_t number) const;
+  /// Null if the triangle needs none, or was dropped.
+  const ProjectiveTriangle* find_projective(std::uint32_t number) const;
 };
 
 /// Drops what cannot be seen (counted by reason in `counts`) and lists the rest by tile, in submission order. A tile's

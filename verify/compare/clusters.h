@@ -4,6 +4,7 @@
 #include <refraster/compare.h>
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace refraster {
@@ -14,5 +15,8 @@ std::vector<Cluster> clusters_of(const Image<std::uint8_t>& marked, const Image<
 
 /// Those of pixels whose difference is above the limit; infinity is above any.
 std::vector<Cluster> clusters_over(const Image<double>& differences, double limit);
+
+/// The pixels (x, y) of a cluster of these marks, which holds its worst pixel, in no order that means anything.
+std::vector<std::pair<int, int>> cluster_pixels(const Image<std::uint8_t>& marked, const Cluster& cluster);
 
 } // namespace refraster

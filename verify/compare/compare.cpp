@@ -100,6 +100,18 @@ Image<double> pixel_differences(const Image<float>& a, const Image<float>& b, co
   return differences;
 }
 
+Image<std::uint8_t> pixels_over(const Image<float>& a, const Image<float>& b, const Image<double>& differences,
+                                const PixelScale& scale, const CompareLimits& limits) {
+  const double limit = limits.max_abs.value_or(0);
+  Image<std::uint8_t> over(a.width, a.height, 1);
+  for (int y = 0; y < a.height; ++y)
+    for (int x = 0; x < a.width; ++x) {
+      const double rounding = limit > 0 ? storage_rounding(a.at(x, y), b.at(x, y), a.channels, scale) : 0;
+      *over.at(x, y) = *differences.at(x, y) > limit + rounding;
+    }
+  return over;
+}
+
 Comparison compare(const Image<float>& a, const Image<float>& b, const PixelScale& scale, const CompareLimits& limits) {
   if (a.width != b.width || a.height != b.height || a.channels != b.channels)
     throw std::invalid_argument("compare: found images of different sizes, expected the same size and channels");
@@ -109,9 +121,8 @@ Comparison compare(const Image<float>& a, const Image<float>& b, const PixelScal
   found.height = a.height;
   found.channels = a.channels;
   const auto channels = static_cast<std::size_t>(a.channels);
-  const double limit = limits.max_abs.value_or(0);
   const Image<double> differences = pixel_differences(a, b, scale);
-  Image<std::uint8_t> over(a.width, a.height, 1);
+  const Image<std::uint8_t> over = pixels_over(a, b, differences, scale, limits);
   Sums sums(a.channels);
 
   for (int y = 0; y < a.height; ++y) {
@@ -134,8 +145,6 @@ Comparison compare(const Image<float>& a, const Image<float>& b, const PixelScal
       found.incomparable_pixels += largest == none;
       found.equal_pixels += equal;
       found.zero_sign_pixels += !equal && largest == 0;
-      const double rounding = limit > 0 ? storage_rounding(pixel_a, pixel_b, a.channels, scale) : 0;
-      *over.at(x, y) = largest > limit + rounding;
       found.pixels_over += *over.at(x, y);
     }
   }

@@ -4,10 +4,12 @@
 #include <refraster/compare.h>
 #include <refraster/notes.h>
 
+#include "verify/compare/cluster_objects.h"
 #include "verify/transformations/block_compression.h"
 #include "verify/transformations/transformations.h"
 
 #include <string>
+#include <vector>
 
 namespace refraster {
 
@@ -20,7 +22,16 @@ struct ComparisonReport {
   std::optional<FoundTransformation> transformation = {}; // where the images differ
   Compressed compressed = Compressed::none;               // where they differ, and no transformation says why
   NoteList notes = {};                                    // of the files
+  std::string scene = {};                                 // its file, where one says what the images show
+  std::vector<ObjectCounts> objects = {};                 // with a scene: of each of found.clusters
 };
+
+/// The first line of comparison_text(): "differ by more than max-abs 2 levels".
+std::string comparison_verdict(const ComparisonReport& report);
+
+/// What kind of difference it is, where that is known, a sentence without a full stop each: "b is a turned upside down:
+/// then equal within 1 level".
+std::vector<std::string> comparison_causes(const ComparisonReport& report);
 
 /// A few aligned lines; the first one is the verdict. Numbers are rounded for reading.
 std::string comparison_text(const ComparisonReport& report);

@@ -1,5 +1,5 @@
 #pragma once
-// The inverse of the sRGB curve, for values of image files.
+// The sRGB curve and its inverse, for values of image files.
 
 #include <cmath>
 
@@ -9,6 +9,11 @@ namespace refraster {
 /// library: unlike raster/explain, nothing here may have to be the same on every machine to the last bit.
 inline double linear_from_srgb(double s) {
   return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
+}
+
+/// The curve itself, of a linear value: likewise.
+inline double srgb_from_linear(double x) {
+  return x <= 0.0031308 ? x * 12.92 : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
 }
 
 } // namespace refraster

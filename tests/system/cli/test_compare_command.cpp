@@ -79,6 +79,46 @@ TEST_CASE("JSON goes to a file beside the text, or alone to standard output") {
   CHECK(json.find("\"max\": 7.0") != std::string::npos);
 }
 
+TEST_CASE("--html writes a page of its own; the report and the exit code are as without it") {
+  const PairFolder folder;
+  const Finished plain = folder.compare({"a.png", "b.png"}),
+                 run = folder.compare({"a.png", "b.png", "--html", "p.html"});
+  CHECK(run.exit_code == 1);
+  CHECK(run.out == plain.out);
+  CHECK(text_of(folder / "p.html").starts_with("<!doctype html>"));
+  CHECK(folder.compare({"a.png", "a.png", "--html", "p.html"}).exit_code == 0);
+  CHECK(folder.compare({"a.png", "b.png", "--html", "a.png"}).exit_code == 2);
+  CHECK(folder.compare({"a.png", "b.png", "--html", "no/p.html"}).exit_code == 4);
+  CHECK(text_of(folder / "a.png").starts_with("\x89PNG"));
+}
+
+TEST_CASE("--scene names clusters by the objects that its camera sees there") {
+  const TemporaryFolder folder;
+  save_text(folder / "s.json", R"({"scene": {
+    "camera": {"position": "0 0 3", "target": "0 0 0", "fov_y": 90}, "point_lights": [], "direction_lights": [],
+    "objects": [{"name": "left", "mesh": {"cube": {}}, "fragment_function": "phong",
+                 "position": "-2 0 0", "rotate_x": 0, "rotate_y": 0, "rotate_z": 0, "scale": "1 1 1",
+                 "material": {"ka": "1 1 1", "kd": "0 0 0", "ks": "0 0 0", "glossiness": 1}}]}})");
+  Image<std::uint8_t> image(60, 40, 3);
+  for (const int x : {14, 15, 50, 51}) std::fill_n(image.at(x, 20), 3, std::uint8_t{255}); // on the cube, and beside it
+  Image<std::uint8_t> black(60, 40, 3);
+  write_image(folder / "b.png", image);
+  write_image(folder / "c.png", black);
+  const Finished run = run_program(folder.path, {"compare", "c.png", "b.png", "--scene", "s.json", "--json", "r.json"});
+  CHECK(run.exit_code == 1);
+  CHECK(run.out.find("x 14 to 15, y 20 to 20; worst at (14, 20): 255\n                 of left\n") !=
+        std::string::npos);
+  CHECK(run.out.find("x 50 to 51, y 20 to 20; worst at (50, 20): 255\n                 of background\n") !=
+        std::string::npos);
+  const std::string json = text_of(folder / "r.json");
+  CHECK(json.find("\"scene\": \"s.json\"") != std::string::npos);
+  CHECK(json.find("\"name\": \"left\"") != std::string::npos);
+  CHECK(run_program(folder.path, {"compare", "c.png", "b.png", "--scene", "none.json"}).exit_code == 3);
+  const std::string without = run_program(folder.path, {"compare", "c.png", "b.png", "--json", "-"}).out;
+  CHECK(without.find("\"objects\": null") != std::string::npos);
+  CHECK(without.find("\"scene\": null") != std::string::npos);
+}
+
 TEST_CASE("an 8-bit image equals its own float image") {
   const PairFolder folder;
   Image<float> image(4, 3, 3, 100.0F / 255.0F);

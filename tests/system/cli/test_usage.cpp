@@ -215,7 +215,7 @@ TEST_CASE("what is wrong is named, with what was meant and what there is") {
     return err.substr(0, err.find('\n'));
   };
   CHECK(said_of({"rendr"}) ==
-        "refraster: found \"rendr\", expected one of render, compare, gl, bench, mesh, merl, list; "
+        "refraster: found \"rendr\", expected one of render, verify, explain, compare, gl, bench, mesh, merl, list; "
         "did you mean render?");
   CHECK(said_of({"merl", "sinth"}) ==
         "refraster: merl: found \"sinth\", expected one of info, synth; did you mean synth?");
@@ -230,7 +230,7 @@ TEST_CASE("what is wrong is named, with what was meant and what there is") {
   CHECK(unknown.ends_with("; did you mean --samples?"));
   CHECK(said_of({"render", "ball.json", "-quiet"}).find("found \"-quiet\"") != std::string::npos);
   CHECK(said_of({"--quiet", "render", "ball.json"}) == "refraster: found \"--quiet\", expected a command before it, "
-                                                       "one of render, compare, gl, bench, mesh, merl, list");
+                                                       "one of render, verify, explain, compare, gl, bench, mesh, merl, list");
   CHECK(said_of({"render", "ball.json", "--precision", "flaot"}) ==
         "refraster: --precision: found \"flaot\", expected one of double, float, fast, exact; did you mean float?");
   CHECK(said_of({"render", "ball.json", "--aov", "depth,norml"}) ==

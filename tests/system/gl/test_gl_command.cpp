@@ -1,5 +1,7 @@
 // refraster gl, as a user runs it; and compare, which must find what is wrong with a shader.
 
+#include <refraster/files.h>
+
 #include "io/file/limits.h"
 #include "tests/support/files/malformed_inputs.h"
 #include "tests/support/program/program.h"
@@ -52,7 +54,7 @@ std::string scene_with(const std::string& material) {
 const std::string plastic =
     R"("material": {"ka": "0.05 0.05 0.05", "kd": "0.6 0.3 0.2", "ks": "0.5 0.5 0.5", "glossiness": 40})";
 const std::string lecture_shaders = std::string(REFRASTER_SOURCE_DIR) + "/scenes/lecture/shader/";
-/// Scenes of the same ball whose GLSL has one fault each; docs/verification.md shows what compare says of them.
+/// Scenes of the same ball whose GLSL has one fault each; docs/lab-case.md is about them.
 const std::string wrong_shaders = std::string(REFRASTER_SOURCE_DIR) + "/tests/system/gl/wrong_shaders/";
 
 /// What `compare` says of our image of the scene and OpenGL's: allowed is what the filters of 8-bit images and edges of
@@ -162,6 +164,29 @@ TEST_CASE("compare finds a measured BRDF that is cut off at phi_d = 0 instead of
   CHECK_MESSAGE(none.exit_code == 0, none.out);
 }
 
+TEST_CASE("compare finds a light's sign, an attenuation left out and a texture turned over, each the only fault") {
+  struct Fault {
+    std::string name, right, wrong;
+  };
+  const std::vector<Fault> faults = {
+      {"light_sign", "normalize(-light.direction)", "normalize(light.direction)"},
+      {"attenuation", "1.0 / (light.constant + light.linear * d + light.quadratic * d * d)", "1.0"},
+      {"texture", "texture(tex, fs_in.TexCoord)", "texture(tex, vec2(fs_in.TexCoord.x, 1.0 - fs_in.TexCoord.y))"}};
+  const std::string root = "../../../../", lecture = text_of(lecture_shaders + "phong_fs.glsl");
+  for (const Fault& fault : faults) {
+    CAPTURE(fault.name);
+    REQUIRE(replaced(lecture, fault.right, fault.wrong) == text_of(wrong_shaders + fault.name + "_fs.glsl"));
+    const TemporaryFolder folder;
+    const Finished found = compared_file(folder, wrong_shaders + fault.name + ".json");
+    CHECK_MESSAGE(found.exit_code == 1, found.out);
+    std::string scene = replaced(text_of(wrong_shaders + fault.name + ".json"), fault.name + "_fs.glsl",
+                                 lecture_shaders + "phong_fs.glsl");
+    if (holds(scene, root)) scene = replaced(scene, root, std::string(REFRASTER_SOURCE_DIR) + "/");
+    const Finished none = compared(folder, scene);
+    CHECK_MESSAGE(none.exit_code == 0, none.out);
+  }
+}
+
 TEST_CASE("compare finds no fault in face normals by derivatives, and one where dFdy has the wrong sign") {
   const TemporaryFolder folder;
   const std::string lecture = text_of(lecture_shaders + "phong_fs.glsl");
@@ -220,6 +245,7 @@ TEST_CASE("file names must end in a format that holds what is asked for") {
   CHECK(run_program(folder.path, {"gl", "scene.json", "-o", "gl.exr"}).exit_code == 2);
   CHECK(run_program(folder.path, {"gl", "scene.json", "--float", "gl.png"}).exit_code == 2);
   CHECK(run_program(folder.path, {"gl", "scene.json", "--depth", "gl.hdr"}).exit_code == 2);
+  CHECK(run_program(folder.path, {"gl", "scene.json", "--ids", "gl.hdr"}).exit_code == 2); // which rounds to 8 bits
   CHECK(run_program(folder.path, {"gl", "scene.json", "-o", "nowhere/gl.png"}).exit_code == 4);
 }
 
@@ -331,4 +357,54 @@ TEST_CASE("depth is that of render") {
   const Finished found = run_program(folder.path, {"compare", "ours.depth.exr", "gl.pfm", "--unit", "values",
                                                    "--max-abs", "1e-4", "--max-count", "3"});
   CHECK_MESSAGE(found.exit_code == 0, found.out);
+}
+
+TEST_CASE("one run gives the 8-bit and the float image, depth and ids, which are those of render's AOVs") {
+  const TemporaryFolder folder;
+  save_text(folder / "scene.json", scene_with(R"("fragment_function": "phong", )" + plastic));
+  const Finished run =
+      run_program(folder.path, {"gl", "scene.json", "-o", "gl.png", "--float", "gl.exr", "--depth", "depth.pfm",
+                                "--ids", "ids.exr", "--size", "160x120", "--renderer", "llvmpipe"});
+  REQUIRE_MESSAGE(run.exit_code == 0, run.err);
+  CHECK(run.out == "gl.png\ngl.exr\ndepth.pfm\nids.exr\n");
+  CHECK_FALSE(holds(run.err, "warning"));
+  REQUIRE(
+      run_program(folder.path, {"gl", "scene.json", "--ids", "ids.pfm", "--size", "160x120", "--renderer", "llvmpipe"})
+          .out == "ids.pfm\n");
+  REQUIRE(run_program(folder.path,
+                      {"render", "scene.json", "-o", "ours.exr", "--aov", "object,triangle", "--size", "160x120"})
+              .exit_code == 0);
+  const ImageFile ids = read_image(folder / "ids.exr"), padded = read_image(folder / "ids.pfm");
+  CHECK(ids.channels == std::vector<std::string>{"object", "triangle"});
+  const Image<float> objects = read_image(folder / "ours.object.exr").values,
+                     triangles = read_image(folder / "ours.triangle.exr").values,
+                     depth = read_image(folder / "depth.pfm").values;
+  int differ = 0, drawn = 0;
+  for (int y = 0; y < 120; ++y)
+    for (int x = 0; x < 160; ++x) {
+      const float* const here = ids.values.at(x, y);
+      differ += here[0] != *objects.at(x, y) || here[1] != *triangles.at(x, y);
+      drawn += here[0] != 0;
+      REQUIRE((here[0] != 0) == (*depth.at(x, y) < 1));
+      for (int c = 0; c < 3; ++c) REQUIRE(padded.values.at(x, y)[c] == (c < 2 ? here[c] : 0));
+    }
+  CHECK(drawn > 1000);
+  CHECK(differ <= drawn / 100); // edges within a lattice step
+}
+
+TEST_CASE("with --samples the report says where they lie, and a number that the driver does not have is told") {
+  const TemporaryFolder folder;
+  save_text(folder / "scene.json", scene_with(R"("fragment_function": "phong", )" + plastic));
+  const auto drawn = [&](const std::string& samples) {
+    return run_program(folder.path, {"gl", "scene.json", "-o", "gl.png", "--json", "-", "--size", "64x48", "--renderer",
+                                     "llvmpipe", "--samples", samples});
+  };
+  const Finished four = drawn("4");
+  CHECK(four.exit_code == 0);
+  CHECK_MESSAGE(holds(four.out, "\"samples\": 4,\n"), four.out);
+  CHECK_MESSAGE(holds(four.out, "\"sample_positions\": ["), four.out);
+  const Finished eight = drawn("8");
+  CHECK(eight.exit_code == 5);
+  CHECK_MESSAGE(holds(eight.err, "does not draw 8 samples a pixel, but 1 or 4"), eight.err);
+  CHECK(drawn("3").exit_code == 2);
 }

@@ -3,7 +3,7 @@
 #include <refraster/mesh.h>
 #include <refraster/render.h>
 
-#include "tests/support/gl/ideal_shader.h"
+#include "tests/support/gl/device_images.h"
 #include "tests/system/gl/window_scenes.h"
 
 #include <doctest/doctest.h>

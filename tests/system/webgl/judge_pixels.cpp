@@ -1,12 +1,13 @@
-// Compares another renderer's pixels of a scene with ours:
+// Judges another renderer's pixels of a scene:
 //     judge_pixels SCENE WIDTHxHEIGHT RADIANCE IDS SUBPIXEL_BITS DRIVER
 // RADIANCE and IDS are files of float32 RGBA, row 0 at the top; ids are object and triangle, counted from 1. Exit 1
-// where another surface is shown for no reason, or a colour is over its bound.
+// where a pixel is unexplained.
 
 #include <refraster/files.h>
 
 #include "io/file/input_file.h"
-#include "tests/support/gl/side_by_side.h"
+#include "verify/device/read_profile.h"
+#include "verify/verdict/verdict.h"
 
 #include <cmath>
 #include <cstdio>
@@ -38,20 +39,29 @@ int main(int argc, char** argv) try {
     std::fprintf(stderr, "usage: judge_pixels SCENE WIDTHxHEIGHT RADIANCE IDS SUBPIXEL_BITS DRIVER\n");
     return 2;
   }
-  const SideBySide found =
-      side_by_side(read_scene(argv[1]),
-                   {argv[6], read_pixels(argv[3], width, height, 3), read_pixels(argv[4], width, height, 2), {}},
-                   swiftshader_tolerances(std::ldexp(1.0, -std::atoi(argv[5]))));
-  const auto n = [](std::uint64_t count) { return static_cast<unsigned long long>(count); };
-  std::printf(
-      "%llu pixels equal, %llu off by one level, %llu by more; %llu on edges, %llu equally far, %llu other surfaces; "
-      "%llu over the bound, largest fraction of it %.3g; worst pixel (%d, %d) %s: %.3g levels, %s\n",
-      n(found.equal), n(found.off_by_one), n(found.off_by_more), n(found.edge_pixels), n(found.depth_pixels),
-      n(found.coverage_pixels), n(found.over_bound), found.worst_fraction_of_bound, found.worst.x, found.worst.y,
-      found.worst.object.c_str(), found.worst.difference, found.worst.cause.c_str());
-  for (const WorstPixel& p : found.unexplained)
-    std::printf("  (%d, %d) %s, %s: %.3g levels\n", p.x, p.y, p.object.c_str(), p.cause.c_str(), p.difference);
-  return found.coverage_pixels + found.over_bound > 0 ? 1 : 0;
+  DeviceImage image;
+  image.colour = read_pixels(argv[3], width, height, 3);
+  image.ids = read_pixels(argv[4], width, height, 2);
+  image.full_scale = 1, image.precision = StoredPrecision::floats(0x1p-24);
+  DeviceProfile profile = device_profile("swiftshader");
+  profile.raster.lattice = std::ldexp(1.0, -std::atoi(argv[5]));
+  const Scene scene = read_scene(argv[1]);
+  const Verdict verdict = judge(scene, image, profile, {});
+  for (const auto& [value, name] : EnumNames<PixelClass>::names)
+    if (verdict.count(value) > 0)
+      std::printf("%s %llu; ", std::string(name).c_str(), static_cast<unsigned long long>(verdict.count(value)));
+  std::printf("bounds of %.3g levels in the median\n", verdict.power.median);
+  int said = 0;
+  for (const JudgedDetail& pixel : verdict.details) {
+    if (pixel.found != PixelClass::unexplained || said++ == 10) continue;
+    std::printf("  (%d, %d) object %u, by its %s:", pixel.x, pixel.y, pixel.object,
+                std::string(name_of(pixel.objection)).c_str());
+    for (int c = 0; c < 3; ++c)
+      std::printf(" %.6g, here %.6g, allowed %.6g to %.6g;", pixel.actual[c], pixel.reference[c], pixel.allowed.lo[c],
+                  pixel.allowed.hi[c]);
+    std::printf("\n");
+  }
+  return verdict.is_explained() ? 0 : 1;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "%s\n", error.what());
   return 2;

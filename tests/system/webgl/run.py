@@ -70,7 +70,7 @@ def browser():
 def main():
     chromium = browser()
     if not chromium:
-        print("SKIPPED, not tested: no Chromium (Debian: apt-get install chromium)")
+        print("SKIPPED, not tested: no Chromium (Debian: scripts/setup browser)")
         return 77
     tools = pathlib.Path(sys.argv[1]).resolve()
     good = True

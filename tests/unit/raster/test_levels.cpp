@@ -36,7 +36,7 @@ constexpr long double undecided = 0x1p-14L;
 /// For values whose scaled ones do not lie so close to a half that the precision's rounding decides.
 template <class Curve>
 void check_levels(Transfer transfer, const Curve& curve) {
-  for (const Precision precision : {Precision::double_, Precision::float_}) {
+  for (const Precision precision : {Precision::double_, Precision::float_, Precision::exact}) {
     CAPTURE(precision);
     CHECK(level_of(0, transfer, precision) == 0);
     CHECK(level_of(1, transfer, precision) == 255);

@@ -1,0 +1,154 @@
+// refraster explain SCENE X Y
+
+#include <refraster/files.h>
+#include <refraster/notes.h>
+
+#include "app/arguments.h"
+#include "app/command.h"
+#include "app/diagnostics.h"
+#include "app/memory_limit.h"
+#include "app/options/shared_options.h"
+#include "app/output.h"
+#include "app/progress_line.h"
+#include "app/usage_error.h"
+#include "verify/explain/explain_pixel.h"
+#include "verify/explain/story_json.h"
+#include "verify/explain/story_text.h"
+#include "verify/images/colour_image.h"
+
+#include <iostream>
+#include <memory>
+#include <optional>
+
+namespace refraster {
+namespace {
+
+struct ExplainArguments {
+  std::string scene, actual, layer, json;
+  int x = 0, y = 0;
+  std::optional<Size> size; // by default the actual image's
+  int samples = 1, lights = 3;
+  Transfer transfer = Transfer::linear;
+  SceneOptions reading;
+  std::uint64_t max_memory = 0;
+  Diagnostics diagnostics;
+};
+
+/// The image of --actual; what of it is left out is said in `notes`. Throws InputError.
+ColourImage read_actual(const ExplainArguments& arguments, NoteList& notes) {
+  ColourImage image = read_colour_image(arguments.actual, arguments.layer, arguments.reading.memory, notes);
+  if (!arguments.layer.empty() && !image.has_layer)
+    throw InputError(InputFault{arguments.actual, 0, 0, "", "no layer \"" + arguments.layer + "\" with R, G and B",
+                                "--layer to name one of this file"});
+  if (image.kind == ColourChannels::Kind::data)
+    throw InputError(InputFault{arguments.actual, 0, 0, "",
+                                std::to_string(image.colour.channels) + " channels that are no colour",
+                                "red, green and blue, or grey"});
+  if (!image.alpha.empty()) notes.add({arguments.actual, 0, "", "the alpha channel is left out"});
+  return image;
+}
+
+/// Throws UsageError for a pixel that the image does not have.
+void check_pixel(const ExplainArguments& arguments, const Size& size) {
+  const auto check = [](const char* name, int found, int count, const char* what) {
+    if (found >= count)
+      throw UsageError(name, std::to_string(found),
+                       "0 to " + std::to_string(count - 1) + ", in an image " + std::to_string(count) + " pixels " +
+                           what);
+  };
+  check("X", arguments.x, size.width, "wide");
+  check("Y", arguments.y, size.height, "high");
+}
+
+ActualPixel actual_pixel(const ColourImage& image, int x, int y) {
+  const float* const at = image.colour.at(x, y);
+  const bool grey = image.colour.channels < 3;
+  const auto channel = [&](int c) { return static_cast<double>(at[grey ? 0 : c]); };
+  return {image.path, {channel(0), channel(1), channel(2)}, image.full_scale, image.precision};
+}
+
+ExitCode run(const ExplainArguments& arguments) {
+  check_different({arguments.json}, {arguments.scene, arguments.actual});
+  if (!arguments.json.empty()) check_writable(arguments.json);
+  prepare_cache(arguments.reading.mesh_cache);
+  NoteList notes;
+  std::optional<ColourImage> actual;
+  if (!arguments.actual.empty()) actual = read_actual(arguments, notes);
+  const Size size = arguments.size.value_or(actual ? Size{actual->colour.width, actual->colour.height} : Size{});
+  if (actual && size != Size{actual->colour.width, actual->colour.height})
+    throw UsageError("--size", std::to_string(size.width) + "x" + std::to_string(size.height),
+                     "the size of " + arguments.actual + ", " + std::to_string(actual->colour.width) + "x" +
+                         std::to_string(actual->colour.height));
+  check_pixel(arguments, size);
+
+  auto line = progress_line(arguments.diagnostics, "reading " + arguments.scene);
+  SceneOptions reading = arguments.reading;
+  reading.notes = &notes;
+  const Scene scene = read_scene(arguments.scene, reading);
+  line.reset(); // before anything is printed
+  print_file_notes(notes, arguments.diagnostics);
+  const ExplainRequest request{arguments.x,
+                               arguments.y,
+                               size.width,
+                               size.height,
+                               arguments.samples,
+                               arguments.transfer,
+                               arguments.reading.memory};
+  PixelStory story = explain_pixel(
+      scene, request, actual ? std::optional(actual_pixel(*actual, arguments.x, arguments.y)) : std::nullopt);
+  story.scene = arguments.scene;
+  if (!arguments.json.empty()) write_text(arguments.json, story_json(story));
+  if (arguments.json != standard_output) // which then holds the JSON and nothing else
+    std::cout << story_text(story, {.lights = static_cast<std::size_t>(arguments.lights)});
+  return ExitCode::ok;
+}
+
+} // namespace
+
+Command explain_command() {
+  const auto arguments = std::make_shared<ExplainArguments>();
+  ExplainArguments& a = *arguments;
+  const auto set_size = [&a](const std::string& text) -> std::optional<ValueFault> {
+    a.size = size_from(text);
+    if (!a.size) return ValueFault{"WIDTHxHEIGHT, each 1 to " + std::to_string(largest_side)};
+    return std::nullopt;
+  };
+  const Range places{0, double(largest_side - 1)};
+  return {.name = "explain",
+          .meaning = "Tell how a pixel comes about, from its triangles to its terms",
+          .groups = {{"Scene",
+                      {scene_argument(a.scene), outside_option(a.reading.outside), cache_option(a.reading.mesh_cache)}},
+                     {"Pixel",
+                      {number_option("X", a.x, places, "column, from the left").required().by_default(""),
+                       number_option("Y", a.y, places, "row, from the top").required().by_default(""),
+                       value_option("--size", "WxH", "pixels of the image; by default those of --actual, or 1280x720",
+                                    set_size),
+                       number_choice_option("--samples", a.samples, {1, 2, 4, 8, 16},
+                                            "samples a pixel, at the standard positions"),
+                       flag(
+                           "--srgb", [&a] { a.transfer = Transfer::srgb; },
+                           "levels are those of the sRGB curve: shown too, and those of --actual")}},
+                     {"Another value",
+                      {file_option("--actual", "FILE", a.actual,
+                                   "image of another renderer (" + readable_formats() +
+                                       "): which term would have to be what for its pixel to be right"),
+                       text_option("--layer", "NAME", a.layer, "of .exr files: the layer whose R, G and B it has")}},
+                     {"Report",
+                      {number_option("--lights", a.lights, Range{0, 1000000},
+                                     "lights described in full: those that give most; all are in the sum"),
+                       file_option("--json", "FILE", a.json, "write the numbers as JSON; - is standard output"),
+                       memory_option(a.max_memory), strict_option(a.diagnostics), quiet_option(a.diagnostics)}}},
+          .notes = {"All numbers are made by the formulas that make the image, and add up to the pixel bit for bit. "
+                    "docs/explain.md reads an example."},
+          .finish = [arguments]() -> Action {
+            if (!arguments->layer.empty() && arguments->actual.empty())
+              throw UsageError("--layer", "found no --actual, whose layer it names");
+            if (arguments->size) check_pixel(*arguments, *arguments->size);
+            return [arguments] {
+              arguments->reading.memory = set_memory_limit(arguments->max_memory, 1);
+              return run(*arguments);
+            };
+          }};
+}
+
+} // namespace refraster

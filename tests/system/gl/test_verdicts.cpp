@@ -1,0 +1,173 @@
+// Every scene of the gallery through Mesa's drivers.
+
+#include <refraster/files.h>
+#include <refraster/mesh.h>
+
+#include "tests/support/gl/device_images.h"
+#include "tests/support/scenes/half_textured.h"
+#include "tests/support/scenes/listed_scenes.h"
+#include "tests/system/gl/small_scenes.h"
+#include "verify/device/enter_environment.h"
+#include "verify/device/read_profile.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+
+using namespace refraster;
+
+namespace {
+
+/// As the profile's driver is told to draw. Mesa reads that once a process.
+DeviceProfile entered(const std::string& name) {
+  DeviceProfile profile = device_profile(name);
+  enter_environment(profile);
+  return profile;
+}
+
+void say_unexplained(const std::string& name, const Verdict& verdict) {
+  int said = 0;
+  for (const JudgedDetail& pixel : verdict.details) {
+    if (pixel.found != PixelClass::unexplained || said++ == 10) continue;
+    std::ostringstream text;
+    text << name << " (" << pixel.x << ", " << pixel.y << ") by its " << name_of(pixel.objection);
+    for (int c = 0; c < 3; ++c)
+      text << "; " << pixel.reference[c] << " here, " << pixel.actual[c] << " there, allowed " << pixel.allowed.lo[c]
+           << " to " << pixel.allowed.hi[c];
+    MESSAGE(text.str());
+  }
+}
+
+GlFrame drawn(const Scene& scene, int width, int height, const DeviceProfile& profile) {
+  GlOptions options;
+  options.width = width, options.height = height;
+  options.renderer = profile.renderer;
+  options.want_radiance = options.want_ids = options.want_depth = true;
+  return render_gl(scene, options);
+}
+
+/// 0 unexplained pixels in 8 bits and in floats, with ids and depth. Gives the share that is not exact in floats.
+double check_scene(const std::string& name, const Scene& scene, int width, int height, const DeviceProfile& profile) {
+  const GlFrame frame = drawn(scene, width, height, profile);
+  INFO(name << " through " << frame.driver.renderer << ", " << width << " x " << height);
+  double inexact = 0;
+  for (const DeviceImage& image : {in_8_bits(frame), in_float(frame)}) {
+    const Verdict verdict = judge(scene, image, profile, {});
+    say_unexplained(name, verdict);
+    CHECK(verdict.is_explained());
+    for (const ObjectBias& bias : verdict.biases) CHECK(!bias.is_biased());
+    inexact = 1 - static_cast<double>(verdict.count(PixelClass::exact)) / (width * height);
+  }
+  return inexact;
+}
+double check_scene(const std::string& path, int width, int height, const DeviceProfile& profile) {
+  return check_scene(std::filesystem::path(path).stem(), listed_scene(path), width, height, profile);
+}
+
+void check_gallery(const std::string& profile_name, int width, int height) {
+  const DeviceProfile profile = entered(profile_name);
+  double most = 0;
+  for (const std::string& path : listed_scenes()) most = std::max(most, check_scene(path, width, height, profile));
+  CHECK(most > 0.3); // else nothing was judged
+}
+
+} // namespace
+
+TEST_CASE("a scene through llvmpipe shows the same surfaces, in colours that are explained") {
+  for (const std::string& path : quick_scenes()) check_scene(path, 112, 63, entered("llvmpipe"));
+}
+
+TEST_CASE("images of one row, of one column and of odd sides show the same surfaces, in colours that are explained") {
+  for (const std::string& path : quick_scenes())
+    for (const auto& [width, height] : {std::pair(64, 1), std::pair(1, 63), std::pair(31, 33), std::pair(1, 1)})
+      check_scene(path, width, height, entered("llvmpipe"));
+}
+
+TEST_CASE("what may be wrong grows with the distance from the lower left corner, where OpenGL's window begins") {
+  // The same triangle in all four corners of the window, mirrored there: nothing but the distance differs.
+  constexpr int side = 255;
+  Phong dull;
+  dull.ks = Double3(0);
+  Scene scene = ball(dull);
+  scene.point_lights.clear();
+  scene.direction_lights = {{{0, 0, -1}, Double3(1)}};
+  scene.camera.position = {0, 0, 1}; // and looks at the origin, with 90 degrees
+  scene.camera.fov_y_degrees = 90;
+  Object& object = scene.objects[0];
+  Mesh triangle;
+  triangle.positions = {{-1, -1, 0}, {-0.9375f, -1, 0.0625f}, {-1, -0.9375f, 0.0625f}};
+  triangle.normals = {{0, 0, 1}, {0.6f, 0, 0.8f}, {0, 0.6f, 0.8f}};
+  triangle.triangles = {{0, 1, 2}};
+  object.mesh = std::make_shared<const Mesh>(triangle);
+  object.rotate_degrees = Double3(0);
+  const DeviceProfile profile = device_profile("llvmpipe");
+  struct Errors {
+    double normal, depth, colour;
+  };
+  const auto errors = [&](double mirror_x, double mirror_y) -> Errors {
+    object.scale = {mirror_x, mirror_y, 1};
+    RenderOptions options;
+    options.width = options.height = side;
+    const DeviceFrame frame(scene, options, profile, ShaderMatrices::one);
+    const DeviceTriangle at(frame, 0);
+    const int x = mirror_x > 0 ? 2 : side - 3, y = mirror_y > 0 ? side - 3 : 2;
+    const ValueRange depth = at.depth(x + 0.5, y + 0.5);
+    return {at.attribute_error(normal_row, x + 0.5, y + 0.5), depth.hi - depth.lo,
+            PixelBounder(frame).bounds(at, x, y).colour.width()};
+  };
+  const auto check = [](const Errors& far, const Errors& near) {
+    CHECK(far.normal > near.normal);
+    CHECK(far.depth > near.depth);
+    CHECK(far.colour > near.colour);
+  };
+  const Errors lower_left = errors(1, 1), lower_right = errors(-1, 1), upper_left = errors(1, -1),
+               upper_right = errors(-1, -1);
+  check(lower_right, lower_left);
+  check(upper_left, lower_left);
+  check(upper_right, lower_right);
+  check(upper_right, upper_left);
+}
+
+TEST_CASE("on triangles without texture coordinates llvmpipe shows no texture either") {
+  for (const TextureFilter filter : {TextureFilter::nearest, TextureFilter::bilinear, TextureFilter::trilinear})
+    check_scene("half_textured", half_textured(filter), 160, 90, entered("llvmpipe"));
+}
+
+TEST_SUITE_BEGIN("slow");
+
+TEST_CASE("a ground seen edge on through llvmpipe without its shortcuts has levels of detail that are explained") {
+  // Toward the horizon a row's step in the texture is up to twice that of the row below: it tells which two rows make
+  // a block. In a window of odd height the lowest row begins a block, and the highest has one of its own.
+  Texture stripes;
+  stripes.levels.push_back({1, 64, {}});
+  for (int i = 0; i < 64; ++i)
+    for (int c = 0; c < 3; ++c) stripes.levels[0].rgb.push_back(i % 7 < 3 ? 255.0f : 10.0f);
+  build_mip_levels(stripes);
+  Scene scene = ball(Phong{});
+  Object& ground = scene.objects[0];
+  ground.mesh = std::make_shared<const Mesh>(plane_mesh(1));
+  ground.position = {0, -1, 0};
+  ground.scale = {20, 1, 20};
+  ground.rotate_degrees = Double3(0);
+  ground.material.texture = std::make_shared<const Texture>(stripes);
+  ground.material.texture_filter = TextureFilter::trilinear;
+  for (const auto& [width, height] : {std::pair(32, 32), std::pair(32, 33), std::pair(33, 35)}) {
+    check_scene("stripes", scene, width, height, entered("llvmpipe-precise"));
+  }
+}
+
+TEST_CASE("every scene through llvmpipe as it is shipped shows the same surfaces, in colours that are explained") {
+  check_gallery("llvmpipe", 320, 180);
+}
+
+TEST_CASE("every scene through llvmpipe without its shortcuts shows the same surfaces, in colours that are explained") {
+  check_gallery("llvmpipe-precise", 320, 180);
+}
+
+TEST_CASE("every scene through softpipe shows the same surfaces, in colours that are explained") {
+  check_gallery("softpipe", 128, 72);
+}
+
+TEST_SUITE_END();

@@ -1,0 +1,206 @@
+// The story of a pixel: its numbers are those of the frame.
+
+#include "math/vec.h"
+#include "shading/precision_bounds.h"
+#include "tests/support/random.h"
+#include "tests/support/scenes/half_textured.h"
+#include "tests/support/scenes/listed_scenes.h"
+#include "tests/support/scenes/random_scene.h"
+#include "verify/explain/explain_pixel.h"
+#include "verify/explain/story_json.h"
+#include "verify/explain/story_text.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace refraster {
+namespace {
+
+/// Whether a scene's numbers are such as people write: then double is as near to 60 digits as docs/precision.md says.
+enum class Numbers { ordinary, any };
+
+bool same_bits(const Double3& a, const Double3& b) {
+  return std::memcmp(&a, &b, sizeof a) == 0;
+}
+
+/// A sum of n products of numbers whose magnitudes add up to `size`, however it is ordered: n + 1 roundings.
+double rounding(double size, int n) {
+  return (n + 1) * 0x1p-53 * size;
+}
+
+/// The pixel by itself, as render() has it.
+struct Reference {
+  Double3 radiance;
+  FrameCounts counts;
+  std::vector<Image<float>> aovs;
+};
+Reference reference(const Scene& scene, const ExplainRequest& request, Precision precision) {
+  RenderOptions options;
+  options.width = request.width, options.height = request.height, options.samples = request.samples;
+  options.crop = PixelRect{request.x, request.y, 1, 1};
+  options.precision = precision;
+  options.want_rgb8 = false, options.want_radiance_double = true;
+  options.aovs = {Aov::object, Aov::triangle, Aov::depth, Aov::uv};
+  const Frame frame = render(scene, options);
+  const std::vector<double>& rgb = frame.radiance_double.values;
+  return {{rgb[0], rgb[1], rgb[2]}, frame.counts, frame.aovs};
+}
+
+void check_terms(const FragmentStory& f, Numbers numbers) {
+  Double3 sum = f.ambient, exact = f.exact.ambient;
+  UndefinedCounts of_lights;
+  REQUIRE(f.exact.reflected.size() == f.lights.size());
+  for (std::size_t i = 0; i < f.lights.size(); ++i) {
+    const LightStory& light = f.lights[i];
+    sum += light.reflected;
+    exact += f.exact.reflected[i];
+    of_lights += light.undefined;
+    if (light.diffuse) CHECK(same_bits((*light.diffuse + *light.specular) * light.arriving, light.reflected));
+    if (light.merl) {
+      const Double3 product = light.merl->lit ? light.merl->f * light.n_l * light.arriving : Double3(0);
+      CHECK(same_bits(product, light.reflected));
+    }
+    // A term is off by no more than a pixel may be.
+    for (int c = 0; c < 3 && numbers == Numbers::ordinary; ++c) {
+      const double term = f.exact.reflected[i][c];
+      CHECK(std::abs(light.reflected[c] - term) <= frame_error_units * 0x1p-53 * std::max(1.0, std::abs(term)));
+    }
+  }
+  if (!f.user_function && f.undefined[Undefined::not_finite] == 0) CHECK(same_bits(sum, f.radiance));
+  for (int c = 0; c < 3 && numbers == Numbers::ordinary; ++c) {
+    double size = f.exact.ambient[c];
+    for (const Double3& term : f.exact.reflected) size += term[c];
+    CHECK(std::abs(exact[c] - f.exact.radiance[c]) <= rounding(size, static_cast<int>(f.lights.size())));
+  }
+  for (std::size_t i = 0; i < of_lights.counts.size(); ++i) CHECK(of_lights.counts[i] <= f.undefined.counts[i]);
+}
+
+void check_texture(const FragmentStory& f) {
+  if (!f.texture) return;
+  Double3 sum(0);
+  double weights = 0;
+  for (const Texel& texel : f.texture->texels) sum += texel.value * texel.weight, weights += texel.weight;
+  CHECK(weights == doctest::Approx(1).epsilon(1e-12));
+  for (int c = 0; c < 3; ++c) CHECK(sum[c] == doctest::Approx(f.texture_colour[c]).epsilon(1e-12));
+}
+
+void check_tables(const FragmentStory& f) {
+  for (const LightStory& light : f.lights) {
+    if (!light.merl || light.merl->unmeasured) continue;
+    double weights = 0;
+    for (const MerlTap& tap : light.merl->taps) {
+      weights += tap.weight;
+      if (tap.unmeasured) CHECK(tap.weight == 0);
+    }
+    CHECK(weights == doctest::Approx(1).epsilon(1e-12));
+  }
+}
+
+/// What holds of every pixel.
+void check_story(const Scene& scene, const ExplainRequest& request, Numbers numbers = Numbers::ordinary) {
+  CAPTURE(request.x);
+  CAPTURE(request.y);
+  CAPTURE(request.samples);
+  const PixelStory story = explain_pixel(scene, request);
+  for (const Precision precision : {Precision::double_, Precision::exact}) {
+    const Reference frame = reference(scene, request, precision);
+    CHECK(same_bits(story.in(precision).radiance, frame.radiance));
+  }
+  const Reference frame = reference(scene, request, Precision::double_);
+  REQUIRE(story.fragments.size() == frame.counts.fragments);
+  UndefinedCounts undefined;
+  for (const FragmentStory& f : story.fragments) {
+    check_terms(f, numbers);
+    check_texture(f);
+    check_tables(f);
+    undefined += f.undefined;
+  }
+  CHECK(undefined.counts == frame.counts.undefined.counts);
+  for (const SampleStory& sample : story.sample_stories)
+    CHECK(std::is_sorted(sample.candidates.begin(), sample.candidates.end(),
+                         [](const Candidate& a, const Candidate& b) { return a.depth < b.depth; }));
+  if (request.samples > 1) return;
+  const std::vector<Candidate>& candidates = story.sample_stories.front().candidates;
+  const auto seen = std::find_if(candidates.begin(), candidates.end(),
+                                 [](const Candidate& c) { return c.fate == CandidateFate::seen; });
+  if (story.fragments.empty()) {
+    CHECK(seen == candidates.end());
+    for (const Candidate& c : candidates) CHECK(c.fate != CandidateFate::hidden);
+    CHECK(frame.counts.shaded == 0);
+    return;
+  }
+  REQUIRE(seen != candidates.end());
+  const FragmentStory& f = story.fragments.front();
+  CHECK(same_bits(f.radiance, frame.radiance));
+  CHECK(same_bits(f.exact.radiance, story.in(Precision::exact).radiance));
+  CHECK(static_cast<float>(seen->of.object + 1) == frame.aovs[0].values[0]);
+  CHECK(static_cast<float>(seen->of.triangle + 1) == frame.aovs[1].values[0]);
+  CHECK(static_cast<float>(seen->depth) == frame.aovs[2].values[0]); // the very bits that the depth test had
+  CHECK(seen->weights == f.weights);
+  for (auto c = candidates.begin(); c != seen; ++c)
+    CHECK((c->fate != CandidateFate::hidden || c->depth == seen->depth)); // what is nearer is not drawn
+}
+
+void check_some_pixels(const Scene& scene, int pixels) {
+  Random random(15);
+  for (int i = 0; i < pixels; ++i) {
+    const ExplainRequest request{random.below(320), random.below(180), 320, 180};
+    check_story(scene, request);
+  }
+}
+
+} // namespace
+
+TEST_CASE("the explained terms of the gallery's pixels add up to the frame's pixels, bit for bit") {
+  for (const std::string& path : quick_scenes()) {
+    CAPTURE(path);
+    check_some_pixels(listed_scene(path), 12);
+  }
+}
+
+TEST_CASE("the story of a random pixel of a random scene is that of the frame, with any number of samples") {
+  Random random(7);
+  for (int i = 0; i < 40; ++i) {
+    CAPTURE(i);
+    const Scene scene = test::random_scene(random);
+    const RenderOptions options = test::random_options(random);
+    const ExplainRequest request{random.below(options.width), random.below(options.height), options.width,
+                                 options.height, options.samples};
+    check_story(scene, request, Numbers::any);
+    const PixelStory story = explain_pixel(scene, request);
+    CHECK_FALSE(story_text(story).empty());
+    CHECK_FALSE(story_json(story).empty());
+  }
+}
+
+TEST_CASE("every filter's texels, with their weights, are the texture's colour") {
+  for (const TextureFilter filter : {TextureFilter::nearest, TextureFilter::bilinear, TextureFilter::trilinear}) {
+    const Scene scene = half_textured(filter);
+    int read = 0;
+    for (int x = 40; x < 120; x += 5) {
+      const ExplainRequest request{x, 50, 160, 100};
+      check_story(scene, request);
+      for (const FragmentStory& f : explain_pixel(scene, request).fragments)
+        if (f.texture) {
+          ++read;
+          const std::size_t texels = f.texture->texels.size();
+          CHECK((filter == TextureFilter::nearest ? texels == 1 : texels >= 2 && texels <= 8));
+        }
+    }
+    CHECK(read > 2);
+  }
+}
+
+TEST_SUITE("slow") {
+  TEST_CASE("the explained terms of pixels of the whole gallery add up to the frame's pixels, bit for bit") {
+    for (const std::string& path : listed_scenes()) {
+      CAPTURE(path);
+      check_some_pixels(listed_scene(path), 60);
+    }
+  }
+}
+
+} // namespace refraster

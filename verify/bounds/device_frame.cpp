@@ -1,0 +1,67 @@
+#include "verify/bounds/device_frame.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace refraster {
+namespace {
+
+Double3 magnitudes(const Float3& v) {
+  return {std::abs(static_cast<double>(v.x)), std::abs(static_cast<double>(v.y)), std::abs(static_cast<double>(v.z))};
+}
+Double4x4 magnitudes(const Double4x4& m) {
+  Double4x4 result;
+  for (int c = 0; c < 4; ++c)
+    for (int r = 0; r < 4; ++r) result[c][r] = std::abs(m[c][r]);
+  return result;
+}
+
+/// Roundings that a product of a matrix and a point goes through: of the matrix's own numbers, of the product, and of
+/// the three sums behind it. Of three matrices each, in whatever order they are multiplied.
+constexpr double roundings_of_one = 5, roundings_of_three = 15;
+/// Of a normal matrix that a shader makes itself, as the transpose of an inverse, by way of cofactors: those of the
+/// model's numbers, of two products, their difference, the determinant (five operations) and the division.
+constexpr double roundings_of_inverse = 10;
+
+} // namespace
+
+DeviceFrame::DeviceFrame(const Scene& scene, const RenderOptions& options, const DeviceProfile& profile,
+                         ShaderMatrices matrices)
+    : options_(options), profile_(profile), matrices_(matrices), context_{{scene, options_}, geometry_, bins_} {
+  transform(context_, geometry_);
+  FrameCounts counts;
+  bin_triangles(context_, geometry_, bins_, counts);
+  const double aspect = static_cast<double>(options.width) / options.height;
+  const Double4x4 camera = magnitudes(clip_from_view(scene.camera, aspect)) * magnitudes(view_from_world(scene.camera));
+  for (const ObjectTransform& object : geometry_.transforms) {
+    const Double4x4 product = matrices == ShaderMatrices::one ? magnitudes(object.clip_from_object)
+                                                              : camera * magnitudes(object.world_from_object);
+    Magnitudes& of_object = magnitudes_.emplace_back();
+    for (int r = 0; r < 4; ++r)
+      of_object.clip[static_cast<std::size_t>(r)] = {product[0][r], product[1][r], product[2][r], product[3][r]};
+  }
+}
+
+double DeviceFrame::clip_error(std::size_t object, int row, const Float3& position) const {
+  const Double4& m = magnitudes_[object].clip[static_cast<std::size_t>(row)];
+  const Double3 p = magnitudes(position);
+  const double roundings = matrices_ == ShaderMatrices::one ? roundings_of_one : roundings_of_three;
+  return roundings * profile_.operations.relative * (m.x * p.x + m.y * p.y + m.z * p.z + m.w);
+}
+
+double DeviceFrame::world_error(std::size_t object, int row, const Float3& position) const {
+  const Double4x4& m = geometry_.transforms[object].world_from_object;
+  const Double3 p = magnitudes(position);
+  return roundings_of_one * profile_.operations.relative *
+         (std::abs(m[0][row]) * p.x + std::abs(m[1][row]) * p.y + std::abs(m[2][row]) * p.z + std::abs(m[3][row]));
+}
+
+double DeviceFrame::normal_error(std::size_t object, int row, const Float3& normal) const {
+  const Double3x3& m = geometry_.transforms[object].world_from_normal;
+  const Double3 n = magnitudes(normal);
+  const double roundings = roundings_of_one + (matrices_ == ShaderMatrices::three ? roundings_of_inverse : 0);
+  return roundings * profile_.operations.relative *
+         (std::abs(m[0][row]) * n.x + std::abs(m[1][row]) * n.y + std::abs(m[2][row]) * n.z);
+}
+
+} // namespace refraster

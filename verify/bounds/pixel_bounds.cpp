@@ -1,0 +1,106 @@
+#include "verify/bounds/pixel_bounds.h"
+
+#include "raster/render_in.h"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+namespace refraster {
+namespace {
+
+using Bounds = Affine<DeviceArithmetic>;
+using EdgeValue = typename EdgeArithmetic<Bounds>::Value;
+
+/// The device's errors, less the causes that are left out. What is left out of its arithmetic still is done in double.
+OperationErrors errors_of(const DeviceProfile& profile, BoundCauses causes) {
+  OperationErrors errors = profile.operations;
+  if (!causes.has(BoundCause::arithmetic)) {
+    errors.relative = errors.quotient_relative = errors.root_relative = DoubleArithmetic::relative;
+    // Of these the profile's are in units of its own `relative`.
+    const double scale = profile.operations.relative / errors.relative;
+    errors.log2_units *= scale, errors.exp2_units *= scale, errors.exp2_units_by_exponent *= scale;
+    errors.atan2_units = 2;
+  }
+  if (!causes.has(BoundCause::powers))
+    errors.log2_units = errors.exp2_units = 1, errors.log2_absolute = errors.exp2_units_by_exponent = 0;
+  return errors;
+}
+
+TextureErrors texture_errors_of(const DeviceProfile& profile, BoundCauses causes) {
+  const TextureProfile& from = profile.texture;
+  TextureErrors errors;
+  if (causes.has(BoundCause::texture))
+    errors.place = from.place_error, errors.nearest = from.nearest_error, errors.filter = from.filter_error,
+    errors.mip = from.mip_error;
+  if (causes.has(BoundCause::level_of_detail))
+    errors.detail_below = from.detail_below, errors.detail_above = from.detail_above;
+  return errors;
+}
+
+} // namespace
+
+bool ColourBox::is_finite() const {
+  return std::isfinite(lo.x + lo.y + lo.z) && std::isfinite(hi.x + hi.y + hi.z);
+}
+
+double ColourBox::width() const {
+  const Double3 width = hi - lo;
+  return std::max({width.x, width.y, width.z});
+}
+
+struct PixelBounder::Scratch {
+  PacketBatch<Bounds> batch;
+};
+
+PixelBounder::PixelBounder(const DeviceFrame& frame) : frame_(frame), scratch_(std::make_unique<Scratch>()) {}
+PixelBounder::~PixelBounder() = default;
+
+PixelBounds PixelBounder::bounds(const DeviceTriangle& triangle, int x, int y, BoundCauses causes) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  PixelBounds unknown{{Double3(-infinite), Double3(infinite)}, false, false};
+  const FrameContext& context = frame_.context();
+  const Material& material = frame_.scene().objects[triangle.ref().object].material;
+  if (material.user_function) return unknown;
+  const std::array<WindowVertex, 3> window = window_corners(context.geometry, triangle.ref());
+  const bool projective = ((window[0].outcode | window[1].outcode | window[2].outcode) & outcode::unsnapped) != 0;
+  if (projective ? !context.bins.find_projective(triangle.number()) : !set_up_snapped(window)) return unknown;
+
+  const DeviceProfile& profile = frame_.profile();
+  DeviceArithmetic::use(errors_of(profile, causes), texture_errors_of(profile, causes));
+  const double centre_x = x + 0.5, centre_y = y + 0.5;
+  SampleData<Bounds> data(context, triangle.number());
+  // OpenGL's blocks begin at its row 0, the lowest: in an image of odd height at our odd rows.
+  data.set_place_in_block(x & 1, (frame_.height() - y) & 1);
+  if (causes.has(BoundCause::interpolation)) {
+    const int rows = data.may_have_texture_coordinates() && material.texture ? uv_row + 2 : uv_row;
+    for (int r = 0; r < rows; ++r) {
+      const double error =
+          triangle.attribute_error(r, centre_x, centre_y) * (r >= normal_row && r < uv_row ? data.normal_factor() : 1);
+      if (!std::isfinite(error)) return unknown;
+      data.add_error(r, error);
+    }
+  }
+  SampleShift shift = triangle.shift(centre_x, centre_y);
+  if (!causes.has(BoundCause::sample_shift)) shift.radius = Double2(0);
+  if (!std::isfinite(shift.radius.x + shift.radius.y)) return unknown;
+  data.move_to(x * subpixels + subpixels / 2, y * subpixels + subpixels / 2,
+               Affine<DoubleArithmetic>::along(Symbol::shift_x, shift.centre.x, shift.radius.x),
+               Affine<DoubleArithmetic>::along(Symbol::shift_y, shift.centre.y, shift.radius.y));
+
+  const std::uint64_t met = Forks::open_comparisons();
+  UndefinedCounts undefined;
+  PacketBatch<Bounds>& batch = scratch_->batch;
+  batch.packets = 1;
+  batch.in_use[0] = Certainty::yes;
+  batch.surface[0] = packet_surface(context, material, data, UndefinedTally<Bounds>(undefined, Certainty::yes));
+  std::visit([&](const auto& function) { sum_light(light_spans(frame_.scene()), function, batch, undefined); },
+             material.fragment_function);
+  PixelBounds result;
+  for (int c = 0; c < 3; ++c) result.colour.lo[c] = batch.sum[0][c].lo, result.colour.hi[c] = batch.sum[0][c].hi;
+  result.open = Forks::open_comparisons() != met;
+  for (const std::uint64_t count : undefined.counts) result.undefined |= count > 0;
+  return result;
+}
+
+} // namespace refraster

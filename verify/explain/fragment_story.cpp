@@ -1,0 +1,237 @@
+#include "verify/explain/fragment_story.h"
+
+#include "verify/explain/fragment_terms.h"
+#include "verify/explain/readings.h"
+
+#include <concepts>
+#include <limits>
+
+namespace refraster {
+namespace {
+
+using T = DoublePrecision::Number; // that of the frame: the same bits
+using Plain = Fragment<T>;
+
+Double2 plain_of(const Vec2<T>& x) {
+  return {plain(x.x), plain(x.y)};
+}
+
+/// Which submitted corner stands at each place of a triangle that is set up.
+std::array<std::uint8_t, 3> corner_order(const FrameContext& context, std::uint32_t number) {
+  const TriangleRef ref = TriangleFinder(context.scene, context.geometry).at(number);
+  const std::array<WindowVertex, 3> window = window_corners(context.geometry, ref);
+  if ((window[0].outcode | window[1].outcode | window[2].outcode) & outcode::unsnapped)
+    return context.bins.projective_triangle(number).corner;
+  return set_up_snapped(window).value().corner;
+}
+
+std::array<double, 3> in_order_of_mesh(const Barycentric<T>& at, const std::array<std::uint8_t, 3>& corner) {
+  const double b1 = plain(at.b1), b2 = plain(at.b2);
+  std::array<double, 3> weights{};
+  weights[corner[0]] = 1 - b1 - b2, weights[corner[1]] = b1, weights[corner[2]] = b2;
+  return weights;
+}
+
+/// Writes down what `fields` shows.
+struct Parameters {
+  std::vector<ParameterStory>& list;
+
+  void operator()(std::string_view name, const double& value, const auto&...) const {
+    list.push_back({std::string(name), {value}, {}});
+  }
+  void operator()(std::string_view name, const Double3& value, const auto&...) const {
+    list.push_back({std::string(name), {value.x, value.y, value.z}, {}});
+  }
+  template <NamedEnum Enum>
+  void operator()(std::string_view name, const Enum& value, const auto&...) const {
+    list.push_back({std::string(name), {}, std::string(name_of(value))});
+  }
+};
+
+struct ParameterVisitor final : FieldVisitor {
+  Parameters parameters;
+
+  explicit ParameterVisitor(std::vector<ParameterStory>& list) : parameters{list} {}
+  void field(std::string_view name, double& value, const Range&, std::string_view) override { parameters(name, value); }
+  void field(std::string_view name, Double3& value, const Range&, std::string_view) override {
+    parameters(name, value);
+  }
+  void field(std::string_view name, NamedValue& value, const Range&, std::string_view) override {
+    parameters.list.push_back({std::string(name), {}, std::string(value.names.at(value.index))});
+  }
+};
+
+template <class Function>
+concept PhongLike = std::derived_from<Function, PhongParameters>;
+
+/// <cosine>^s after the gate: what the formula makes of it with ks 1, kd 0 and C 1.
+template <PhongLike Function>
+double lobe_value(const Function& function, const Plain& at, const Vec3<T>& direction) {
+  Function only = function;
+  only.kd = Double3(0), only.ks = Double3(1);
+  return plain(reflected(only, at, Incident<T>{direction, Rgb<T>(T(1))}).x);
+}
+
+LobeStory lobe_story(const Phong& phong, const Plain& at, const Vec3<T>& l) {
+  const Vec3<T> r = mirrored(at.normal, l, dot(at.normal, l));
+  return {"r", "r.v", plain(r), plain(dot(r, at.to_eye)), lobe_value(phong, at, l)};
+}
+LobeStory lobe_story(const BlinnPhong& blinn, const Plain& at, const Vec3<T>& l) {
+  const Vec3<T> h = half_vector(l, at.to_eye);
+  return {"h", "n.h", plain(h), plain(dot(at.normal, h)), lobe_value(blinn, at, l)};
+}
+
+MerlStory merl_story(const Merl& merl, const Plain& at, const Vec3<T>& l) {
+  const HalfDifference<T> angles = half_difference(merl.angles, at.normal, l, at.to_eye);
+  const MerlPoint<T> point = merl_point(angles);
+  const MerlValue<T> value = merl_value(*merl.table, merl.lookup, point);
+  MerlStory story{plain(angles.theta_h),
+                  plain(angles.theta_d),
+                  plain(angles.phi_d),
+                  plain(point.u),
+                  plain(point.v),
+                  plain(point.w),
+                  {},
+                  plain(value.f)};
+  story.unmeasured = any(value.unmeasured & first_lane<T>());
+  story.lit = plain(dot(at.normal, l)) > 0 && plain(dot(at.normal, at.to_eye)) > 0;
+  story.taps = taps_read(*merl.table, merl.lookup, {story.u, story.v, story.w});
+  return story;
+}
+
+/// What the formula makes of the light, in parts.
+template <class Function>
+void add_parts(const Function& function, const Plain& at, const Vec3<T>& l, LightStory& story) {
+  if constexpr (requires(Function f) { f.kd = f.ks; }) {
+    Function part = function;
+    const auto per_unit = [&] { return plain(reflected(part, at, Incident<T>{l, Rgb<T>(T(1))})); };
+    part.ks = Double3(0);
+    story.diffuse = per_unit();
+    part = function, part.kd = Double3(0);
+    story.specular = per_unit();
+  }
+  if constexpr (PhongLike<Function>) story.lobe = lobe_story(function, at, l);
+  if constexpr (std::same_as<Function, Merl>) story.merl = merl_story(function, at, l);
+}
+
+/// How much of a light without colour arrives.
+template <class Light>
+double attenuation(const Light& light, const Plain& at) {
+  Light white = light;
+  white.radiance = Double3(1);
+  return plain(arriving(within_range<T>(prepared_light(white)), at).radiance.x);
+}
+
+template <class Light>
+LightStory light_story(const Light& light, std::size_t index, const Plain& at) {
+  const Incident<T> incident = arriving(within_range<T>(prepared_light(light)), at);
+  LightStory story;
+  const std::string_view many = Light::names.words; // "point lights"
+  story.type = many.substr(0, many.size() - 1);
+  story.index = index;
+  story.direction = plain(incident.direction);
+  story.n_l = plain(dot(at.normal, incident.direction));
+  Light::fields(light, Parameters{story.parameters});
+  story.arriving = plain(incident.radiance);
+  if constexpr (requires { light.position; }) {
+    story.distance = plain(length(as<T>(light.position) - at.position));
+    story.attenuation = attenuation(light, at);
+  }
+  return story;
+}
+
+void add_lights(const Scene& scene, const FragmentTerms<T>& terms, const auto& function, FragmentStory& story) {
+  const PacketSurface<T>& s = terms.surface;
+  const Plain at{s.position, s.normal, s.to_eye, s.texture, nullptr};
+  std::size_t number = 0;
+  for_each_light(scene, [&](const auto& light, std::size_t, std::size_t index) {
+    LightStory of = light_story(light, index, at);
+    const LightTerm<T>& term = terms.lights[number++];
+    of.reflected = plain(term.reflected);
+    of.undefined = term.undefined;
+    if constexpr (!std::same_as<std::remove_cvref_t<decltype(function)>, UserFunction>)
+      add_parts(function, at, arriving(within_range<T>(prepared_light(light)), at).direction, of);
+    story.lights.push_back(std::move(of));
+  });
+}
+
+TextureStory texture_story(const Texture& texture, TextureFilter filter, const TexturePoint<T>& point) {
+  TextureStory story;
+  const TextureLevel& image = texture.levels[0];
+  story.filter = filter;
+  story.width = image.width, story.height = image.height;
+  story.levels = static_cast<int>(texture.levels.size());
+  story.uv_right = plain_of(point.right), story.uv_down = plain_of(point.down);
+  if (filter == TextureFilter::trilinear)
+    story.level_of_detail = plain(level_of_detail(image, point.right, point.down));
+  story.texels = texels_read(texture, filter, plain_of(point.uv), story.uv_right, story.uv_down);
+  return story;
+}
+
+/// What lies between the triangle and the formula.
+void add_surface(const FrameContext& context, const Material& material, std::uint32_t number, std::int32_t x,
+                 std::int32_t y, FragmentStory& story) {
+  with_sample<T>(context, number, x, y, [&](const auto& data) {
+    const PacketBarycentrics<T> at = barycentrics<Derivatives::yes>(data);
+    story.weights = in_order_of_mesh(at.at, corner_order(context, number));
+    story.interpolated_normal = plain(attribute_value<&Mesh::normals>(context, data, at.at));
+    if (any(without_uv(data) & first_lane<T>())) return;
+    const std::array<double, 2> whole = whole_repeats(context, number);
+    const TexturePoint<T> point = texture_point(material.texture_filter, data, at);
+    story.uv = plain_of(point.uv) + Double2(whole[0], whole[1]);
+    if (material.texture) story.texture = texture_story(*material.texture, material.texture_filter, point);
+  });
+}
+
+constexpr std::int32_t centre(int pixel) {
+  return pixel * subpixels + subpixels / 2;
+}
+
+} // namespace
+
+NamedTriangle named_triangle(const FrameContext& context, std::uint32_t number) {
+  const TriangleRef ref = TriangleFinder(context.scene, context.geometry).at(number);
+  return {ref.object, ref.triangle, context.scene.objects[ref.object].name};
+}
+
+std::array<double, 3> corner_weights(const FrameContext& context, std::uint32_t number, std::int32_t x,
+                                     std::int32_t y) {
+  return with_sample<T>(context, number, x, y, [&](const auto& data) {
+    return in_order_of_mesh(barycentrics<Derivatives::no>(data).at, corner_order(context, number));
+  });
+}
+
+Double3 fragment_radiance(const FrameContext& context, std::uint32_t number, int x, int y) {
+  return plain(fragment_terms<T>(context, number, centre(x), centre(y)).radiance);
+}
+
+FragmentStory fragment_story(const FrameContext& context, std::uint32_t number, int x, int y, int samples) {
+  FragmentStory story;
+  story.of = named_triangle(context, number);
+  story.samples = samples;
+  const Material& material = context.scene.objects[story.of.object].material;
+  const FragmentTerms<T> terms = fragment_terms<T>(context, number, centre(x), centre(y));
+  add_surface(context, material, number, centre(x), centre(y), story);
+  story.position = plain(terms.surface.position);
+  story.normal = plain(terms.surface.normal);
+  story.to_eye = plain(terms.surface.to_eye);
+  story.n_v = plain(dot(terms.surface.normal, terms.surface.to_eye));
+  story.texture_colour = plain(terms.surface.texture);
+  story.function = material.function_name();
+  story.user_function = material.user_function != nullptr;
+  if (story.user_function) {
+    ParameterVisitor visitor(story.parameters);
+    material.user_function->copy()->fields(visitor); // `fields` may change them
+  }
+  with_function(material, [&]<class Function>(const Function& function) {
+    if constexpr (!std::same_as<Function, UserFunction>) Function::fields(function, Parameters{story.parameters});
+    add_lights(context.scene, terms, function, story);
+  });
+  story.ambient = plain(terms.ambient);
+  story.radiance = plain(terms.radiance);
+  story.undefined = terms.undefined;
+  story.exact = exact_terms(context, number, centre(x), centre(y));
+  return story;
+}
+
+} // namespace refraster

@@ -1,0 +1,228 @@
+#pragma once
+// Everything that makes a pixel, as plain data: what story_text() and story_json() write. All colours and terms are
+// linear; window positions are in pixels from the image's top left corner, y down.
+
+#include <refraster/frame.h>
+#include <refraster/material.h>
+#include <refraster/render.h>
+#include <refraster/scene.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace refraster {
+
+/// What becomes of a triangle at a sample that it covers.
+enum class CandidateFate { seen, hidden, culled, before_near, beyond_far };
+
+template <>
+struct EnumNames<CandidateFate> {
+  static constexpr std::pair<CandidateFate, std::string_view> names[] = {{CandidateFate::seen, "seen"},
+                                                                         {CandidateFate::hidden, "hidden"},
+                                                                         {CandidateFate::culled, "culled"},
+                                                                         {CandidateFate::before_near, "before near"},
+                                                                         {CandidateFate::beyond_far, "beyond far"}};
+};
+
+enum class Side { front, back }; // of a triangle; front: its corners run counter-clockwise in the image
+
+template <>
+struct EnumNames<Side> {
+  static constexpr std::pair<Side, std::string_view> names[] = {{Side::front, "front"}, {Side::back, "back"}};
+};
+
+/// A triangle of the scene. Both numbers count from 0, as in the scene file and its meshes.
+struct NamedTriangle {
+  std::uint32_t object = 0, triangle = 0;
+  std::string name; // of the object; may be empty
+};
+
+/// A triangle that covers a sample.
+struct Candidate {
+  NamedTriangle of;
+  Side side = Side::front;
+  CandidateFate fate = CandidateFate::hidden;
+  double depth = 0; // in the window: 0 at the near plane, 1 at the far plane
+  /// Perspective-correct weights of its corners at the sample, in the order of the mesh; nothing of a triangle that is
+  /// not drawn and crosses the eye plane.
+  std::optional<std::array<double, 3>> weights;
+  /// What the pixel would be if this triangle were seen there: of one sample a pixel, and the nearest few.
+  std::optional<Double3> radiance;
+};
+
+/// One of the pixel's samples, and all triangles that cover it, from the nearest to the farthest.
+struct SampleStory {
+  double x = 0, y = 0;
+  std::vector<Candidate> candidates;
+};
+
+/// A triangle that is drawn beside a pixel which shows the background.
+struct NearMiss {
+  NamedTriangle of;
+  double dx = 0, dy = 0; // from the pixel's centre to the nearest point of the triangle's outline, pixels
+};
+
+/// A texel that was read, and the weight with which it enters the colour.
+struct Texel {
+  int level = 0, i = 0, j = 0; // mip level; column, row from v = 0 upward
+  double weight = 0;
+  Double3 value{0}; // 1 is full scale
+};
+
+/// How a texture was read.
+struct TextureStory {
+  TextureFilter filter = TextureFilter::bilinear;
+  int width = 0, height = 0, levels = 1;
+  /// Of TextureFilter::trilinear: log2 of the longer side of the pixel's footprint in texels, before it is clamped to
+  /// the levels there are; and how uv changes by a pixel to the right and down.
+  std::optional<double> level_of_detail;
+  Double2 uv_right{0}, uv_down{0};
+  std::vector<Texel> texels; // by level, row and column
+};
+
+/// A sample of a measured table that was read.
+struct MerlTap {
+  int theta_h = 0, theta_d = 0, phi_d = 0; // bins
+  double weight = 0;                       // 0 where it was never measured; the others then count for more
+  Double3 f{0};                            // 1/sr, as the table has it
+  bool unmeasured = false;
+};
+
+/// How a measured table was read for one light.
+struct MerlStory {
+  double theta_h = 0, theta_d = 0, phi_d = 0; // radians
+  double u = 0, v = 0, w = 0;                 // the same in bins
+  std::vector<MerlTap> taps;
+  Double3 f{0};            // the value, 1/sr
+  bool unmeasured = false; // no tap was ever measured: f is 0 by convention
+  bool lit = false;        // n.l > 0 and n.v > 0, else nothing is reflected
+};
+
+/// The highlight of Phong or Blinn-Phong for one light.
+struct LobeStory {
+  std::string_view vector_name, cosine_name; // "r" and "r.v", or "h" and "n.h"
+  Double3 vector{0};                         // r or h
+  double cosine = 0;                         // r.v or n.h
+  double value = 0;                          // <cosine>^s, after the specular gate
+};
+
+/// A parameter of a material or a light, as a scene file has it.
+struct ParameterStory {
+  std::string name;
+  std::vector<double> numbers; // one, or three channels
+  std::string word;            // of a choice
+};
+
+/// What one light gives.
+struct LightStory {
+  std::string type;      // "point light", "direction light"
+  std::size_t index = 0; // in its list, from 0
+  Double3 direction{0};  // l: unit, from the surface to the light
+  double n_l = 0;        // n.l
+  std::vector<ParameterStory> parameters;
+  Double3 arriving{0};                         // C: radiance times attenuation
+  std::optional<double> distance, attenuation; // of a light that has a place
+  std::optional<LobeStory> lobe;
+  /// Of a function with kd and ks, per unit of C: kd t <n.l> and ks <r.v>^s. (diffuse + specular) C is `reflected`.
+  std::optional<Double3> diffuse, specular;
+  std::optional<MerlStory> merl;
+  Double3 reflected{0}; // toward the eye: what is added to the sum
+  UndefinedCounts undefined;
+};
+
+/// The same terms in 60 digits, rounded to double.
+struct ExactTerms {
+  Double3 ambient{0};
+  std::vector<Double3> reflected; // in the order of FragmentStory::lights
+  Double3 radiance{0};
+};
+
+/// One triangle that the pixel sees, shaded once at the pixel's centre, in double.
+struct FragmentStory {
+  NamedTriangle of;
+  int samples = 1;                 // that see it
+  std::array<double, 3> weights{}; // of its corners, perspective-correct; below 0 where the centre lies beside it
+  Double3 position{0};             // world space
+  Double3 interpolated_normal{0};  // as it comes out of interpolation
+  Double3 normal{0};               // n: unit
+  Double3 to_eye{0};               // v: unit
+  double n_v = 0;
+  std::optional<Double2> uv; // as interpolated, not wrapped
+  std::optional<TextureStory> texture;
+  Double3 texture_colour{1}; // t; white without a texture
+  std::string function;      // "phong"
+  std::vector<ParameterStory> parameters;
+  bool user_function = false; // the formula is not known here: its lights were told apart by asking for them one by one
+  Double3 ambient{0};
+  std::vector<LightStory> lights; // in the order of the sum
+  Double3 radiance{0};            // ambient and all lights, summed in this order: what the frame has, bit for bit
+  UndefinedCounts undefined;      // all that was met, the lights' too
+  ExactTerms exact;
+};
+
+/// The pixel in one precision.
+struct PrecisionStory {
+  Precision precision = Precision::double_;
+  Double3 radiance{0};
+  std::array<int, 3> levels{}; // linear: 255 times radiance, clamped and rounded
+  std::array<int, 3> srgb{};   // through the sRGB curve first
+};
+
+/// What a term, or a factor that all channels share, would have to be for the actual value to be right, everything else
+/// staying as it is.
+struct WouldBe {
+  /// factor: one number for all three channels, in now[0], least[0], most[0]; channels: each its own; pixel: nothing of
+  /// a formula, but another surface or the background.
+  enum class Kind { factor, channels, pixel };
+  Kind kind = Kind::channels;
+  std::string what;                      // "attenuation of point light 0"
+  std::array<double, 3> now{};           // what it is
+  std::array<double, 3> least{}, most{}; // between which it would have to be
+  std::array<bool, 3> differs{};         // channels in which it would have to be another
+  std::string remark;                    // "as if it were left out"
+};
+
+/// The value that another renderer has at the pixel.
+struct ActualStory {
+  std::string path;
+  Double3 stored{0};             // as the file has it
+  double full_scale = 255;       // that means 1
+  Double3 least{0}, most{0};     // linear values that the stored ones may stand for
+  Double3 levels{0};             // stored, in levels of 1/255
+  Double3 difference{0};         // actual less double, in levels before rounding
+  bool same = false;             // double lies within what the stored values stand for, in all channels
+  std::vector<WouldBe> would_be; // likeliest first
+};
+
+/// What a correct device may have at the pixel, and why it is no narrower: filled in by whoever knows bounds.
+struct BoundsStory {
+  struct Cause {
+    std::string what;    // "sample shift"
+    double fraction = 0; // of the width
+  };
+  Double3 least{0}, most{0};
+  std::vector<Cause> causes; // largest first
+};
+
+/// The whole story.
+struct PixelStory {
+  std::string scene; // path, as given
+  int x = 0, y = 0, width = 0, height = 0, samples = 1;
+  Transfer transfer = Transfer::linear; // of the levels that are told first
+  std::vector<SampleStory> sample_stories;
+  std::vector<FragmentStory> fragments; // in the order of the first sample that sees each
+  Double3 background{0};
+  int background_samples = 0;             // that see no triangle
+  std::vector<NearMiss> near_misses;      // where all do, nearest first
+  std::vector<PrecisionStory> precisions; // in the order of the enum
+  std::optional<ActualStory> actual;
+  std::optional<BoundsStory> bounds;
+
+  const PrecisionStory& in(Precision precision) const { return precisions[static_cast<std::size_t>(precision)]; }
+};
+
+} // namespace refraster

@@ -1,0 +1,164 @@
+#include "verify/verdict/power.h"
+
+#include "raster/parallel.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <random>
+
+namespace refraster {
+namespace {
+
+/// Of them, shares of causes are asked of every eighth: a cause costs as much as the bounds.
+constexpr int wanted_pixels = 384, pixels_a_share = 8;
+
+/// In levels: below it nearly all values that drift are rounded as they were, so that the others tell.
+constexpr double narrow_half_width = 0.1;
+
+} // namespace
+
+SampledBounds sample_bounds(const DeviceFrame& frame, const StoredValue& stored, std::uint64_t seed,
+                            const std::function<std::optional<std::uint32_t>(int x, int y)>& ours) {
+  // One place in each cell of a grid of about as many cells, at random within it: spread, and the same every time.
+  const double cell = std::max(1.0, std::sqrt(static_cast<double>(frame.width()) * frame.height() / wanted_pixels));
+  std::mt19937_64 random(seed);
+  std::vector<std::pair<PixelPlace, std::uint32_t>> places;
+  for (double y = 0; y < frame.height(); y += cell)
+    for (double x = 0; x < frame.width(); x += cell) {
+      const auto within = [&](double from, int size) {
+        const double share = static_cast<double>(random() >> 11) * 0x1p-53;
+        return std::min(static_cast<int>(from + share * cell), size - 1);
+      };
+      const PixelPlace at{within(x, frame.width()), within(y, frame.height())};
+      if (const auto number = ours(at.x, at.y)) places.emplace_back(at, *number);
+    }
+  SampledBounds sampled;
+  sampled.pixels.resize(places.size());
+  const int threads = frame.context().threads;
+  std::vector<std::unique_ptr<PixelBounder>> bounders(static_cast<std::size_t>(threads));
+  constexpr std::size_t block = 16;
+  parallel_for(threads, (places.size() + block - 1) / block, [&](std::size_t b, int thread) {
+    auto& bounder = bounders[static_cast<std::size_t>(thread)];
+    if (!bounder) bounder = std::make_unique<PixelBounder>(frame);
+    for (std::size_t i = b * block; i < std::min((b + 1) * block, places.size()); ++i) {
+      const auto& [at, number] = places[i];
+      const DeviceTriangle triangle(frame, number);
+      const auto width = [&](BoundCauses causes) {
+        const ColourBox box = bounder->bounds(triangle, at.x, at.y, causes).colour;
+        double widest = 0;
+        for (int c = 0; c < 3; ++c) widest = std::max(widest, stored.of(box.hi[c]) - stored.of(box.lo[c]));
+        return widest;
+      };
+      SampledBounds::Pixel& pixel = sampled.pixels[i];
+      pixel.object = triangle.ref().object;
+      pixel.width = width(BoundCauses::all());
+      if (i % pixels_a_share == 0)
+        for (std::size_t k = 0; k < pixel.cause.size(); ++k)
+          pixel.cause[k] = width(BoundCauses::only(static_cast<BoundCause>(k)));
+    }
+  });
+  return sampled;
+}
+
+JudgePower power_of(const SampledBounds& sampled) {
+  JudgePower power;
+  power.pixels = sampled.pixels.size();
+  if (sampled.pixels.empty()) return power;
+  std::vector<double> widths;
+  for (const auto& pixel : sampled.pixels) widths.push_back(pixel.width);
+  std::sort(widths.begin(), widths.end());
+  const auto below = [&](double levels) {
+    const auto end = std::lower_bound(widths.begin(), widths.end(), levels);
+    return static_cast<double>(end - widths.begin()) / static_cast<double>(widths.size());
+  };
+  power.below_tenth = below(0.1), power.below_one = below(1), power.below_four = below(4);
+  power.median = widths[widths.size() / 2];
+  return power;
+}
+
+CauseShares shares_of(const SampledBounds& sampled) {
+  CauseShares shares{};
+  double sum = 0;
+  for (const auto& pixel : sampled.pixels) {
+    double all = 0;
+    for (const double width : pixel.cause) all += width;
+    if (!(all > 0) || !std::isfinite(all)) continue;
+    // Each pixel counts as much as any other, however wide its bounds.
+    for (std::size_t k = 0; k < shares.size(); ++k) shares[k] += pixel.cause[k] / all;
+    sum += 1;
+  }
+  for (double& share : shares) share = sum > 0 ? share / sum : 0;
+  return shares;
+}
+
+namespace {
+
+/// A value of the reference, and how many levels the device stored beside its rounding.
+struct LevelDifference {
+  std::uint32_t reference = 0; // its bits
+  int levels = 0;
+};
+
+/// Of a large image so many tell all there is, and cost less than the image.
+bool is_taken(std::uint32_t bits, std::size_t pixels) {
+  const std::uint32_t one_in = pixels > 200'000 ? 8 : 1;
+  return ((bits * 0x9e3779b1u) >> 16) % one_in == 0;
+}
+
+} // namespace
+
+std::vector<ObjectBias> biases_of(const Verdict& verdict, const DeviceImage& image, const StoredValue& stored,
+                                  const SampledBounds& sampled, std::size_t objects) {
+  if (!stored.is_integer() || stored.step() != 1) return {};
+  std::vector<std::vector<double>> half_widths(objects);
+  for (const auto& pixel : sampled.pixels) half_widths[pixel.object].push_back(pixel.width / 2);
+  std::vector<std::vector<LevelDifference>> of_object(objects);
+  for (int y = 0; y < verdict.height; ++y)
+    for (int x = 0; x < verdict.width; ++x) {
+      const auto object = static_cast<std::size_t>(*verdict.object.at(x, y));
+      const auto found = static_cast<PixelClass>(*verdict.classes.at(x, y));
+      if (object == 0 || found > PixelClass::shading) continue;
+      for (int c = 0; c < 3; ++c) {
+        const float reference = verdict.reference.at(x, y)[c];
+        const auto bits = std::bit_cast<std::uint32_t>(reference);
+        const double exact = stored.of(static_cast<double>(reference));
+        if (!is_taken(bits, verdict.classes.values.size()) || exact <= 0.5 || exact >= 254.5)
+          continue; // where levels end
+        const double apart = stored.levels(image.colour.at(x, y)[c]) - std::nearbyint(exact);
+        of_object[object - 1].push_back({bits, static_cast<int>(apart)});
+      }
+    }
+  std::vector<ObjectBias> biases;
+  for (std::size_t i = 0; i < objects; ++i) {
+    constexpr std::size_t enough_values = 1000, enough_widths = 16;
+    if (half_widths[i].size() < enough_widths) continue;
+    // A value counts once, however many pixels have it: then the values are spread within their levels.
+    auto& values = of_object[i];
+    std::sort(values.begin(), values.end(),
+              [](const LevelDifference& a, const LevelDifference& b) { return a.reference < b.reference; });
+    const auto same = [](const LevelDifference& a, const LevelDifference& b) { return a.reference == b.reference; };
+    values.erase(std::unique(values.begin(), values.end(), same), values.end());
+    if (values.size() < enough_values) continue;
+    double sum = 0, squares = 0;
+    for (const double width : half_widths[i]) sum += width, squares += width * width;
+    const auto widths = static_cast<double>(half_widths[i].size());
+    const double mean_width = sum / widths,
+                 deviation = std::sqrt(std::max(squares / widths - mean_width * mean_width, 0.0));
+    const double likely = mean_width + 3 * deviation / std::sqrt(widths);
+    if (!(likely < narrow_half_width)) continue;
+    const auto count = static_cast<double>(values.size());
+    // Bernstein's inequality for a share with the probability p of each: p + 6 sqrt(p / n) + 12 / n is exceeded once in
+    // 10^7 times.
+    const auto most = [count](double p) { return p + 6 * std::sqrt(p / count) + 12 / count; };
+    ObjectBias& bias = biases.emplace_back();
+    bias.object = i, bias.values = values.size();
+    double levels = 0, moved = 0;
+    for (const LevelDifference& value : values) levels += value.levels, moved += value.levels != 0;
+    bias.mean = levels / count, bias.allowed = most(likely);
+    bias.moved = moved / count, bias.allowed_moved = most(2 * likely);
+  }
+  return biases;
+}
+
+} // namespace refraster
