@@ -32,29 +32,33 @@ public:
     return p_[0] + along_x_ * (x - corners_[0].x) + along_y_ * (y - corners_[0].y);
   }
 
-  /// What the value is summed from at most, whichever corner the differences are taken from: starting at the origin, or
-  /// at any corner.
+  /// What the value is summed from at most, whichever corner is the first: starting at the origin, with slopes of
+  /// differences of values; or at a corner, with slopes of the values themselves.
   double from_origin(double x, double y) const {
-    return greatest([&](std::size_t) { return std::pair(x, y); });
+    return greatest([&](const Corner& a, const Corner& b, const Corner& c, std::size_t i) {
+      const double ab = std::abs(p_[(i + 1) % 3] - p_[i]), ac = std::abs(p_[(i + 2) % 3] - p_[i]);
+      return (ab * std::abs(c.y - a.y) + ac * std::abs(b.y - a.y)) * std::abs(x) +
+             (ac * std::abs(b.x - a.x) + ab * std::abs(c.x - a.x)) * std::abs(y);
+    });
   }
   double from_corner(double x, double y) const {
-    return greatest([&](std::size_t i) { return std::pair(x - corners_[i].x, y - corners_[i].y); });
+    double in_x = 0, in_y = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Corner &b = corners_[(i + 1) % 3], &c = corners_[(i + 2) % 3];
+      in_x += std::abs(p_[i] * (b.y - c.y)), in_y += std::abs(p_[i] * (c.x - b.x));
+    }
+    return greatest([&](const Corner& a, const Corner&, const Corner&, std::size_t) {
+      return in_x * std::abs(x - a.x) + in_y * std::abs(y - a.y);
+    });
   }
 
 private:
-  template <class Way>
-  double greatest(const Way& way) const {
+  template <class Sum>
+  double greatest(const Sum& sum) const {
     double most = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-      const Corner &a = corners_[i], &b = corners_[j], &c = corners_[k];
-      const double ab = std::abs(p_[j] - p_[i]), ac = std::abs(p_[k] - p_[i]);
-      const auto [x, y] = way(i);
-      most = std::max(most, ((ab * std::abs(c.y - a.y) + ac * std::abs(b.y - a.y)) * std::abs(x) +
-                             (ac * std::abs(b.x - a.x) + ab * std::abs(c.x - a.x)) * std::abs(y)) /
-                                std::abs(twice_area_));
-    }
-    return most + std::max({std::abs(p_[0]), std::abs(p_[1]), std::abs(p_[2])});
+    for (std::size_t i = 0; i < 3; ++i)
+      most = std::max(most, sum(corners_[i], corners_[(i + 1) % 3], corners_[(i + 2) % 3], i));
+    return most / std::abs(twice_area_) + std::max({std::abs(p_[0]), std::abs(p_[1]), std::abs(p_[2])});
   }
 
   Triangle corners_;
@@ -75,7 +79,7 @@ std::vector<Triangle> random_triangles(const Cells& cells, std::mt19937& random)
     const int left = cells.x + i % cells.columns * cells.size, low = cells.y + i / cells.columns * cells.size;
     Triangle triangle{};
     double area = 0;
-    while (area < 1e-2 * cells.size * cells.size) { // some are thin, none so thin that it holds no sample
+    while (area < 1e-4 * cells.size * cells.size) { // some are needles
       for (Corner& corner : triangle) {
         // Exact in float through clip space and viewport: multiples of 2^-14 pixel inside the window, times a power of
         // two, and of 2^-13 within three times its size.

@@ -97,11 +97,16 @@ struct RasterProfile {
   }
 };
 
-/// Interpolation of f / w and 1 / w, whose planes over the window are p(x, y) = p_c + a (x - x_c) + b (y - y_c). Each
-/// slope is the difference of two products, a = ((p_0 - p_1) (y_2 - y_0) - (p_2 - p_0) (y_0 - y_1)) / d with d twice
-/// the area: in needles the products are larger than what is left of them. Off by at most
-///     max(units 2^-24 m, relative max |p_i|), m = max |p_i| + (|a_1| + |a_2|) |x - x_c| + (|b_1| + |b_2|) |y - y_c|
-/// with i the corners, a_1, a_2, b_1, b_2 these products over d, and c the anchor: a corner, or the origin.
+/// Interpolation of f / w and 1 / w, whose planes over the window are p(x, y) = p_c + a (x - x_c) + b (y - y_c). Off by
+/// at most
+///     max(units 2^-24 m, relative max |p_i|), m = max |p_i| + A |x - x_c| + B |y - y_c|, i the corners,
+/// where A and B are what the slopes are summed from, which in needles is more than what is left of it. With d twice
+/// the area:
+///     anchor `origin`: x_c = y_c = 0, and slopes of differences of values, A = (|p_0 - p_1| |y_2 - y_0| +
+///                      |p_2 - p_0| |y_0 - y_1|) / |d|, and B with x for y;
+///     anchor `triangle`: c a corner, and slopes of the values themselves, A = (|p_0| |y_1 - y_2| + |p_1| |y_2 - y_0| +
+///                      |p_2| |y_0 - y_1|) / |d|, and B with x for y.
+/// Of the three corners that may be number 0, or c, it is the one for which m is largest.
 struct InterpolationProfile {
   InterpolationAnchor anchor = InterpolationAnchor::origin;
   double units = 16;      ///< of 2^-24, of the magnitudes that a plane is summed from
