@@ -23,16 +23,27 @@ Vec3<T> shading_normal(const FrameContext& context, const Data& data, const Vec3
   return normalize(select<T>(zero, own, interpolated));
 }
 
-/// Where a texture is read: the point, and how far a pixel to the right and down moves it, 0 unless the filter asks.
-template <class T>
-struct TexturePoint {
-  Vec2<T> uv, right, down;
+/// Reads a texture as it is to be shown.
+struct SampleTexture {
+  template <class T>
+  Rgb<T> operator()(const Texture& texture, TextureFilter filter, const Vec2<T>& uv, const Vec2<T>& right,
+                    const Vec2<T>& down) const {
+    return sample(texture, filter, uv, right, down);
+  }
 };
 
-template <class Data, class T = typename Data::Number>
-TexturePoint<T> texture_point(TextureFilter filter, const Data& data, const PacketBarycentrics<T>& at) {
+/// The colour of a texture that the material has; white where the triangle has no texture coordinates. Those are looked
+/// for only where some are not finite, which those are not. read(texture, filter, uv, right, down) reads it, at a point
+/// and with what that changes by for a pixel to the right and down, 0 unless the filter asks.
+template <const TextureSlot& slot, class Data, class Read = SampleTexture, class T = typename Data::Number>
+Rgb<T> texture_colour(const Material& material, const Data& data, const PacketBarycentrics<T>& at,
+                      const UndefinedTally<T>& tally, const Read& read = {}) {
+  const TextureFilter filter = material.*slot.filter;
   const auto uv = [&](int c) { return interpolated_uv(data, c, at); };
-  TexturePoint<T> point{Vec2<T>(uv(0), uv(1)), Vec2<T>(T(0)), Vec2<T>(T(0))};
+  const Vec2<T> point(uv(0), uv(1));
+  const auto finite = [](const T& x) { return abs(x) <= largest_number<T>(); };
+  const MaskOf<T> bad = !(finite(point.x) & finite(point.y));
+  Vec2<T> right(T(0)), down(T(0));
   if (filter == TextureFilter::trilinear) {
     const auto component = [&](int row, const Barycentric<T>& by) {
       const T change = changed(data.row(row), by);
@@ -42,23 +53,11 @@ TexturePoint<T> texture_point(TextureFilter filter, const Data& data, const Pack
     const auto change = [&](const Barycentric<T>& by) {
       return Vec2<T>(component(uv_row, by), component(uv_row + 1, by));
     };
-    point.right = change(at.right);
-    point.down = change(at.down);
-    if constexpr (!NumberTraits<T>::decides) data.turn(point.right, point.down);
+    right = change(at.right);
+    down = change(at.down);
+    if constexpr (!NumberTraits<T>::decides) data.turn(right, down);
   }
-  return point;
-}
-
-/// The colour of a texture that the material has; white where the triangle has no texture coordinates. Those are looked
-/// for only where some are not finite, which those are not.
-template <const TextureSlot& slot, class Data, class T = typename Data::Number>
-Rgb<T> texture_colour(const Material& material, const Data& data, const PacketBarycentrics<T>& at,
-                      const UndefinedTally<T>& tally) {
-  const TextureFilter filter = material.*slot.filter;
-  const auto [uv, right, down] = texture_point(filter, data, at);
-  const auto finite = [](const T& x) { return abs(x) <= largest_number<T>(); };
-  const MaskOf<T> bad = !(finite(uv.x) & finite(uv.y));
-  const Rgb<T> colour = sample(*(material.*slot.texture), filter, uv, right, down);
+  const Rgb<T> colour = read(*(material.*slot.texture), filter, point, right, down);
   if (!any(bad)) [[likely]]
     return colour;
   const MaskOf<T> none = without_uv(data);

@@ -155,18 +155,24 @@ void add_lights(const Scene& scene, const FragmentTerms<T>& terms, const auto& f
   });
 }
 
-TextureStory texture_story(const Texture& texture, TextureFilter filter, const TexturePoint<T>& point) {
-  TextureStory story;
-  const TextureLevel& image = texture.levels[0];
-  story.filter = filter;
-  story.width = image.width, story.height = image.height;
-  story.levels = static_cast<int>(texture.levels.size());
-  story.uv_right = plain_of(point.right), story.uv_down = plain_of(point.down);
-  if (filter == TextureFilter::trilinear)
-    story.level_of_detail = plain(level_of_detail(image, point.right, point.down));
-  story.texels = texels_read(texture, filter, plain_of(point.uv), story.uv_right, story.uv_down);
-  return story;
-}
+/// Reads a texture and writes down how.
+struct TellReading {
+  FragmentStory& story;
+
+  Rgb<T> operator()(const Texture& texture, TextureFilter filter, const Vec2<T>& uv, const Vec2<T>& right,
+                    const Vec2<T>& down) const {
+    TextureStory told;
+    const TextureLevel& image = texture.levels[0];
+    told.filter = filter;
+    told.width = image.width, told.height = image.height;
+    told.levels = static_cast<int>(texture.levels.size());
+    told.uv_right = plain_of(right), told.uv_down = plain_of(down);
+    if (filter == TextureFilter::trilinear) told.level_of_detail = plain(level_of_detail(image, right, down));
+    told.texels = texels_read(texture, filter, plain_of(uv), told.uv_right, told.uv_down);
+    story.texture = std::move(told);
+    return sample(texture, filter, uv, right, down);
+  }
+};
 
 /// What lies between the triangle and the formula.
 void add_surface(const FrameContext& context, const Material& material, std::uint32_t number, std::int32_t x,
@@ -177,9 +183,11 @@ void add_surface(const FrameContext& context, const Material& material, std::uin
     story.interpolated_normal = plain(attribute_value<&Mesh::normals>(context, data, at.at));
     if (any(without_uv(data) & first_lane<T>())) return;
     const std::array<double, 2> whole = whole_repeats(context, number);
-    const TexturePoint<T> point = texture_point(material.texture_filter, data, at);
-    story.uv = plain_of(point.uv) + Double2(whole[0], whole[1]);
-    if (material.texture) story.texture = texture_story(*material.texture, material.texture_filter, point);
+    const auto uv = [&](int c) { return plain(interpolated_uv(data, c, at)) + whole[static_cast<std::size_t>(c)]; };
+    story.uv = Double2(uv(0), uv(1));
+    UndefinedCounts uncounted; // the terms have counted these
+    const UndefinedTally<T> tally(uncounted, first_lane<T>());
+    if (material.texture) texture_colour<base_texture>(material, data, at, tally, TellReading{story});
   });
 }
 
