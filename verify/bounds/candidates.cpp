@@ -133,6 +133,31 @@ private:
   std::vector<Member> members_;
 };
 
+/// Whether both have the same corners in the same order: then a device computes the same of them, bit for bit.
+bool is_same_triangle(const DeviceFrame& frame, std::uint32_t a, std::uint32_t b) {
+  const TriangleRef ref_a = frame.triangle(a), ref_b = frame.triangle(b);
+  const auto& objects = frame.scene().objects;
+  if (objects[ref_a.object].cull != objects[ref_b.object].cull) return false; // one may be missing
+  const auto& transforms = frame.context().geometry.transforms;
+  if (transforms[ref_a.object].clip_from_object != transforms[ref_b.object].clip_from_object) return false;
+  const Mesh &mesh_a = *objects[ref_a.object].mesh, &mesh_b = *objects[ref_b.object].mesh;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (mesh_a.positions[mesh_a.triangles[ref_a.triangle][k]] != mesh_b.positions[mesh_b.triangles[ref_b.triangle][k]])
+      return false;
+  return true;
+}
+
+/// Of equal depths the depth test LESS keeps the first.
+void drop_repeated(const DeviceFrame& frame, std::vector<Candidate>& candidates) {
+  for (std::size_t i = 1; i < candidates.size();) {
+    const bool repeats =
+        std::any_of(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(i),
+                    [&](const Candidate& c) { return is_same_triangle(frame, c.number, candidates[i].number); });
+    if (repeats) candidates.erase(candidates.begin() + static_cast<std::ptrdiff_t>(i));
+    else ++i;
+  }
+}
+
 /// Leaves those that nothing certain hides.
 void keep_visible(const DeviceFrame& frame, VisibleSet& set) {
   double far = std::numeric_limits<double>::infinity();
@@ -143,6 +168,7 @@ void keep_visible(const DeviceFrame& frame, VisibleSet& set) {
   if (any_ambiguous) far = std::min(far, SharedEdges(frame, set.candidates).certain_depth());
   std::erase_if(set.candidates, [far](const Candidate& c) { return c.depth.lo > far; });
   set.background = std::isinf(far);
+  drop_repeated(frame, set.candidates);
 }
 
 } // namespace

@@ -33,7 +33,7 @@ struct PixelPlace {
 /// A triangle is a candidate if it may cover the sample and nothing that certainly does lies certainly nearer. Where
 /// triangles of a mesh meet at edges that a sample may be on either side of, and look the same way, one of them covers
 /// it, though none certainly does: so that a crack is not explained. OpenGL 4.6, section 14.6.1: of two polygons that
-/// share an edge exactly one has the fragments on it.
+/// share an edge exactly one has the fragments on it. Of triangles with the same corners the first drawn is seen.
 std::vector<VisibleSet> find_candidates(const DeviceFrame& frame, const std::vector<PixelPlace>& pixels,
                                         SamplePosition sample);
 

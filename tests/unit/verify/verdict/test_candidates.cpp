@@ -113,6 +113,21 @@ TEST_CASE("of surfaces that are equally far as far as the device can tell, eithe
   CHECK(shown(window, 10, 4, background) == Numbers{0, 2});
 }
 
+TEST_CASE("of the same triangle twice the first is seen, whatever a device makes of it") {
+  WindowScene window(side);
+  add_square(window, 1.3);
+  add_square(window, 1.3);
+  bool background = true;
+  CHECK(shown(window, 10, 4, background) == Numbers{0});
+  // With its corners in another order it is another one.
+  std::vector<Float3> corners = window.scene.objects[1].mesh->positions;
+  std::swap(corners[0], corners[1]), std::swap(corners[1], corners[2]);
+  WindowScene turned(side);
+  add_square(turned, 1.3);
+  turned.add(corners);
+  CHECK(shown(turned, 10, 4, background) == Numbers{0, 2});
+}
+
 TEST_CASE("what a depth plane may cut off may be missing") {
   WindowScene window(side, 1, 100);
   add_square(window, 1); // on the near plane
