@@ -159,15 +159,15 @@ TEST_CASE("a ground seen edge on through llvmpipe without its shortcuts has leve
 }
 
 TEST_CASE("every scene through llvmpipe as it is shipped shows the same surfaces, in colours that are explained") {
-  check_gallery("llvmpipe", 320, 180);
+  check_gallery("llvmpipe", 192, 108);
 }
 
 TEST_CASE("every scene through llvmpipe without its shortcuts shows the same surfaces, in colours that are explained") {
-  check_gallery("llvmpipe-precise", 320, 180);
+  check_gallery("llvmpipe-precise", 192, 108);
 }
 
 TEST_CASE("every scene through softpipe shows the same surfaces, in colours that are explained") {
-  check_gallery("softpipe", 128, 72);
+  check_gallery("softpipe", 96, 54);
 }
 
 TEST_SUITE_END();
