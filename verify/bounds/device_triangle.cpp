@@ -192,8 +192,8 @@ Coverage DeviceTriangle::coverage_by_weights(double x, double y) const {
 }
 
 /// Over a triangle in front of the eye, the slope along x is the difference of two products, ((p0 - p1) (y2 - y0) - (p2
-/// - p0) (y0 - y1)) / d with p = f / w: in needles each is larger than what is left of them. A triangle that is cut
-/// becomes others, with corners in view.
+/// - p0) (y0 - y1)) / d with p = f / w, or, where planes start at a corner, a sum of the values' own: in needles each
+/// is larger than what is left of them. A triangle that is cut becomes others, with corners in view.
 DeviceTriangle::Plane DeviceTriangle::plane(const std::array<double, 3>& corner_values, double x, double y) const {
   Double3 sum(0);
   for (std::size_t i = 0; i < 3; ++i) sum += planes_.l[i] * corner_values[i];
@@ -210,10 +210,19 @@ DeviceTriangle::Plane DeviceTriangle::plane(const std::array<double, 3>& corner_
       p[i] = corner_values[i] / w_clip_[i];
       if (!clipped_) most = std::max(most, std::abs(p[i]));
     }
-    const Double2 e1 = corner_[1] - corner_[0], e2 = corner_[2] - corner_[0];
-    const double area = std::abs(e1.x * e2.y - e1.y * e2.x);
-    const double d1 = std::abs(p[0] - p[1]), d2 = std::abs(p[2] - p[0]);
-    along = Double2(d1 * std::abs(e2.y) + d2 * std::abs(e1.y), d1 * std::abs(e2.x) + d2 * std::abs(e1.x)) / area;
+    const Double2 whole = corner_[1] - corner_[0], other = corner_[2] - corner_[0];
+    const double area = std::abs(whole.x * other.y - whole.y * other.x);
+    along = Double2(0);
+    Double2 of_values(0);
+    for (std::size_t i = 0; i < 3; ++i) { // whichever corner a device begins with
+      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+      const Double2 e1 = corner_[j] - corner_[i], e2 = corner_[k] - corner_[i], across = corner_[k] - corner_[j];
+      const double d1 = std::abs(p[j] - p[i]), d2 = std::abs(p[k] - p[i]);
+      along = {std::max(along.x, (d1 * std::abs(e2.y) + d2 * std::abs(e1.y)) / area),
+               std::max(along.y, (d1 * std::abs(e2.x) + d2 * std::abs(e1.x)) / area)};
+      of_values += Double2(std::abs(p[i] * across.y), std::abs(p[i] * across.x)) / area;
+    }
+    if (frame_.profile().interpolation.anchor == InterpolationAnchor::triangle) along = of_values;
   }
   return {sum.x * x + sum.y * y + sum.z, sum.x, sum.y, plane_error(most, along, x, y)};
 }
