@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace refraster {
@@ -127,11 +128,17 @@ PixelClass PixelJudge::by_samples(const PixelCase& pixel, JudgedDetail& detail) 
   const double weight = 1.0 / static_cast<double>(pixel.samples.size());
   // A driver may take the mean in its own format: by one step more.
   const double resolve = stored_.is_integer() ? stored_.step() / 255 : 0;
-  const auto mean_is_within = [&](const std::vector<ColourBox>& of_samples) {
+  const auto is_mean_within = [&](const std::vector<ColourBox>& of_samples, double brightest) {
     ColourBox mean{Double3(-resolve), Double3(resolve)};
-    for (const ColourBox& box : of_samples) mean.lo += box.lo * weight, mean.hi += box.hi * weight;
+    for (const ColourBox& box : of_samples)
+      mean.lo += glm::min(box.lo, brightest) * weight, mean.hi += glm::min(box.hi, brightest) * weight;
     detail.allowed = in_levels(mean);
     return is_within(mean, pixel);
+  };
+  // A target of integers cuts each sample off at 1 before the mean; one of floats does not.
+  const auto mean_is_within = [&](const std::vector<ColourBox>& of_samples) {
+    return is_mean_within(of_samples, std::numeric_limits<double>::infinity()) ||
+           (stored_.is_integer() && is_mean_within(of_samples, 1));
   };
   std::vector<ColourBox> chosen(choices.size());
   bool found = false;

@@ -10,6 +10,8 @@
 #include "tests/support/gl/where.h"
 #include "tests/support/random.h"
 #include "tests/system/gl/window_scenes.h"
+#include "verify/device/read_profile.h"
+#include "verify/verdict/verdict.h"
 
 #include <doctest/doctest.h>
 
@@ -185,6 +187,33 @@ TEST_CASE("with four samples depth is that of sample 0") {
     CHECK(std::abs(static_cast<double>(*frame.depth.at(5, y)) -
                    (1 - (y + frame.sample_positions[0].y) / size.height)) <= 8 * float_rounding);
   CHECK(frame.samples_passed == 4 * size.width * size.height);
+}
+
+TEST_CASE("edges of what is brighter than white are explained, whether each sample is cut off at 1 or their mean is") {
+  Random random(9);
+  Scene scene = scene_before_the_eye();
+  for (int i = 0; i < 6; ++i) scene.objects.push_back(triangle_at(random_corners(random), Double3(0.3 + i)));
+  const GlFrame frame = render_gl(scene, four_samples());
+  JudgeOptions options;
+  options.samples = 4;
+  DeviceImage image;
+  for (const GlSamplePosition& at : frame.sample_positions)
+    image.samples.push_back({static_cast<std::int32_t>(256 * at.x), static_cast<std::int32_t>(256 * at.y)});
+  image.colour = Image<float>(size.width, size.height, 3);
+  image.precision = StoredPrecision::integers(255);
+  const DeviceProfile profile = device_profile("llvmpipe");
+  std::copy(frame.rgb8.values.begin(), frame.rgb8.values.end(), image.colour.values.begin());
+  CHECK(judge(scene, image, profile, options).is_explained());
+  int differ = 0;
+  for (std::size_t i = 0; i < image.colour.values.size(); ++i) { // as after a resolve of floats
+    const float late = std::nearbyint(std::min(frame.radiance.values[i], 1.0f) * 255);
+    differ += late != image.colour.values[i];
+    image.colour.values[i] = late;
+  }
+  CHECK(differ > 50);
+  CHECK(judge(scene, image, profile, options).is_explained());
+  image.samples.clear(); // at the standard positions, where this driver has none
+  CHECK_FALSE(judge(scene, image, profile, options).is_explained());
 }
 
 TEST_CASE("a number of samples that the driver does not have is no OpenGL, and the line says which it has") {
