@@ -2,8 +2,8 @@
 
 #include "app/output.h"
 #include "app/progress_line.h"
+#include "gl/context/driver_environment.h"
 #include "gl/probe/probe_device.h"
-#include "verify/device/enter_environment.h"
 #include "verify/device/measured_profile.h"
 #include "verify/device/profile_markdown.h"
 #include "verify/device/profile_order.h"
@@ -21,7 +21,7 @@ namespace refraster {
 ExitCode run_probe(const ProbeArguments& a) {
   std::optional<DeviceProfile> expected;
   if (!a.device.empty()) expected = device_profile(a.device);
-  if (expected) enter_environment(*expected);
+  if (expected) enter_environment(expected->environment);
   const bool is_file = !a.output.empty() && a.output != standard_output;
   if (is_file) check_writable(a.output);
   DeviceFacts facts;

@@ -11,10 +11,10 @@
 #include "app/output.h"
 #include "app/progress_line.h"
 #include "app/usage_error.h"
+#include "gl/context/driver_environment.h"
 #include "gl/render_gl.h"
 #include "io/file/sha256.h"
 #include "raster/samples.h"
-#include "verify/device/enter_environment.h"
 #include "verify/device/read_profile.h"
 #include "verify/images/read_device_image.h"
 #include "verify/verdict/verdict_page.h"
@@ -87,7 +87,7 @@ DeviceProfile profile_of_driver(const std::string& renderer) {
 /// Driven as the profile says: by its renderer, in its environment.
 DeviceImage image_from_opengl(const VerifyArguments& a, const Scene& scene, VerdictReport& report) {
   const DeviceProfile& profile = report.profile;
-  enter_environment(profile);
+  enter_environment(profile.environment);
   GlOptions options;
   const Size size = a.size.value_or(Size{});
   options.width = size.width, options.height = size.height;

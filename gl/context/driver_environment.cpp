@@ -1,6 +1,7 @@
 #include "gl/context/driver_environment.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <iterator>
 #include <string_view>
 
@@ -33,6 +34,10 @@ std::vector<std::string> driver_variables(const char* const* environment, const 
   }
   std::sort(found.begin(), found.end());
   return found;
+}
+
+void enter_environment(const std::map<std::string, std::string>& variables) {
+  for (const auto& [name, value] : variables) setenv(name.c_str(), value.c_str(), 1);
 }
 
 std::string advice(const std::vector<std::string>& variables) {

@@ -3,11 +3,11 @@
 #include <refraster/files.h>
 #include <refraster/mesh.h>
 
+#include "gl/context/driver_environment.h"
 #include "tests/support/gl/device_images.h"
 #include "tests/support/scenes/half_textured.h"
 #include "tests/support/scenes/listed_scenes.h"
 #include "tests/system/gl/small_scenes.h"
-#include "verify/device/enter_environment.h"
 #include "verify/device/read_profile.h"
 
 #include <doctest/doctest.h>
@@ -23,7 +23,7 @@ namespace {
 /// As the profile's driver is told to draw. Mesa reads that once a process.
 DeviceProfile entered(const std::string& name) {
   DeviceProfile profile = device_profile(name);
-  enter_environment(profile);
+  enter_environment(profile.environment);
   return profile;
 }
 

@@ -3,8 +3,8 @@
 #include <refraster/files.h>
 #include <refraster/notes.h>
 
+#include "gl/context/driver_environment.h"
 #include "tests/support/gl/device_images.h"
-#include "verify/device/enter_environment.h"
 #include "verify/device/read_profile.h"
 
 #include <cstdio>
@@ -19,7 +19,7 @@ int main(int argc, char** argv) try {
     return 2;
   }
   const DeviceProfile profile = device_profile(argv[1]);
-  enter_environment(profile);
+  enter_environment(profile.environment);
   for (int i = 3; i < argc; ++i) {
     GlOptions options;
     options.width = width, options.height = height;
