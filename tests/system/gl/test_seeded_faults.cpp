@@ -65,6 +65,7 @@ struct Named {
 
 void judge(const SeededFault& fault, const Image<float>& actual, StoredAs as, const PixelJudge& judge, Named& named) {
   const hypotheses::RankRequest request = judge.request(actual, as, 1);
+  if (request.unexplained.size() < 10) return; // in 8 bits some do not show
   const hypotheses::Ranking ranking = rank_hypotheses(request);
   const auto is_right = [&](const hypotheses::Cause& cause) {
     return std::all_of(cause.keys.begin(), cause.keys.end(), [&](const std::string& key) {
