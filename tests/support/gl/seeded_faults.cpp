@@ -22,7 +22,6 @@ constexpr std::string_view version = "#version 330 core\n", begin_main = "void m
                            table_place =
                                "return vec3(phi_d * (180.0 / pi), theta_d * (180.0 / pi), 90.0 * sqrt(theta_h * "
                                "(2.0 / pi)));",
-                           theta_h = "float theta_h = sin_h > 0.0 ? atan(sin_h, dot(n, s)) : 0.0;",
                            line_angle = "float angle = atan(abs(p.y), upper_x);",
                            measured = "vec3 f = sum.w > 0.0 ? sum.rgb / sum.w : vec3(0.0);",
                            measured_cosine = "* n_l * light.radiance : vec3(0.0)", brdf_value = "    return f;\n",
@@ -215,9 +214,6 @@ std::vector<SeededFault> glsl_faults() {
        {"merl_scales_missing"},
        {{fragment, brdf_value, "    return f * 1500.0 / vec3(1.0, 1.15, 1.66);\n"}}},
       {"unmeasured samples read as black", {"merl_unmeasured_black"}, {{fragment, measured, "vec3 f = sum.rgb;"}}},
-      {"theta_h by an arc cosine",
-       {"merl_arc_cosine"},
-       {{fragment, theta_h, "float theta_h = acos(min(dot(n, unit(s)), 1.0));"}}},
       {"the nearest sample of the table",
        {"merl_nearest"},
        {{fragment, "#define MERL_LOOKUP LOOKUP_TRILINEAR\n", "#define MERL_LOOKUP LOOKUP_NEAREST\n"}}},

@@ -92,6 +92,7 @@ void judge_fault(const SeededFault& fault, const Scene& scene, const DeviceImage
     return;
   }
   ++named.found;
+  if (verdict.count(PixelClass::unexplained) < 10) return; // too few to tell causes apart
   Image<float> values;
   const hypotheses::RankRequest request = hypotheses::rank_request(scene, image, profile, options, verdict, values);
   const hypotheses::Ranking ranking = rank_hypotheses(request);
