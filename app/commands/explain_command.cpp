@@ -11,6 +11,8 @@
 #include "app/output.h"
 #include "app/progress_line.h"
 #include "app/usage_error.h"
+#include "verify/device/read_profile.h"
+#include "verify/explain/bounds_story.h"
 #include "verify/explain/explain_pixel.h"
 #include "verify/explain/story_json.h"
 #include "verify/explain/story_text.h"
@@ -24,7 +26,7 @@ namespace refraster {
 namespace {
 
 struct ExplainArguments {
-  std::string scene, actual, layer, json;
+  std::string device, scene, actual, layer, json;
   int x = 0, y = 0;
   std::optional<Size> size; // by default the actual image's
   int samples = 1, lights = 3;
@@ -97,6 +99,7 @@ ExitCode run(const ExplainArguments& arguments) {
   PixelStory story = explain_pixel(
       scene, request, actual ? std::optional(actual_pixel(*actual, arguments.x, arguments.y)) : std::nullopt);
   story.scene = arguments.scene;
+  if (!arguments.device.empty()) story.bounds = bounds_story(scene, request, device_profile(arguments.device));
   if (!arguments.json.empty()) write_text(arguments.json, story_json(story));
   if (arguments.json != standard_output) // which then holds the JSON and nothing else
     std::cout << story_text(story, {.lights = static_cast<std::size_t>(arguments.lights)});
@@ -133,6 +136,10 @@ Command explain_command() {
                                    "image of another renderer (" + readable_formats() +
                                        "): which term would have to be what for its pixel to be right"),
                        text_option("--layer", "NAME", a.layer, "of .exr files: the layer whose R, G and B it has")}},
+                     {"Device",
+                      {text_option("--device", "NAME|FILE", a.device,
+                                   "also what a right device may have at the pixel, and what makes that as wide as it "
+                                   "is: one of refraster list devices, or a file of your own")}},
                      {"Report",
                       {number_option("--lights", a.lights, Range{0, 1000000},
                                      "lights described in full: those that give most; all are in the sum"),

@@ -209,3 +209,32 @@ TEST_CASE("docs/explain.md shows what the command prints") {
   REQUIRE(at != std::string::npos);
   CHECK(run.out.substr(at) == without_fence(test::page_part("docs/explain.md", "explain actual")));
 }
+
+TEST_CASE("with --device the story has what a right device may have, around the pixel's own value, and why") {
+  const BallFolder folder;
+  const Words pixel = {"160", "90", "--size", "320x180", "--json", "-"};
+  Words with = pixel;
+  with.insert(with.end(), {"--device", "llvmpipe"});
+  const Finished without = folder.explain(pixel), found = folder.explain(with);
+  REQUIRE(found.exit_code == 0);
+  CHECK(parsed(without.out)["bounds"].IsNull());
+  const Json story = parsed(found.out);
+  const auto& bounds = story["bounds"];
+  REQUIRE(bounds.IsObject());
+  double sum = 0, last = 1;
+  for (const auto& cause : bounds["causes"].GetArray()) {
+    CHECK(cause["fraction"].GetDouble() <= last);
+    last = cause["fraction"].GetDouble();
+    sum += last;
+  }
+  CHECK(sum > 0.97); // those below half a percent are left out
+  CHECK(sum <= 1 + 0x1p-50);
+  for (rapidjson::SizeType c = 0; c < 3; ++c) {
+    const double value = story["precisions"]["double"]["radiance"][c].GetDouble();
+    CHECK(bounds["least"][c].GetDouble() <= value);
+    CHECK(value <= bounds["most"][c].GetDouble());
+  }
+  Words unknown = pixel;
+  unknown.insert(unknown.end(), {"--device", "llvmpip"});
+  CHECK(folder.explain(unknown).exit_code == 3);
+}
