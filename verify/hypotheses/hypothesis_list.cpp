@@ -132,10 +132,6 @@ constexpr Declared declared[] = {
     {"glossiness_by_2", "glossiness halved", plastics, set<&Steps::glossiness, Glossiness::by_2>},
     {"glossiness_by_4", "glossiness divided by four, as Phong needs it to look like Blinn-Phong", plastics,
      set<&Steps::glossiness, Glossiness::by_4>},
-    // The direction to the eye: for Phong alone, reversed it is the same as a reversed reflection.
-    {"eye_not_normalised", "the direction to the eye not normalised", any, set<&Steps::eye, Eye::not_normalised>},
-    {"eye_reversed", "the direction to the eye reversed", any, set<&Steps::eye, Eye::reversed>},
-    {"eye_at_origin", "the eye taken to be at the origin", any, set<&Steps::eye, Eye::from_origin>},
     // Textures.
     {"texture_missing", "the texture missing: white", textures, set<&Steps::texture_use, TextureUse::missing>},
     {"texture_on_highlight", "the texture on the highlight too", textures,
@@ -192,6 +188,11 @@ constexpr Declared declared[] = {
      set<&Steps::table_lookup, TableLookup::cubic>},
     {"merl_arc_cosine", "θh by an arc cosine, which loses half of all digits at a highlight", measured,
      set<&Steps::table_angles, TableAngles::arc_cosine>},
+    // The direction to the eye, last: reversed, it is a reversed reflection for Phong alone, and black for a measured
+    // surface, as are several faults of its table.
+    {"eye_not_normalised", "the direction to the eye not normalised", any, set<&Steps::eye, Eye::not_normalised>},
+    {"eye_reversed", "the direction to the eye reversed", any, set<&Steps::eye, Eye::reversed>},
+    {"eye_at_origin", "the eye taken to be at the origin", any, set<&Steps::eye, Eye::from_origin>},
 };
 
 /// What `concerns` means in docs.
