@@ -109,7 +109,9 @@ private:
   void check(const Object& object, std::size_t index) {
     const Where at = item("objects", index);
     field(at, "position", object.position, any_number);
-    field(at, "rotate", object.rotate_degrees, any_number);
+    field(at, "rotate_x", object.rotate_degrees.x, any_number);
+    field(at, "rotate_y", object.rotate_degrees.y, any_number);
+    field(at, "rotate_z", object.rotate_degrees.z, any_number);
     field(at, "scale", object.scale, any_number);
     if (!object.mesh) fault(at() + "mesh", "null", "a mesh");
     else if (meshes_.insert(object.mesh.get()).second) check(*object.mesh, at);

@@ -157,6 +157,7 @@ ExitCode run(VerifyArguments& a) {
   reading.notes = &report.notes;
   auto line = progress_line(a.diagnostics, "reading " + a.scene);
   const Scene scene = read_scene(a.scene, reading);
+  check_triangle_numbers(a.scene, scene, "verify");
   report.provenance.emplace_back("scene sha256", file_sha256(a.scene));
   DeviceImage image;
   try {

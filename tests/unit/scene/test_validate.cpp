@@ -63,6 +63,8 @@ TEST_CASE("each fault is told by the key, what was found and what was expected")
        "camera/fov_y: found 180, expected finite numbers above 0 and below 180", Effect::refused},
       {[](Scene& s) { s.camera.near = 0; }, "camera/near: found 0, expected finite numbers above 0", Effect::refused},
       {[](Scene& s) { s.camera.far = 0.1; }, "camera/far: found 0.1, expected more than near, 0.1", Effect::refused},
+      {[](Scene& s) { s.objects[1].rotate_degrees.y = not_a_number; },
+       "objects/1/rotate_y: found nan, expected finite numbers", Effect::refused},
       {[](Scene& s) { s.camera.target = s.camera.position; },
        "camera/target: found 0, 0, 4, expected another point than position", Effect::refused},
       {[](Scene& s) {
