@@ -73,7 +73,10 @@ List list_of(const OptionGroup& group) {
 } // namespace
 
 std::string usage_of(const Option& option) {
-  if (option.is_argument()) return option.occurs == Occurs::once ? option.name : "[" + option.name + "…]";
+  if (option.is_argument())
+    return option.occurs == Occurs::once           ? option.name
+           : option.occurs == Occurs::at_most_once ? "[" + option.name + "]"
+                                                   : "[" + option.name + "…]";
   std::string text;
   if (option.short_name != 0) text = std::string("-") + option.short_name + ", ";
   text += option.name;
