@@ -179,6 +179,7 @@ Coverage DeviceTriangle::coverage_by_weights(double x, double y) const {
   if (planes_.is_flat()) return {Coverage::Certainty::ambiguous, 7};
   const std::array<double, 3> value = planes_.at(x, y);
   const double reach = reach_at(x, y);
+  if (!std::isfinite(reach)) return {Coverage::Certainty::ambiguous, 7};
   Coverage result{Coverage::Certainty::inside, 0};
   for (std::size_t k = 0; k < 3; ++k) {
     const double along = reach * (std::abs(planes_.l[k].x) + std::abs(planes_.l[k].y));
