@@ -42,8 +42,8 @@ SampledBounds sample_bounds(const DeviceFrame& frame, const StoredValue& stored,
     auto& bounder = bounders[static_cast<std::size_t>(thread)];
     if (!bounder) bounder = std::make_unique<PixelBounder>(frame);
     for (std::size_t i = b * block; i < std::min((b + 1) * block, places.size()); ++i) {
-      const auto& [at, number] = places[i];
-      const DeviceTriangle triangle(frame, number);
+      const PixelPlace at = places[i].first;
+      const DeviceTriangle triangle(frame, places[i].second);
       const auto width = [&](BoundCauses causes) {
         const ColourBox box = bounder->bounds(triangle, at.x, at.y, causes).colour;
         double widest = 0;

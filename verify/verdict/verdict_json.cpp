@@ -41,12 +41,12 @@ void write_unexplained(JsonWriter& json, const Verdict& verdict) {
   });
   json.array("clusters", [&] {
     for (std::size_t i = 0; i < std::min(verdict.clusters.size(), max_listed); ++i) {
-      const auto& [c, object] = verdict.clusters[i];
+      const Cluster& c = verdict.clusters[i].where;
       json.object([&] {
         json.member("box", std::vector<int>{c.x, c.y, c.width, c.height});
         json.member("pixels", c.pixels);
         json.member("worst", std::vector<int>{c.worst_x, c.worst_y});
-        json.member("object", object);
+        json.member("object", verdict.clusters[i].object);
       });
     }
   });

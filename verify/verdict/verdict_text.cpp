@@ -30,11 +30,12 @@ std::string allowed_text(const ColourBox& box) {
 std::string clusters_text(const Verdict& verdict) {
   std::string text;
   for (std::size_t i = 0; i < std::min(verdict.clusters.size(), max_shown_clusters); ++i) {
-    const auto& [c, object] = verdict.clusters[i];
+    const Cluster& c = verdict.clusters[i].where;
     const std::string pixels = c.pixels == 1 ? "1 pixel" : std::to_string(c.pixels) + " pixels";
-    text += report_line(i == 0 ? "clusters" : "",
-                        format("%s of %s in x %d to %d, y %d to %d; worst at (%d, %d)", pixels.c_str(), object.c_str(),
-                               c.x, c.x + c.width - 1, c.y, c.y + c.height - 1, c.worst_x, c.worst_y));
+    text +=
+        report_line(i == 0 ? "clusters" : "", format("%s of %s in x %d to %d, y %d to %d; worst at (%d, %d)",
+                                                     pixels.c_str(), verdict.clusters[i].object.c_str(), c.x,
+                                                     c.x + c.width - 1, c.y, c.y + c.height - 1, c.worst_x, c.worst_y));
     const auto worst = std::find_if(verdict.details.begin(), verdict.details.end(),
                                     [&](const JudgedDetail& d) { return d.x == c.worst_x && d.y == c.worst_y; });
     if (worst == verdict.details.end()) continue;
