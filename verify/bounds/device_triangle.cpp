@@ -51,15 +51,15 @@ void DeviceTriangle::place_corners() {
     z_clip_[i] = clip.z, w_clip_[i] = clip.w;
     const double x = frame_.clip_error(ref_.object, 0, p), y = frame_.clip_error(ref_.object, 1, p),
                  z = frame_.clip_error(ref_.object, 2, p), w = frame_.clip_error(ref_.object, 3, p);
-    xy_error_[i] = half * (std::max(x, y) + w), w_error_[i] = w;
+    xy_error_[i] = half * std::max(x, y), w_error_[i] = w;
     z_error_[i] = z + w; // of z / w, where that is at most 1
     if (!(clip.w > w)) {
       in_front_ = false;
       continue;
     }
     corner_[i] = Double2(homogeneous[i].x, homogeneous[i].y) / clip.w;
-    const double far = std::max(std::abs(corner_[i].x), std::abs(corner_[i].y));
-    viewport_error_[i] = viewport_roundings * u * std::max(half, far);
+    const double far = std::max(std::abs(corner_[i].x - width / 2), std::abs(corner_[i].y - height / 2));
+    viewport_error_[i] = viewport_roundings * u * (half + far);
     corner_error_[i] = (xy_error_[i] + far * w) / (clip.w - w) + viewport_error_[i];
     if (!(v.outcode & outcode::unsnapped)) moved_[i] = corner_[i] - Double2(v.x, v.y) / double{subpixels};
   }
@@ -141,16 +141,17 @@ Coverage DeviceTriangle::coverage_in_front(double x, double y) const {
   return result;
 }
 
-/// With h = 1 / w = sum l_i and clip coordinates c_i + d_i, the point that has the weights l is moved by
+/// With h = 1 / w = sum l_i and clip coordinates c_i + d_i, and p counted from the middle of the window, the point that
+/// has the weights l is moved by
 ///     (sum l_i d_i.xy - p sum l_i d_i.w) / (h + sum l_i d_i.w):
 /// that of a corner near the eye plane by no more than others, however far it is in the window. The weights are those
 /// of the point that is moved to p, which lies within the shift itself.
 double DeviceTriangle::vertex_shift_at(double x, double y) const {
   const std::array<double, 3> weight = planes_.at(x, y);
-  const double from_origin = std::max(std::abs(x), std::abs(y));
+  const double from_centre = std::max(std::abs(x - frame_.width() / 2.0), std::abs(y - frame_.height() / 2.0));
   double moved = 0, change = 0, w_moved = 0, h = 0, h_change = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    const double error = xy_error_[i] + from_origin * w_error_[i];
+    const double error = xy_error_[i] + from_centre * w_error_[i];
     const double slope = std::abs(planes_.l[i].x) + std::abs(planes_.l[i].y);
     moved += std::abs(weight[i]) * error, change += slope * error;
     w_moved += std::abs(weight[i]) * w_error_[i], h += weight[i], h_change += slope;
