@@ -171,7 +171,7 @@ TEST_CASE("so do those of a device that is known when the program runs") {
                                            [&] { DeviceArithmetic::use(vulkan); });
 }
 
-TEST_SUITE("slow") {
+TEST_SUITE("long") {
   TEST_CASE("so they are in other scenes, and hold what is made of other positions") {
     for (const std::string& path : quick_scenes()) {
       CAPTURE(path);
