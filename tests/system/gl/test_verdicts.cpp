@@ -159,11 +159,11 @@ TEST_CASE("a ground seen edge on through llvmpipe without its shortcuts has leve
 }
 
 TEST_CASE("every scene through llvmpipe as it is shipped shows the same surfaces, in colours that are explained") {
-  check_gallery("llvmpipe", 192, 108);
+  check_gallery("llvmpipe", 128, 72);
 }
 
 TEST_CASE("every scene through llvmpipe without its shortcuts shows the same surfaces, in colours that are explained") {
-  check_gallery("llvmpipe-precise", 192, 108);
+  check_gallery("llvmpipe-precise", 128, 72);
 }
 
 TEST_CASE("every scene through softpipe shows the same surfaces, in colours that are explained") {
