@@ -16,7 +16,7 @@ import subprocess
 import sys
 import tempfile
 
-SIZE = "320x180"
+SIZE = "160x90"
 BROWSERS = ["chromium", "chromium-browser", "google-chrome"]
 OPTIONS = [
     "--headless", "--dump-dom",
