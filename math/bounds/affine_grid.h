@@ -143,58 +143,30 @@ auto anything_like(const glm::vec<components, Affine<B>, glm::defaultp>&) {
 
 } // namespace affine_detail
 
-/// The cells that a place may lie in, each with the whole form of the place in it, of which only the part inside counts
-/// as range: so that a value is a slope times the place, and what holds all cells' values still is.
+template <class B>
+Affine<B> with_range(const Affine<B>&, const Interval<B>& range) {
+  return Affine<B>(range);
+}
+/// With the whole form, of which only the part inside counts as range: so that a value that is read is a slope times
+/// the place, and what holds all cells' values still is.
+template <class B>
+Affine<B> within_cell(const Affine<B>& x, std::int32_t index) {
+  const Interval<B> inside = within_cell(x.range(), index);
+  return (x - Affine<B>(index)).clipped(inside.lo, inside.hi);
+}
+
+namespace affine_detail {
+
 template <class B, std::size_t dimensions>
-class CellWalk {
-public:
-  using Cells = std::array<Cell<Affine<B>>, dimensions>;
+auto walk_of(const std::array<Affine<B>, dimensions>& place, const std::array<GridAxis, dimensions>& axes) {
+  return CellWalk<Affine<B>, dimensions>(place, axes, [](const Affine<B>& x) { return x.range(); });
+}
 
-  CellWalk(const std::array<Affine<B>, dimensions>& place, const std::array<GridAxis, dimensions>& axes)
-      : inside_(place) {
-    for (std::size_t d = 0; d < dimensions; ++d) {
-      Interval<B> bounded = place[d].range();
-      range_[d] = interval_detail::cells_of(bounded, axes[d]);
-      if (bounded.lo != place[d].lo || bounded.hi != place[d].hi) inside_[d] = Affine<B>(bounded);
-    }
-    start();
-  }
-
-  std::int64_t count() const {
-    std::int64_t count = 1;
-    for (const auto& [first, last] : range_) count *= std::int64_t{last} - first + 1;
-    return count;
-  }
-  /// To the first cell.
-  void start() {
-    for (std::size_t d = 0; d < dimensions; ++d) enter(d, range_[d].first);
-  }
-  /// To the next; false, and to the first, after the last.
-  bool next() {
-    std::size_t d = 0;
-    while (d < dimensions && cells_[d].index == range_[d].last) enter(d, range_[d].first), ++d;
-    if (d == dimensions) return false;
-    enter(d, cells_[d].index + 1);
-    return true;
-  }
-  const Cells& cells() const { return cells_; }
-
-private:
-  void enter(std::size_t d, std::int32_t index) {
-    // [0, 1] less what of it is outside of the range.
-    const Interval<B> rest = inside_[d].range() - Interval<B>(index);
-    cells_[d] = {index,
-                 (inside_[d] - Affine<B>(index)).clipped(std::clamp(rest.lo, 0.0, 1.0), std::clamp(rest.hi, 0.0, 1.0))};
-  }
-
-  std::array<interval_detail::CellRange, dimensions> range_;
-  std::array<Affine<B>, dimensions> inside_;
-  Cells cells_;
-};
+} // namespace affine_detail
 
 /// What is read in any of the cells; where the budget has a limit and there are more, of a colour nothing is known.
 template <class B, std::size_t dimensions, class Read>
-auto read_walk(CellWalk<B, dimensions>& walk, const Read& read) {
+auto read_walk(CellWalk<Affine<B>, dimensions>& walk, const Read& read) {
   auto value = read(walk.cells());
   if constexpr (requires {
                   B::max_cells;
@@ -209,7 +181,7 @@ auto read_walk(CellWalk<B, dimensions>& walk, const Read& read) {
 template <class B, std::size_t dimensions, class Read>
 auto read_every_cell(const std::array<Affine<B>, dimensions>& place, const std::array<GridAxis, dimensions>& axes,
                      const Read& read) {
-  CellWalk<B, dimensions> walk(place, axes);
+  auto walk = affine_detail::walk_of(place, axes);
   return read_walk(walk, read);
 }
 
@@ -220,7 +192,7 @@ template <class B, std::size_t dimensions, class Read>
   }
 auto read_one_cell(const std::array<Affine<B>, dimensions>& place, const std::array<GridAxis, dimensions>& axes,
                    const Read& read) {
-  CellWalk<B, dimensions> walk(place, axes);
+  auto walk = affine_detail::walk_of(place, axes);
   for (std::int64_t left = walk.count(); left > 1; --left) {
     const Certainty is_this = B::decided(Certainty::unknown);
     if (is_this == Certainty::yes) return read(walk.cells());

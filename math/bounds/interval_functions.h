@@ -276,38 +276,74 @@ CellRange cells_of(Interval<B>& place, const GridAxis& axis) {
   return {floor_and_fraction(place.lo).index, floor_and_fraction(place.hi).index};
 }
 
-/// What is read in any of these cells. `cells` is the first of them; enter(d, index) makes it another along axis d.
-template <std::size_t dimensions, class Cells, class Enter, class Read>
-auto read_all(const std::array<CellRange, dimensions>& range, const Cells& cells, const Enter& enter,
-              const Read& read) {
-  auto value = read(cells);
-  for (;;) {
-    std::size_t d = 0;
-    while (d < dimensions && cells[d].index == range[d].last) enter(d, range[d].first), ++d;
-    if (d == dimensions) return value;
-    enter(d, cells[d].index + 1);
-    value = join(value, read(cells));
-  }
+} // namespace interval_detail
+
+/// x, of which it is known that it lies in `range`.
+template <class B>
+Interval<B> with_range(const Interval<B>&, const Interval<B>& range) {
+  return range;
+}
+/// Where x is in a cell: [0, 1] less what of it is outside of the range.
+template <class B>
+Interval<B> within_cell(const Interval<B>& x, std::int32_t index) {
+  const Interval<B> rest = x - Interval<B>(index);
+  return {std::clamp(rest.lo, 0.0, 1.0), std::clamp(rest.hi, 0.0, 1.0)};
 }
 
-} // namespace interval_detail
+/// The cells that a place may lie in, one after the other, each with the part of the place that lies there.
+template <class T, std::size_t dimensions>
+class CellWalk {
+public:
+  using Cells = std::array<Cell<T>, dimensions>;
+
+  /// range(x) is the Interval of a coordinate.
+  template <class Range>
+  CellWalk(const std::array<T, dimensions>& place, const std::array<GridAxis, dimensions>& axes, const Range& range)
+      : inside_(place) {
+    for (std::size_t d = 0; d < dimensions; ++d) {
+      auto bounded = range(place[d]);
+      const auto whole = bounded;
+      range_[d] = interval_detail::cells_of(bounded, axes[d]);
+      if (bounded.lo != whole.lo || bounded.hi != whole.hi) inside_[d] = with_range(place[d], bounded);
+    }
+    start();
+  }
+
+  std::int64_t count() const {
+    std::int64_t count = 1;
+    for (const auto& [first, last] : range_) count *= std::int64_t{last} - first + 1;
+    return count;
+  }
+  /// To the first cell.
+  void start() {
+    for (std::size_t d = 0; d < dimensions; ++d) enter(d, range_[d].first);
+  }
+  /// To the next; false, and to the first, after the last.
+  bool next() {
+    std::size_t d = 0;
+    while (d < dimensions && cells_[d].index == range_[d].last) enter(d, range_[d].first), ++d;
+    if (d == dimensions) return false;
+    enter(d, cells_[d].index + 1);
+    return true;
+  }
+  const Cells& cells() const { return cells_; }
+
+private:
+  void enter(std::size_t d, std::int32_t index) { cells_[d] = {index, within_cell(inside_[d], index)}; }
+
+  std::array<interval_detail::CellRange, dimensions> range_;
+  std::array<T, dimensions> inside_;
+  Cells cells_;
+};
 
 /// See read_grid. Every cell is read, however many there are.
 template <class B, std::size_t dimensions, class Read>
-auto read_every_cell(std::array<Interval<B>, dimensions> place, const std::array<GridAxis, dimensions>& axes,
+auto read_every_cell(const std::array<Interval<B>, dimensions>& place, const std::array<GridAxis, dimensions>& axes,
                      const Read& read) {
-  using namespace interval_detail;
-  std::array<CellRange, dimensions> range;
-  std::array<Cell<Interval<B>>, dimensions> cells;
-  const auto enter = [&](std::size_t d, std::int32_t index) {
-    const Interval<B> rest = place[d] - Interval<B>(index);
-    cells[d] = {index, {std::clamp(rest.lo, 0.0, 1.0), std::clamp(rest.hi, 0.0, 1.0)}};
-  };
-  for (std::size_t d = 0; d < dimensions; ++d) {
-    range[d] = cells_of(place[d], axes[d]);
-    enter(d, range[d].first);
-  }
-  return interval_detail::read_all(range, cells, enter, read);
+  CellWalk<Interval<B>, dimensions> walk(place, axes, [](const Interval<B>& x) { return x; });
+  auto value = read(walk.cells());
+  while (walk.next()) value = join(value, read(walk.cells()));
+  return value;
 }
 
 static_assert(Number<Interval<DoubleArithmetic>> && Number<Interval<FloatArithmetic>>);

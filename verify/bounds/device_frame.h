@@ -26,7 +26,6 @@ public:
   const FrameContext& context() const { return context_; }
   const Scene& scene() const { return context_.scene; }
   const DeviceProfile& profile() const { return profile_; }
-  ShaderMatrices matrices() const { return matrices_; }
   int width() const { return options_.width; }
   int height() const { return options_.height; }
   TriangleRef triangle(std::uint32_t number) const { return TriangleFinder(context_.scene, geometry_).at(number); }
