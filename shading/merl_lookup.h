@@ -36,6 +36,10 @@ struct MerlValue {
   friend MerlValue join(const MerlValue& a, const MerlValue& b) requires(!NumberTraits<T>::decides) {
     return {join(a.f, b.f), join(a.unmeasured, b.unmeasured)};
   }
+  /// Of a bounds number, what is read at a place that is hardly known (read_walk).
+  friend MerlValue anything_like(const MerlValue& value) requires(!NumberTraits<T>::decides) {
+    return {anything_like(value.f), MaskOf<T>::unknown};
+  }
 };
 
 /// The axes of the table: the border samples of theta_h and theta_d continue to infinity, phi_d goes round.

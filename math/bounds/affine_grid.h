@@ -134,14 +134,11 @@ Vec4<Affine<B>> mix_cubic(const Vec4<Affine<B>>& a, const Vec4<Affine<B>>& b, co
           component(a.z, b.z, c.z, d.z, range.z), component(a.w, b.w, c.w, d.w, range.w)};
 }
 
-namespace affine_detail {
-
+/// What may be any value.
 template <int components, class B>
 auto anything_like(const glm::vec<components, Affine<B>, glm::defaultp>&) {
   return glm::vec<components, Affine<B>, glm::defaultp>(Affine<B>::anything());
 }
-
-} // namespace affine_detail
 
 template <class B>
 Affine<B> with_range(const Affine<B>&, const Interval<B>& range) {
@@ -164,15 +161,15 @@ auto walk_of(const std::array<Affine<B>, dimensions>& place, const std::array<Gr
 
 } // namespace affine_detail
 
-/// What is read in any of the cells; where the budget has a limit and there are more, of a colour nothing is known.
+/// What is read in any of the cells; where the budget has a limit and there are more, nothing is known.
 template <class B, std::size_t dimensions, class Read>
 auto read_walk(CellWalk<Affine<B>, dimensions>& walk, const Read& read) {
   auto value = read(walk.cells());
   if constexpr (requires {
                   B::max_cells;
-                  affine_detail::anything_like(value);
+                  anything_like(value);
                 })
-    if (walk.count() > B::max_cells) return affine_detail::anything_like(value);
+    if (walk.count() > B::max_cells) return anything_like(value);
   while (walk.next()) value = join(value, read(walk.cells()));
   return value;
 }

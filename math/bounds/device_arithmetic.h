@@ -38,7 +38,8 @@ struct DeviceArithmetic {
   static constexpr double largest = std::numeric_limits<float>::max();
   static constexpr Sums sums = Sums::in_any_order;
   static constexpr Powers powers = Powers::by_logarithm;
-  /// Of a texture, at once: a place that may be in more is not known well enough for what is read to mean anything.
+  /// Of a texture or table, at once: a place that may be in more is not known well enough for what is read to mean
+  /// anything.
   static constexpr std::int64_t max_cells = 256;
 
   /// From now on, on this thread; a render does so for its own (SampleRequest::enter).

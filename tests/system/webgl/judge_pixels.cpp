@@ -45,7 +45,7 @@ int main(int argc, char** argv) try {
   image.full_scale = 1, image.precision = StoredPrecision::floats(0x1p-24);
   DeviceProfile profile = device_profile("swiftshader");
   profile.raster.lattice = std::ldexp(1.0, -std::atoi(argv[5]));
-  const Scene scene = read_scene(argv[1]);
+  const Scene scene = read_scene(argv[1], {.outside = Outside::allowed});
   const Verdict verdict = judge(scene, image, profile, {});
   for (const auto& [value, name] : EnumNames<PixelClass>::names)
     if (verdict.count(value) > 0)

@@ -137,7 +137,7 @@ int main(int argc, char** argv) try {
   const std::string mark = "@SCENE@";
   const std::size_t at = page.find(mark);
   if (at == std::string::npos) throw std::runtime_error(std::string(argv[3]) + ": no " + mark);
-  write_file(argv[4], page.replace(at, mark.size(), scene_json(read_scene(argv[1]), width, height)));
+  write_file(argv[4], page.replace(at, mark.size(), scene_json(read_scene(argv[1], {.outside = Outside::allowed}), width, height)));
   return 0;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "%s\n", error.what());
