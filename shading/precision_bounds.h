@@ -57,7 +57,7 @@ inline constexpr PrecisionBound precision_bounds[] = {
     {"merl tricubic-log", "uniform", {2.5, 1.2}, {2.2, 1.2}, {1200, 74}, {8100, 74}, 2.9e-06},
     {"merl tricubic-log", "specular", {2.2, 1.4}, {1.9, 1.1}, {70, 27}, {50, 24}, 6.7e-06},
     {"merl tricubic-log", "retro", {2.7, 1.4}, {3.5, 1.3}, {18000, 780}, {23000, 740}, 8.9e-06},
-    {"merl tricubic-log", "grazing", {0.71, 0.05}, {1.2, 0.052}, {7.9e+05, 2e+05}, {7.9e+05, 2.1e+05}, 5.5e-05},
+    {"merl tricubic-log", "grazing", {1.1, 0.05}, {1.2, 0.052}, {7.9e+05, 2e+05}, {7.9e+05, 2.1e+05}, 5.5e-05},
     {"merl tricubic-log", "plane", {2.2, 1.4}, {2.3, 1.3}, {51, 21}, {61, 21}, 7.6e-06},
     {"merl tricubic-log", "point light", {2.8, 1.3}, {2.7, 1.3}, {47, 20}, {50, 19}, 1.2e-05},
     {"merl tricubic-log", "direction light", {2.2, 1.2}, {2, 1.3}, {38, 19}, {40, 19}, 1.7e-05},
