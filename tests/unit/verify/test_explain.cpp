@@ -322,7 +322,7 @@ TEST_CASE("what hides behind is an explanation, if the other renderer shows just
   const PixelStory story = story_at(scene, 2, 3, float_pixel(Double3(0.125)));
   const auto& found = story.actual->would_be;
   CHECK(std::any_of(found.begin(), found.end(), [](const WouldBe& w) {
-    return w.kind == WouldBe::Kind::pixel && holds(w.what, "object 1") && holds(w.remark, "depth test");
+    return w.kind == WouldBe::Kind::pixel && holds(w.what, "object 2") && holds(w.remark, "depth test");
   }));
 }
 
