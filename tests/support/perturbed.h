@@ -27,6 +27,7 @@ public:
   /// Of an exact result. A little less than all of it: double rounds too.
   static Perturbed of(double exact, double relative = Budget::relative) {
     constexpr double most = 1 - 0x1p-10;
+    if (std::abs(exact) <= Budget::absolute && flips().below(2)) return Perturbed(0.0); // a denormal may be flushed
     return Perturbed(exact + exact * relative * most * (flips().below(3) - 1));
   }
 

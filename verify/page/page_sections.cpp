@@ -79,6 +79,12 @@ std::string objects_text(const PageCluster& cluster) {
   return text;
 }
 
+/// "12–17", or "12" of one.
+std::string range_text(int first, int count) {
+  const std::string text = std::to_string(first);
+  return count == 1 ? text : text + "–" + std::to_string(first + count - 1);
+}
+
 std::string clusters_section(const ReportPage& page) {
   if (page.clusters.empty()) return {};
   const bool named = std::any_of(page.clusters.begin(), page.clusters.end(),
@@ -87,7 +93,7 @@ std::string clusters_section(const ReportPage& page) {
   for (std::size_t i = 0; i < page.clusters.size(); ++i) {
     const Cluster& at = page.clusters[i].where;
     rows += "<tr><td class=\"left\"><button type=\"button\" class=\"link\" data-cluster=\"" + std::to_string(i) +
-            format("\">x %d–%d, y %d–%d</button></td>", at.x, at.x + at.width - 1, at.y, at.y + at.height - 1);
+            "\">x " + range_text(at.x, at.width) + ", y " + range_text(at.y, at.height) + "</button></td>";
     rows += "<td>" + with_commas(at.pixels) + "</td>";
     if (named) rows += "<td class=\"left\">" + objects_text(page.clusters[i]) + "</td>";
     rows += "<td>" + (std::isfinite(at.largest) ? format("%.4g", at.largest) : std::string("none")) + "</td>";

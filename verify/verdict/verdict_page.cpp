@@ -108,13 +108,18 @@ void add_notes(const VerdictReport& report, const Scene& scene, const DeviceImag
   }
 }
 
+/// As the viewer has it beside the images: cut, so that 100 % means all.
+std::string share_of(std::uint64_t count, std::uint64_t all) {
+  const double hundredths = std::floor(1e4 * static_cast<double>(count) / static_cast<double>(all));
+  return count > 0 && hundredths < 1 ? "< 0.01 %" : format("%.2f %%", hundredths / 100);
+}
+
 PageTable class_table(const Verdict& verdict) {
   PageTable table{.title = "Pixels by class", .columns = {"class", "pixels", "share"}, .rows = {}};
   const std::uint64_t all = verdict.classes.values.size();
   for (const auto& [pixel_class, name] : EnumNames<PixelClass>::names) {
     const std::uint64_t count = verdict.count(pixel_class);
-    table.rows.push_back({std::string(name), std::to_string(count),
-                          rounded_text(100 * static_cast<double>(count) / static_cast<double>(all), 4) + " %"});
+    table.rows.push_back({std::string(name), with_commas(count), share_of(count, all)});
   }
   return table;
 }
@@ -125,7 +130,7 @@ PageTable cause_table(const Verdict& verdict) {
                   .columns = {"cause", "share"},
                   .rows = {}};
   for (std::size_t i = 0; i < verdict.causes.size(); ++i)
-    table.rows.push_back({std::string(bound_cause_names[i]), rounded_text(100 * verdict.causes[i], 3) + " %"});
+    table.rows.push_back({std::string(bound_cause_names[i]), format("%.1f %%", 100 * verdict.causes[i])});
   return table;
 }
 
@@ -135,7 +140,7 @@ PageTable drift_table(const Verdict& verdict, const Scene& scene) {
                   .columns = {"object", "values", "moved", "by chance at most", ""},
                   .rows = {}};
   for (const ObjectBias& bias : verdict.biases)
-    table.rows.push_back({scene.objects[bias.object].name, std::to_string(bias.values),
+    table.rows.push_back({scene.objects[bias.object].name, with_commas(bias.values),
                           rounded_text(100 * bias.moved, 3) + " %", rounded_text(100 * bias.allowed_moved, 3) + " %",
                           bias.is_biased() ? "drifts" : ""});
   return table;
@@ -167,7 +172,7 @@ ReportPage verdict_page(const VerdictReport& report, const Scene& scene, const D
   for (const UnexplainedCluster& cluster : verdict.clusters)
     page.clusters.push_back({cluster.where, {{cluster.object, cluster.where.pixels}}});
   page.cluster_count = verdict.clusters.size();
-  constexpr std::size_t max_shown_clusters = 100;
+  constexpr std::size_t max_shown_clusters = 25; // beyond, most are single pixels
   if (page.clusters.size() > max_shown_clusters) page.clusters.resize(max_shown_clusters);
   if (report.ranking)
     for (std::size_t i = 0; i < report.ranking->causes.size(); ++i) {

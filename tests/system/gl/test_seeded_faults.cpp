@@ -1,10 +1,6 @@
 // The faults that a verdict must find, and whether hypotheses name what they are.
 
-#include "gl/render_gl.h"
-#include "tests/support/files/malformed_inputs.h"
-#include "tests/support/gl/device_images.h"
-#include "tests/support/gl/seeded_faults.h"
-#include "tests/support/scenes/fault_scenes.h"
+#include "tests/support/gl/fault_images.h"
 #include "verify/device/read_profile.h"
 #include "verify/verdict/rank_request.h"
 
@@ -12,37 +8,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <set>
 
 using namespace refraster;
-using refraster::test::TemporaryFolder;
-
-namespace {
-
-constexpr FaultImageSize size{128, 96};
-
-Image<float> drawn(const Scene& scene) {
-  GlOptions options;
-  options.width = size.width, options.height = size.height;
-  options.renderer = GlRenderer::llvmpipe;
-  options.want_rgb8 = false, options.want_radiance = true;
-  return render_gl(scene, options).radiance;
-}
-
-/// Pixels that differ by more than a level.
-int different(const Image<float>& a, const Image<float>& b) {
-  int count = 0;
-  for (int y = 0; y < a.height; ++y)
-    for (int x = 0; x < a.width; ++x) {
-      bool differs = false;
-      for (int c = 0; c < 3; ++c) differs |= !(std::abs(a.at(x, y)[c] - b.at(x, y)[c]) <= 1.0f / 255);
-      count += differs;
-    }
-  return count;
-}
-
-} // namespace
 
 TEST_CASE("seeded faults have names of their own, and at least forty are in GLSL, ten in scenes and ten in images") {
   std::set<std::string_view> names;
@@ -58,20 +26,6 @@ TEST_CASE("seeded faults have names of their own, and at least forty are in GLSL
 }
 
 namespace {
-
-enum class StoredAs { floats, rgb8 };
-
-/// As a file of that kind holds it.
-DeviceImage stored(const Image<float>& radiance, StoredAs as) {
-  DeviceImage image;
-  image.colour = radiance;
-  image.full_scale = 1, image.precision = StoredPrecision::floats(float_rounding);
-  if (as == StoredAs::floats) return image;
-  for (float& value : image.colour.values)
-    value = static_cast<float>(std::nearbyint(255 * std::clamp(static_cast<double>(value), 0.0, 1.0)));
-  image.full_scale = 255, image.precision = StoredPrecision::integers(255);
-  return image;
-}
 
 /// How often a fault was found, and the right cause named.
 struct Named {
@@ -120,27 +74,21 @@ void judge_fault(const SeededFault& fault, const Scene& scene, const DeviceImage
 /// Draws and judges every `step`-th fault, each on the first scene where it shows, in floats and in 8 bits.
 std::array<Named, 2> judge_faults(std::size_t step) {
   const DeviceProfile profile = device_profile("llvmpipe");
-  std::vector<Image<float>> right;
-  for (const FaultScene& place : fault_scenes()) {
-    right.push_back(drawn(place.scene));
-    for (const StoredAs as : {StoredAs::floats, StoredAs::rgb8})
-      CHECK_MESSAGE(judge(place.scene, stored(right.back(), as), profile, {}).is_explained(), place.name);
-  }
+  const std::vector<Image<float>> right = right_fault_images();
+  for (std::size_t i = 0; i < right.size(); ++i)
+    for (const StoredAs as : {StoredAs::floats, StoredAs::rgb8}) {
+      const FaultScene& place = fault_scenes()[i];
+      CHECK_MESSAGE(judge(place.scene, stored_image(right[i], as), profile, {}).is_explained(), place.name);
+    }
   Named floats, levels;
   for (std::size_t k = 0; k < seeded_faults().size(); k += step) {
     const SeededFault& fault = seeded_faults()[k];
-    bool shows = false;
-    for (std::size_t i = 0; i < fault_scenes().size() && !shows; ++i) {
-      const TemporaryFolder folder;
-      const std::optional<Scene> scene = with_fault(fault_scenes()[i].scene, fault, size, folder.path);
-      if (!scene) continue;
-      const Image<float> image = fault.image ? fault.image(right[i]) : drawn(*scene);
-      shows = different(right[i], image) >= 10;
-      if (!shows) continue;
-      judge_fault(fault, fault_scenes()[i].scene, stored(image, StoredAs::floats), profile, floats);
-      judge_fault(fault, fault_scenes()[i].scene, stored(image, StoredAs::rgb8), profile, levels);
-    }
-    CHECK_MESSAGE(shows, fault.name);
+    const std::optional<ShownFault> shown = shown_fault(fault, right);
+    CHECK_MESSAGE(shown, fault.name);
+    if (!shown) continue;
+    const Scene& scene = fault_scenes()[shown->scene].scene;
+    judge_fault(fault, scene, stored_image(shown->image, StoredAs::floats), profile, floats);
+    judge_fault(fault, scene, stored_image(shown->image, StoredAs::rgb8), profile, levels);
   }
   for (const Named& named : {floats, levels})
     MESSAGE("of " << named.faults << " faults " << named.found << " are found; of " << named.covered
