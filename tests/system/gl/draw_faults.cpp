@@ -39,7 +39,7 @@ public:
       const std::string name = std::string(fault_scenes()[i].name);
       const Verdict verdict = judged(i, right_[i], StoredAs::rgb8);
       write_image((folder_ / reference_name(i)).string(), levels(verdict.reference));
-      tell("right", "right-" + std::to_string(i) + ".png", name, i, right_[i]);
+      report("right", "right-" + std::to_string(i) + ".png", name, i, right_[i]);
     }
     bool all_show = true;
     for (std::size_t k = 0; k < seeded_faults().size(); ++k) {
@@ -48,7 +48,7 @@ public:
       all_show &= shown.has_value();
       if (!shown) continue;
       const char* const kind = !fault.glsl.empty() ? "GLSL" : fault.scene ? "scene" : "image";
-      tell(kind, "fault-" + std::to_string(k) + ".png", std::string(fault.name), shown->scene, shown->image);
+      report(kind, "fault-" + std::to_string(k) + ".png", std::string(fault.name), shown->scene, shown->image);
     }
     return all_show;
   }
@@ -60,8 +60,8 @@ private:
     return judge(fault_scenes()[scene].scene, stored_image(image, as), profile_, {});
   }
 
-  void tell(const char* kind, const std::string& file, const std::string& name, std::size_t scene,
-            const Image<float>& image) const {
+  void report(const char* kind, const std::string& file, const std::string& name, std::size_t scene,
+              const Image<float>& image) const {
     write_image((folder_ / file).string(), levels(image));
     const Verdict in_8_bits = judged(scene, image, StoredAs::rgb8), in_floats = judged(scene, image, StoredAs::floats);
     const double flip =

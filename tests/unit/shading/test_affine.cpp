@@ -1,7 +1,7 @@
 // Fragment functions on affine bounds: an adversary looks for what lies outside, and says how wide they are beside what
 // it reached.
 
-#include "tests/support/adversary.h"
+#include "tests/unit/shading/adversary.h"
 
 #include <cstdlib>
 

@@ -2,7 +2,7 @@
 // what lies outside of the bounds of a device: whose float rounds in any direction. Places are numbered from FIRST (0):
 // another number, others. A line for each function; exit code 1 if anything lay outside.
 
-#include "tests/support/adversary.h"
+#include "tests/unit/shading/adversary.h"
 
 #include <cstdio>
 #include <cstdlib>
