@@ -2,6 +2,8 @@
 
 #include <omp.h>
 
+#include <algorithm>
+
 namespace refraster {
 
 PixelRect rendered_region(const RenderOptions& options) {
@@ -10,6 +12,11 @@ PixelRect rendered_region(const RenderOptions& options) {
 
 int thread_count(const RenderOptions& options) {
   return options.threads > 0 ? options.threads : omp_get_num_procs();
+}
+
+bool has_two_sided(const Scene& scene) {
+  return std::any_of(scene.objects.begin(), scene.objects.end(),
+                     [](const Object& object) { return object.two_sided == TwoSided::yes; });
 }
 
 } // namespace refraster

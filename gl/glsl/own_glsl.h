@@ -38,8 +38,9 @@ bool has_own_glsl(std::string_view varying);
 std::vector<std::string_view> without_glsl(const Scene& scene, const Object& object);
 
 /// For one object's material under the scene's lights: how many lights there are, whether there is a texture, how a
-/// table is read, is compiled in, so that no pixel pays for what the scene does not use.
-std::string own_fragment_glsl(const Scene& scene, const Material& material, MerlFilter filter, GlslDialect dialect);
+/// table is read, whether normals are turned, is compiled in, so that no pixel pays for what the scene does not use.
+std::string own_fragment_glsl(const Scene& scene, const Material& material, TwoSided two_sided, MerlFilter filter,
+                              GlslDialect dialect);
 
 /// Whether our GLSL reads the table as logarithms (MerlTable::log_values).
 bool reads_logarithms(MerlLookup lookup);

@@ -80,6 +80,17 @@ struct EnumNames<Cull> {
   static constexpr std::pair<Cull, std::string_view> names[] = {{Cull::none, "none"}, {Cull::back, "back"}};
 };
 
+/// Whether a surface is lit from both of its sides.
+enum class TwoSided {
+  no, ///< normals are as the mesh gives them
+  yes ///< the normal is turned to the eye where a triangle is seen from the side away from its normals
+};
+
+template <>
+struct EnumNames<TwoSided> {
+  static constexpr std::pair<TwoSided, std::string_view> names[] = {{TwoSided::no, "false"}, {TwoSided::yes, "true"}};
+};
+
 /// A mesh, placed. World from object is T . Rx . Ry . Rz . S.
 struct Object {
   std::string name = {};                 ///< for reports
@@ -88,6 +99,7 @@ struct Object {
   Double3 rotate_degrees{0};             ///< about x, y and z
   Double3 scale{1};                      ///< negative mirrors, 0 flattens: both are drawn
   Cull cull = Cull::none;                ///< whether its back is drawn
+  TwoSided two_sided = TwoSided::no;     ///< whether its back is lit as its front is
   Material material = {};                ///< what its surface is like
   /// GLSL, read by OpenGL only; an absolute path, or relative to the current directory. Empty: our own.
   std::string vertex_shader_path = {};

@@ -224,6 +224,10 @@ void object_keys(auto& text, auto&& keys) {
   keys("rotate_z", text.object.rotate_degrees.z, any_number, "degrees", required);
   keys("scale", text.object.scale, any_number, "negative mirrors, 0 flattens", required);
   keys("cull", text.object.cull, Range{}, "`\"back\"`: triangles seen from behind are not drawn", defaulted);
+  keys("two_sided", text.object.two_sided, Range{},
+       "true: the normal is turned to the eye where a triangle is seen from the side away from its normals, so that "
+       "both sides are lit",
+       defaulted);
   keys.object("material", required, "what the fragment function needs",
               [&](auto& inner) { material_keys(text, inner); });
   keys.check(text);

@@ -84,7 +84,7 @@ PixelBounds PixelBounder::bounds(const DeviceTriangle& triangle, int x, int y, B
   if (causes.has(BoundCause::sample_shift) && material.texture && material.texture_filter == TextureFilter::trilinear) {
     const double turned = triangle.turned();
     if (!(turned < 1)) return unknown;
-    data.set_turned(turned);
+    data.set_stretched(turned);
   }
   SampleShift shift = triangle.shift(centre_x, centre_y);
   if (!causes.has(BoundCause::sample_shift)) shift.radius = Double2(0);
@@ -94,6 +94,12 @@ PixelBounds PixelBounder::bounds(const DeviceTriangle& triangle, int x, int y, B
                Affine<DoubleArithmetic>::along(Symbol::shift_y, shift.centre.y, shift.radius.y));
 
   const std::uint64_t met = Forks::open_comparisons();
+  const Object& object = frame_.scene().objects[triangle.ref().object];
+  if (object.two_sided == TwoSided::yes) { // where it is open which side a device sees, either may be lit
+    const Bounds facing(triangle.may_face_back() ? -1 : 1, triangle.may_face_front() ? 1 : -1);
+    const Certainty front = facing >= Bounds(0);
+    data.set_turned(is_mirrored(object) ? front : !front);
+  }
   UndefinedCounts undefined;
   PacketBatch<Bounds>& batch = scratch_->batch;
   batch.packets = 1;

@@ -180,6 +180,8 @@ void add_surface(const FrameContext& context, const Material& material, std::uin
   with_sample<T>(context, number, x, y, [&](const auto& data) {
     const PacketBarycentrics<T> at = barycentrics<Derivatives::yes>(data);
     story.weights = in_order_of_mesh(at.at, corner_order(context, number));
+    const TriangleRef ref = TriangleFinder(context.scene, context.geometry).at(number);
+    story.turned = context.any_two_sided && is_turned(context, ref, number);
     story.interpolated_normal = plain(attribute_value<&Mesh::normals>(context, data, at.at));
     if (any(without_uv(data) & first_lane<T>())) return;
     const std::array<double, 2> whole = whole_repeats(context, number);

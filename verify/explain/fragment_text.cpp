@@ -39,7 +39,7 @@ std::string surface_text(const FragmentStory& f) {
   std::string text = heading("SURFACE at the pixel's centre, interpolated (perspective-correct)");
   text += row("weights of the corners", std::vector<double>(f.weights.begin(), f.weights.end()));
   text += row("position", f.position);
-  text += row("normal as interpolated", f.interpolated_normal);
+  text += row(f.turned ? "normal, turned to the eye" : "normal as interpolated", f.interpolated_normal);
   text += row("normal n, unit", f.normal);
   text += row("to the eye v, unit", f.to_eye);
   text += row("n.v", std::vector<double>{f.n_v});

@@ -148,6 +148,7 @@ struct FragmentStory {
   std::array<double, 3> weights{}; // of its corners, perspective-correct; below 0 where the centre lies beside it
   Double3 position{0};             // world space
   Double3 interpolated_normal{0};  // as it comes out of interpolation
+  bool turned = false;             // both normals: a two-sided object shows its back
   Double3 normal{0};               // n: unit
   Double3 to_eye{0};               // v: unit
   double n_v = 0;

@@ -178,6 +178,7 @@ private:
       json_.member("position", listed(f.position));
       json_.member("interpolated_normal", listed(f.interpolated_normal));
       json_.member("normal", listed(f.normal));
+      if (f.turned) json_.member("turned", true);
       json_.member("to_eye", listed(f.to_eye));
       json_.member("n_v", f.n_v);
       json_.optional("uv", f.uv, [&](const Double2& uv) { json_.value(listed(uv)); });

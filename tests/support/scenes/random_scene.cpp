@@ -168,6 +168,7 @@ Object random_object(Random& random) {
   finite(object.rotate_degrees, Double3(90));
   if (one_in(random, 8)) object.scale[random.below(3)] = 0;
   object.cull = any_of<Cull>(random);
+  object.two_sided = object.position.y < 0 ? TwoSided::yes : TwoSided::no; // no other number is drawn for it
   object.material.fragment_function = random_function(random);
   object.material.texture_filter = any_of<TextureFilter>(random);
   if (!one_in(random, 3)) object.material.texture = random_texture(random, object.material.texture_filter);

@@ -35,7 +35,8 @@ constexpr Real edge_doubt = 0x1p-50L;
 // which the slope of depth does not cost more than 2^13 of that.
 constexpr Real depth_doubt = 0x1p-38L;
 
-void look(const Object& object, const std::array<const Corner*, 3>& c, const Planes& planes, Pixel pixel,
+/// `side`: 1, or -1 where normals are turned.
+void look(const Object& object, Real side, const std::array<const Corner*, 3>& c, const Planes& planes, Pixel pixel,
           Candidate& candidate) {
   const Vec p = {pixel.x + Real(0.5), pixel.y + Real(0.5), 1};
   std::array<Real, 3> lambda;
@@ -77,7 +78,7 @@ void look(const Object& object, const std::array<const Corner*, 3>& c, const Pla
   Seen seen;
   seen.object = &object;
   seen.position = mean([](const Corner& corner) { return corner.position; });
-  const Vec normal = mean([](const Corner& corner) { return corner.normal; });
+  const Vec normal = mean([](const Corner& corner) { return corner.normal; }) * side;
   seen.has_uv = c[0]->has_uv && c[1]->has_uv && c[2]->has_uv;
   seen.u = mean(u), seen.v = mean(v);
   seen.u_right = change(u, mu_right, sum_right), seen.v_right = change(v, mu_right, sum_right);
@@ -127,8 +128,10 @@ std::vector<std::optional<Seen>> seen_at(const Scene& scene, int width, int heig
       const Real determinant = dot(c[0]->window, e0);
       if (determinant == 0) return;
       if (object.cull == Cull::back && determinant > 0) return; // clockwise in the image, with y down
+      const bool mirrored = real(object.scale.x) * real(object.scale.y) * real(object.scale.z) < 0;
+      const Real side = object.two_sided == TwoSided::yes && (determinant > 0) != mirrored ? -1 : 1;
       const Planes planes = {{e0 * (1 / determinant), e1 * (1 / determinant), e2 * (1 / determinant)}};
-      for (std::size_t i = 0; i < pixels.size(); ++i) look(object, c, planes, pixels[i], candidates[i]);
+      for (std::size_t i = 0; i < pixels.size(); ++i) look(object, side, c, planes, pixels[i], candidates[i]);
     };
     for (const auto& triangle : object.mesh->triangles) {
       const std::array<const Corner*, 3> c = {&corners[triangle[0]], &corners[triangle[1]], &corners[triangle[2]]};
