@@ -14,6 +14,17 @@
 
 namespace refraster {
 
+/// Triangles that follow one another and have the same material: from the first on, up to the next run's first.
+struct TriangleRun {
+  std::uint32_t first_triangle = 0; ///< of the mesh
+  std::uint32_t material = 0;       ///< which of Object::materials; one that is not there: Object::material
+  /// Whether they say the same.
+  bool operator==(const TriangleRun&) const = default;
+};
+
+/// Of triangles that name none.
+inline constexpr std::uint32_t no_material = 0xffffffff;
+
 /// Triangles in object space, counter-clockwise seen from outside. Coordinates are float: what a GPU is given, so that
 /// both sides of a comparison start from the same numbers.
 struct Mesh {
@@ -21,6 +32,8 @@ struct Mesh {
   std::vector<Float3> normals = {};   ///< as many as positions; any length
   std::vector<Float2> uvs = {};       ///< of the first vertices, all or some; the others have none
   std::vector<std::array<std::uint32_t, 3>> triangles = {}; ///< indices into the above, each < positions.size()
+  /// In the order of triangles, no two of which begin at one; those before the first run name no material.
+  std::vector<TriangleRun> material_runs = {};
 };
 
 /// What turns an attribute of the mesh into one of the world.

@@ -60,7 +60,8 @@ PixelBounds PixelBounder::bounds(const DeviceTriangle& triangle, int x, int y, B
   constexpr double infinite = std::numeric_limits<double>::infinity();
   PixelBounds unknown{{Double3(-infinite), Double3(infinite)}, false, false};
   const FrameContext& context = frame_.context();
-  const Material& material = frame_.scene().objects[triangle.ref().object].material;
+  const Object& object = frame_.scene().objects[triangle.ref().object];
+  const Material& material = material_of(object, triangle.ref().triangle);
   if (material.user_function) return unknown;
   const std::array<WindowVertex, 3> window = window_corners(context.geometry, triangle.ref());
   const bool projective = ((window[0].outcode | window[1].outcode | window[2].outcode) & outcode::unsnapped) != 0;
@@ -94,7 +95,6 @@ PixelBounds PixelBounder::bounds(const DeviceTriangle& triangle, int x, int y, B
                Affine<DoubleArithmetic>::along(Symbol::shift_y, shift.centre.y, shift.radius.y));
 
   const std::uint64_t met = Forks::open_comparisons();
-  const Object& object = frame_.scene().objects[triangle.ref().object];
   if (object.two_sided == TwoSided::yes) { // where it is open which side a device sees, either may be lit
     const Bounds facing(triangle.may_face_back() ? -1 : 1, triangle.may_face_front() ? 1 : -1);
     const Certainty front = facing >= Bounds(0);

@@ -219,7 +219,7 @@ FragmentStory fragment_story(const FrameContext& context, std::uint32_t number, 
   FragmentStory story;
   story.of = named_triangle(context, number);
   story.samples = samples;
-  const Material& material = context.scene.objects[story.of.object].material;
+  const Material& material = material_of(context.scene.objects[story.of.object], story.of.triangle);
   const FragmentTerms<T> terms = fragment_terms<T>(context, number, centre(x), centre(y));
   add_surface(context, material, number, centre(x), centre(y), story);
   story.position = plain(terms.surface.position);

@@ -159,7 +159,7 @@ Rgb<double> sample_wrapped(const Texture& texture, TextureFilter filter, const T
 Rgb<double> texture_colour(const FrameContext& context, const SampleData<double>& data,
                            const PacketBarycentrics<double>& at, const Prepared& prepared, const Steps& steps,
                            const Nudge& nudge, std::uint32_t triangle) {
-  const Material& material = context.scene.objects[data.object()].material;
+  const Material& material = material_of(context.scene.objects[data.object()], data.triangle());
   if (!material.texture || material.measured() || !data.may_have_texture_coordinates() ||
       steps.texture_use == TextureUse::missing)
     return Rgb<double>(1);

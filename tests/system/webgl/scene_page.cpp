@@ -101,6 +101,8 @@ std::string scene_json(const Scene& scene, int width, int height) {
     json.member("background", std::vector<double>{scene.background.x, scene.background.y, scene.background.z});
     json.array("objects", [&] {
       for (const Object& object : scene.objects) {
+        if (!object.materials.empty())
+          throw std::runtime_error(object.name + ": the page draws no mesh of several materials");
         Material material = object.material;
         if (object.mesh->uvs.empty()) material.texture = nullptr;
         else if (object.mesh->uvs.size() < object.mesh->positions.size())
