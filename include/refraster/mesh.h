@@ -2,6 +2,7 @@
 // Meshes, and those that need no file.
 
 #include <refraster/fields.h>
+#include <refraster/mesh_material.h>
 #include <refraster/vector.h>
 
 #include <array>
@@ -34,6 +35,8 @@ struct Mesh {
   std::vector<std::array<std::uint32_t, 3>> triangles = {}; ///< indices into the above, each < positions.size()
   /// In the order of triangles, no two of which begin at one; those before the first run name no material.
   std::vector<TriangleRun> material_runs = {};
+  std::vector<MeshMaterial> materials = {}; ///< those that runs name, by their number: of each the name, at least
+  std::vector<MaterialLibrary> material_libraries = {}; ///< the files that describe them
 };
 
 /// What turns an attribute of the mesh into one of the world.

@@ -20,7 +20,7 @@ constexpr std::array<std::string_view, static_cast<std::size_t>(ObjRemark::count
     "read as \"s off\"",
     "read as \"s 1\"",
     "read as a group of its own",
-    "skipped: materials of OBJ files are not read, the scene's own material is used",
+    "skipped: textures are those of the materials",
     "skipped: no other file is read, and no command run",
     "skipped: the format has no such statement",
 };
@@ -34,8 +34,8 @@ constexpr std::pair<std::string_view, ObjKeyword> keywords[] = {
     {"f", ObjKeyword::shape},
     {"fo", ObjKeyword::shape},
     {"s", ObjKeyword::shape},
-    {"usemtl", ObjKeyword::materials},
-    {"mtllib", ObjKeyword::materials},
+    {"usemtl", ObjKeyword::harmless}, // read, but no part of the shape
+    {"mtllib", ObjKeyword::harmless},
     {"usemap", ObjKeyword::materials},
     {"maplib", ObjKeyword::materials},
     {"g", ObjKeyword::harmless},
