@@ -97,7 +97,7 @@ private:
     const Mesh& mesh = *result.mesh;
     if (mesh.materials.empty() && text.materials.empty()) return;
     if (!is_any_from_file(text) && text.materials.empty()) {
-      if (options_.notes)
+      if (options_.notes && unused_.insert(canonical_path(path_of(text.obj_file))).second)
         options_.notes->add({path_of(text.obj_file), 0, counted(mesh.materials.size(), "material") + " of its own",
                              "not used: the scene's `material` is"});
       return;
@@ -293,7 +293,8 @@ private:
   Files<MerlTable> tables_;
   std::set<std::string> trilinear_;                   // identities of textures
   std::set<std::string> faulty_, noted_, untextured_; // identities of files whose faults, or remarks, are reported
-  std::set<std::string> described_;                   // identities of OBJ files whose materials are read
+  std::set<std::string> unused_;    // identities of OBJ files whose materials are reported not to be used
+  std::set<std::string> described_; // identities of OBJ files whose materials are read
   FileMaterials file_materials_;
   std::vector<std::pair<Shape, std::shared_ptr<const Mesh>>> shapes_;
 };
