@@ -66,11 +66,12 @@ Scene ball(const Double3& scale) {
 
 TEST_CASE("a two-sided triangle shows from behind what it shows with normals reversed, bit for bit") {
   const WindowScene at(4);
-  const Float3 a = at.place(-4, -4, 1), b = at.place(-4, 12, 2), c = at.place(12, -4, 1), behind(0.25f, -0.5f, 3);
+  const Float3 a = at.place(-4, -4, 1), b = at.place(-4, 12, 2), c = at.place(12, -4, 1);
+  const Float3 left = at.place(-8, 1, 4), right = at.place(12, 1, 4), behind(0, -2, 2);
   for (const Precision precision : all_precisions)
     for (const int samples : {1, 4})
       // Corners on the lattice, and one behind the eye.
-      for (const std::vector<Float3>& front : {std::vector{a, b, c}, std::vector{a, behind, c}}) {
+      for (const std::vector<Float3>& front : {std::vector{a, b, c}, std::vector{left, behind, right}}) {
         CAPTURE(static_cast<int>(precision));
         const std::vector<Float3> back{front[0], front[2], front[1]};
         const auto frame = [&](const std::vector<Float3>& corners, float normals, TwoSided two_sided) {
