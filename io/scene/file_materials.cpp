@@ -4,6 +4,7 @@
 
 #include "io/file/find_file.h"
 #include "io/file/input_file.h"
+#include "io/file/limits.h"
 #include "io/file/text.h"
 #include "io/mesh/mtl_file.h"
 #include "io/mesh/mtl_material.h"
@@ -61,6 +62,8 @@ Material FileMaterials::plain(FileFunction function) {
 const std::vector<MeshMaterial>& FileMaterials::library(const std::string& path) {
   const auto [entry, is_new] = libraries_.try_emplace(canonical_path(path));
   if (!is_new) return entry->second;
+  if (const std::uint64_t bytes = file_size_bytes(path); bytes > limit::mtl_bytes.value)
+    throw InputError(InputFault{path, 0, 0, "", found_of(limit::mtl_bytes, bytes), at_most(limit::mtl_bytes)});
   NoteList notes;
   try {
     entry->second = read_mtl(path, notes);

@@ -17,15 +17,15 @@ namespace refraster {
 /// Which formula shades what a file describes. Both have the same parameters.
 enum class FileFunction { phong, blinn_phong };
 
-/// Reads libraries and textures, each once. Nothing in them is a fault: a model is drawn with what there is, and each
-/// kind of remark is a note.
+/// Reads libraries and textures, each once. Nothing in them is a fault, but a library beyond limit::mtl_bytes: a model
+/// is drawn with what there is, and each kind of remark is a note.
 class FileMaterials {
 public:
   /// No file is looked for where is_outside(path). Notes go nowhere if `notes` is null.
   FileMaterials(std::function<bool(const std::string&)> is_outside, const MemoryBudget& memory, NoteList* notes)
       : is_outside_(std::move(is_outside)), memory_(memory), notes_(notes) {}
 
-  /// Fills the materials that a mesh names from the libraries of its file.
+  /// Fills the materials that a mesh names from the libraries of its file. Throws InputError for one that is too large.
   void describe(const std::string& obj_path, Mesh& mesh);
 
   /// What a mesh's materials are drawn with, by their number, with their textures. The mesh must live on.
