@@ -227,6 +227,7 @@ FragmentStory fragment_story(const FrameContext& context, std::uint32_t number, 
   story.to_eye = plain(terms.surface.to_eye);
   story.n_v = plain(dot(terms.surface.normal, terms.surface.to_eye));
   story.texture_colour = plain(terms.surface.texture);
+  story.material = material.name;
   story.function = material.function_name();
   story.user_function = material.user_function != nullptr;
   if (story.user_function) {

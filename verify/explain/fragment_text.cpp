@@ -85,7 +85,7 @@ std::string parameters_text(const std::vector<ParameterStory>& parameters) {
 }
 
 std::string material_text(const FragmentStory& f) {
-  std::string text = heading("MATERIAL " + f.function);
+  std::string text = heading("MATERIAL " + f.function + (f.material.empty() ? "" : ", " + as_utf8(f.material)));
   text += parameters_text(f.parameters);
   if (f.user_function)
     text += sentence("  The formula is not known here: a light's term is what it makes the radiance larger by where it "

@@ -155,6 +155,7 @@ struct FragmentStory {
   std::optional<Double2> uv; // as interpolated, not wrapped
   std::optional<TextureStory> texture;
   Double3 texture_colour{1}; // t; white without a texture
+  std::string material;      // its name, where a file has one
   std::string function;      // "phong"
   std::vector<ParameterStory> parameters;
   bool user_function = false; // the formula is not known here: its lights were told apart by asking for them one by one

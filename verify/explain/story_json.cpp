@@ -185,6 +185,7 @@ private:
       json_.optional("texture", f.texture, [&](const TextureStory& texture) { write(texture); });
       json_.member("texture_colour", listed(f.texture_colour));
       json_.object("material", [&] {
+        if (!f.material.empty()) json_.member("name", f.material);
         json_.member("fragment_function", f.function);
         json_.member("user_function", f.user_function);
         write(f.parameters);
