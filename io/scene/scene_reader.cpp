@@ -207,6 +207,8 @@ void SceneReader::check(ObjectText& text) {
   if (has_file && has_shape) fault("mesh", "both obj_file_path and mesh", "one of the two");
   if (!has_file && !has_shape) missing("obj_file_path", "the path of a file, or the key mesh");
   if (has_shape && find("normals")) fault("normals", "normals beside mesh", "obj_file_path: a shape has its own");
+  if (has_shape && find("vertex_colors"))
+    fault("vertex_colors", "vertex_colors beside mesh", "obj_file_path: a shape has no colours");
   if (!text.fragment_shader.given.empty() && !fragment_function_of(text) && !text.fragment_function.given) {
     std::string stems;
     for_each_fragment_function([&](auto function, std::size_t) {

@@ -181,6 +181,8 @@ void add_surface(const FrameContext& context, const Material& material, std::uin
     const PacketBarycentrics<T> at = barycentrics<Derivatives::yes>(data);
     story.weights = in_order_of_mesh(at.at, corner_order(context, number));
     story.interpolated_normal = plain(attribute_value<&Mesh::normals>(context, data, at.at));
+    if (!context.scene.objects[data.object()].mesh->colours.empty())
+      story.vertex_colour = plain(vertex_colour(context, data, at));
     if (any(without_uv(data) & first_lane<T>())) return;
     const std::array<double, 2> whole = whole_repeats(context, number);
     const auto uv = [&](int c) { return plain(interpolated_uv(data, c, at)) + whole[static_cast<std::size_t>(c)]; };

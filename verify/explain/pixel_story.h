@@ -153,8 +153,9 @@ struct FragmentStory {
   double n_v = 0;
   std::optional<Double2> uv; // as interpolated, not wrapped
   std::optional<TextureStory> texture;
-  Double3 texture_colour{1}; // t; white without a texture
-  std::string function;      // "phong"
+  std::optional<Double3> vertex_colour; // of the mesh, interpolated
+  Double3 texture_colour{1};            // t: the texture's times the vertices'; white without
+  std::string function;                 // "phong"
   std::vector<ParameterStory> parameters;
   bool user_function = false; // the formula is not known here: its lights were told apart by asking for them one by one
   Double3 ambient{0};
