@@ -19,6 +19,9 @@ PixelRect rendered_region(const RenderOptions& options);
 /// How many threads render a frame: as many as asked for, or as the machine has processors.
 int thread_count(const RenderOptions& options);
 
+/// Whether the mesh of any object has colours. Asked once a frame, so that packets of a frame without need not ask.
+bool any_vertex_colours(const Scene& scene);
+
 /// What a frame is made from. Whoever makes one names scene and options, from which the rest follows.
 struct FrameInput {
   const Scene& scene;
@@ -26,6 +29,7 @@ struct FrameInput {
   PixelRect region = rendered_region(options); // pixels of the full image that the frame's images hold
   std::span<const SamplePosition> samples = sample_pattern(options.samples); // of each pixel
   int threads = thread_count(options);
+  bool has_vertex_colours = any_vertex_colours(scene);
 };
 
 /// The same, with what the first two stages made of it: everything that stays the same from tile to tile.
