@@ -201,7 +201,7 @@ constexpr std::int32_t centre(int pixel) {
 
 NamedTriangle named_triangle(const FrameContext& context, std::uint32_t number) {
   const TriangleRef ref = TriangleFinder(context.scene, context.geometry).at(number);
-  return {ref.object, ref.triangle, context.scene.objects[ref.object].name};
+  return {ref.object + 1, ref.triangle + 1, context.scene.objects[ref.object].name};
 }
 
 std::array<double, 3> corner_weights(const FrameContext& context, std::uint32_t number, std::int32_t x,
@@ -219,7 +219,8 @@ FragmentStory fragment_story(const FrameContext& context, std::uint32_t number, 
   FragmentStory story;
   story.of = named_triangle(context, number);
   story.samples = samples;
-  const Material& material = context.scene.objects[story.of.object].material;
+  const std::uint32_t object = TriangleFinder(context.scene, context.geometry).at(number).object;
+  const Material& material = context.scene.objects[object].material;
   const FragmentTerms<T> terms = fragment_terms<T>(context, number, centre(x), centre(y));
   add_surface(context, material, number, centre(x), centre(y), story);
   story.position = plain(terms.surface.position);

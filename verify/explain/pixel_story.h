@@ -35,7 +35,7 @@ struct EnumNames<Side> {
   static constexpr std::pair<Side, std::string_view> names[] = {{Side::front, "front"}, {Side::back, "back"}};
 };
 
-/// A triangle of the scene. Both numbers count from 0, as in the scene file and its meshes.
+/// A triangle of the scene. Both numbers count from 1, as in the AOVs `object` and `triangle`.
 struct NamedTriangle {
   std::uint32_t object = 0, triangle = 0;
   std::string name; // of the object; may be empty
