@@ -1,8 +1,7 @@
 #include "raster/frame_context.h"
 
-#include <omp.h>
-
 #include <algorithm>
+#include <omp.h>
 
 namespace refraster {
 
@@ -17,6 +16,11 @@ int thread_count(const RenderOptions& options) {
 bool has_two_sided(const Scene& scene) {
   return std::any_of(scene.objects.begin(), scene.objects.end(),
                      [](const Object& object) { return object.two_sided == TwoSided::yes; });
+}
+
+bool any_vertex_colours(const Scene& scene) {
+  return std::any_of(scene.objects.begin(), scene.objects.end(),
+                     [](const Object& object) { return !object.mesh->colours.empty(); });
 }
 
 } // namespace refraster

@@ -22,6 +22,9 @@ int thread_count(const RenderOptions& options);
 /// Whether any object is lit from both of its sides.
 bool has_two_sided(const Scene& scene);
 
+/// Whether the mesh of any object has colours. Asked once a frame, so that packets of a frame without need not ask.
+bool any_vertex_colours(const Scene& scene);
+
 /// What a frame is made from. Whoever makes one names scene and options, from which the rest follows.
 struct FrameInput {
   const Scene& scene;
@@ -30,6 +33,7 @@ struct FrameInput {
   std::span<const SamplePosition> samples = sample_pattern(options.samples); // of each pixel
   int threads = thread_count(options);
   bool any_two_sided = has_two_sided(scene); // else nothing is asked of triangles
+  bool has_vertex_colours = any_vertex_colours(scene);
 };
 
 /// The same, with what the first two stages made of it: everything that stays the same from tile to tile.

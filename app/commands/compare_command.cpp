@@ -31,7 +31,7 @@ namespace refraster {
 namespace {
 
 struct CompareArguments {
-  std::string a, b, scene, diff, html, json, limits_file, unit = "levels", premultiplied;
+  std::string a, b, scene, diff, html, json, limits_file, unit = "levels";
   CompareLimits limits;
   PairRequest pair;
   std::optional<double> heat_max; // levels
@@ -186,9 +186,7 @@ Command compare_command() {
             {argument("A", a.a, "image: " + readable_formats()),
              argument("B", a.b, "image of the same size; differences are b - a"),
              alpha_option(a.pair.alpha, a.pair.background, ComparedAlpha::offered),
-             choice_option("--premultiplied", a.premultiplied, {"yes", "no"},
-                           "whether colours are stored multiplied by alpha; by default those of .exr files are, others "
-                           "not"),
+             premultiplied_option(a.pair.encoding),
              text_option("--layer", "NAME", a.pair.layer, "of .exr files: the layer whose R, G and B are compared")}},
            {"Limits",
             {parsed_option("--max-abs", "X", a.limits.max_abs, distance_from, "a number >= 0",
@@ -227,9 +225,6 @@ Command compare_command() {
         if (!arguments->diff.empty()) check_extension("--diff", arguments->diff, {rgb8_image});
         if (arguments->heat_max && arguments->diff.empty())
           throw UsageError("--heat-max", "found no --diff, whose ramp it ends");
-        if (!arguments->premultiplied.empty())
-          arguments->pair.encoding =
-              arguments->premultiplied == "yes" ? AlphaEncoding::premultiplied : AlphaEncoding::straight;
         return [arguments] { return run(*arguments); };
       }};
 }

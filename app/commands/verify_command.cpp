@@ -249,6 +249,7 @@ Command verify_command() {
                  "--flip-y", [&a] { a.image.rows = RowOrder::bottom_first; },
                  "the image's first row is the lowest, as OpenGL reads it back"),
              alpha_option(a.image.alpha, a.image.background, ComparedAlpha::refused),
+             premultiplied_option(a.image.encoding),
              text_option("--layer", "NAME", a.image.layer, "of .exr files: the layer whose R, G and B are judged")}},
            {"Device",
             {text_option(

@@ -41,6 +41,13 @@ Option alpha_option(AlphaUse& use, std::array<double, 3>& background, ComparedAl
                       read);
 }
 
+Option premultiplied_option(AlphaEncoding& encoding) {
+  return word_option(
+      "--premultiplied", {"yes", "no"},
+      [&encoding](std::size_t i) { encoding = i == 0 ? AlphaEncoding::premultiplied : AlphaEncoding::straight; },
+      "whether colours are stored multiplied by alpha; by default those of .exr files are, others not");
+}
+
 Option scene_argument(std::string& path) {
   return argument("SCENE", path, "scene file; docs/scene-format.md");
 }

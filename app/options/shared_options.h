@@ -32,6 +32,9 @@ enum class ComparedAlpha { offered, refused };
 /// --alpha: what is done with an alpha that is not 1 everywhere.
 Option alpha_option(AlphaUse& use, std::array<double, 3>& background, ComparedAlpha compared);
 
+/// --premultiplied: whether colours are stored multiplied by alpha.
+Option premultiplied_option(AlphaEncoding& encoding);
+
 /// --max-memory SIZE; 0 if it is not given.
 Option memory_option(std::uint64_t& bytes);
 

@@ -32,6 +32,7 @@ struct Mesh {
   std::vector<Float3> positions = {}; ///< one entry a unique (position, normal, uv)
   std::vector<Float3> normals = {};   ///< as many as positions; any length
   std::vector<Float2> uvs = {};       ///< of the first vertices, all or some; the others have none
+  std::vector<Float3> colours = {};   ///< linear; of the first vertices, all or some; the others are white
   std::vector<std::array<std::uint32_t, 3>> triangles = {}; ///< indices into the above, each < positions.size()
   /// In the order of triangles, no two of which begin at one; those before the first run name no material.
   std::vector<TriangleRun> material_runs = {};
@@ -71,7 +72,13 @@ inline constexpr std::tuple vertex_attributes{
                             Need::required},
     VertexAttribute<Float3>{&Mesh::normals, "normals", "normals", "vNormal", "Normal", Transformed::as_normal,
                             Need::required},
-    VertexAttribute<Float2>{&Mesh::uvs, "uvs", "texture coordinates", "vTexCoord", "TexCoord"}};
+    VertexAttribute<Float2>{&Mesh::uvs, "uvs", "texture coordinates", "vTexCoord", "TexCoord"},
+    VertexAttribute<Float3>{.values = &Mesh::colours,
+                            .name = "colours",
+                            .words = "vertex colours",
+                            .input = "vColor",
+                            .varying = "Color",
+                            .otherwise = 1}};
 
 /// Calls visit(attribute) with each.
 constexpr void for_each_vertex_attribute(auto&& visit) {

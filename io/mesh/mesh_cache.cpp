@@ -154,8 +154,8 @@ bool has_good_runs(const Mesh& mesh) {
 
 } // namespace
 
-std::string mesh_key(const std::string& sha256, const MeshNormals& normals) {
-  return sha256 + "." + name_of(normals);
+std::string mesh_key(const std::string& sha256, const ObjOptions& options) {
+  return sha256 + "." + name_of(options);
 }
 
 std::optional<KeptMesh> cached_mesh(const std::string& folder, const std::string& key) try {
@@ -248,14 +248,14 @@ Mesh read_obj_by_cache(const std::string& path, const std::string& folder, const
     }
     return std::move(kept.mesh);
   };
-  if (std::optional<KeptMesh> kept = cached_mesh(folder, mesh_key(file_sha256(path), options.normals)))
+  if (std::optional<KeptMesh> kept = cached_mesh(folder, mesh_key(file_sha256(path), options)))
     return with_notes(std::move(*kept));
   // Read once more: what is kept is the mesh of the very bytes that it is found by, also if the file changes meanwhile.
   std::string text = read_file(path, "an OBJ file", limit::obj_bytes.value);
-  const std::string key = mesh_key(text_sha256(text), options.normals);
+  const std::string key = mesh_key(text_sha256(text), options);
   KeptMesh kept;
   NoteList notes;
-  kept.mesh = mesh_of_obj(path, std::move(text), {options.normals, &notes});
+  kept.mesh = mesh_of_obj(path, std::move(text), {options.normals, &notes, options.colours});
   for (Note note : notes.notes()) {
     note.file.clear(); // the same bytes may have another name
     kept.notes.add(std::move(note));

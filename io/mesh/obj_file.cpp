@@ -2,6 +2,7 @@
 
 #include "io/file/input_file.h"
 #include "io/file/limits.h"
+#include "io/mesh/obj_colours.h"
 #include "io/mesh/obj_faces.h"
 #include "io/mesh/triple_index.h"
 
@@ -166,6 +167,7 @@ Mesh mesh_of_obj(const std::string& path, std::string text, const ObjOptions& op
     mesh.normals.push_back(obj.vn[static_cast<std::size_t>(vn)]);
     if (vt >= 0) mesh.uvs.push_back(obj.vt[static_cast<std::size_t>(vt)]);
   }
+  mesh.colours = vertex_colours(path, obj, vertices, options.colours, notes);
   add_materials(obj, mesh);
   if (options.notes) options.notes->add(notes);
   return mesh;

@@ -11,7 +11,6 @@ constexpr std::array<std::string_view, static_cast<std::size_t>(ObjRemark::count
     "skipped: no face uses it",
     "taken as no normal",
     "taken as no texture coordinate",
-    "skipped: colours of vertices are not read",
     "read without its empty part",
     "read as it stands: without vt at all corners no texture, without vn a computed normal",
     "read as f",

@@ -227,7 +227,6 @@ private:
       if (which == List::v && !list.empty() && rounding_may_matter(point, list.back())) moved(point, words);
     }
     if (which == List::v && count >= 6) {
-      remark(ObjRemark::vertex_colour, all, [&] { return "a v with " + counted(count, "number"); });
       obj_.colours.resize(list.size(), no_colour);
       obj_.colours.push_back(last);
     }

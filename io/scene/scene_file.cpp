@@ -150,15 +150,16 @@ private:
   std::shared_ptr<const Mesh> mesh(const ObjectText& text) {
     const auto read = [&](const std::string& path) {
       options_.memory.need(2 * file_size_bytes(path), path); // its text, and no less than as much for what it says
-      // A file that is read once more, for other normals, has the same remarks.
-      const ObjOptions reading{text.normals, noted_.insert(canonical_path(path)).second ? options_.notes : nullptr};
+      // A file that is read once more, for other normals or colours, has the same remarks.
+      const ObjOptions reading{text.normals, noted_.insert(canonical_path(path)).second ? options_.notes : nullptr,
+                               text.colours};
       const std::string& cache = options_.mesh_cache;
       auto mesh =
           std::make_shared<Mesh>(cache.empty() ? read_obj(path, reading) : read_obj_by_cache(path, cache, reading));
       if (described_.contains(canonical_path(path))) file_materials_.describe(path, *mesh);
       return mesh;
     };
-    return load(meshes_, text.obj_file, "an OBJ file", read, name_of(text.normals));
+    return load(meshes_, text.obj_file, "an OBJ file", read, name_of(ObjOptions{text.normals, nullptr, text.colours}));
   }
 
   void note_untextured(const ObjectText& text, const Object& object) {

@@ -126,7 +126,8 @@ struct ObjectText {
   Object object;
   FragmentFunctionName fragment_function;
   PathText obj_file, vertex_shader, fragment_shader;
-  MeshNormals normals; // of obj_file
+  MeshNormals normals;                           // of obj_file
+  VertexColours colours = VertexColours::linear; // likewise
   std::optional<Shape> shape;
   PathText brdf_file;
   std::array<PathText, texture_slots.size()> texture_files; // in the order of texture_slots
@@ -227,6 +228,8 @@ void object_keys(auto& text, auto&& keys) {
       "normals", text.normals,
       "of an OBJ file: `\"file\"`, as it says; the others, computed from its faces: one normal a vertex, one a "
       "face, or sharp edges");
+  keys("vertex_colors", text.colours, Range{},
+       "of an OBJ file: what the colours of its vertices are taken as; they multiply the texture's", defaulted);
   keys.expect_material("material", text);
   keys("fragment_function", text.fragment_function, Range{}, "which function shades the surface",
        otherwise("the stem of `fragment_shader_file_path`; `\"blinn_phong\"` for the materials of a file"));

@@ -232,6 +232,8 @@ void SceneReader::check(ObjectText& text) {
     fault(find("fragment_function") ? "fragment_function" : "fragment_shader_file_path",
           "a function that files describe no materials for", "phong or blinn_phong, or no material \"from_file\"");
   if (has_shape && find("normals")) fault("normals", "normals beside mesh", "obj_file_path: a shape has its own");
+  if (has_shape && find("vertex_colors"))
+    fault("vertex_colors", "vertex_colors beside mesh", "obj_file_path: a shape has no colours");
   if (!text.fragment_shader.given.empty() && !fragment_function_of(text) && !text.fragment_function.given) {
     std::string stems;
     for_each_fragment_function([&](auto function, std::size_t) {

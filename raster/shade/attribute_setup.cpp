@@ -80,7 +80,8 @@ template <class Real>
            static_cast<Real>(std::min({uv[0], uv[1], uv[2]}))};
     t.row[static_cast<std::size_t>(max_uv_row + c)][3] = static_cast<Real>(std::max({uv[0], uv[1], uv[2]}));
   }
-  if constexpr (any_further_attribute)
+  static_assert(attribute_rows == uv_row + 2 + 3, "a frame is to know whether there is another attribute");
+  if (context.has_vertex_colours) [[unlikely]]
     for_each_further_attribute(mesh, context.geometry.transforms[ref.object],
                                {indices[corner[0]], indices[corner[1]], indices[corner[2]]},
                                [&](int row, const auto& value) {

@@ -74,8 +74,11 @@ PixelBounds PixelBounder::bounds(const DeviceTriangle& triangle, int x, int y, B
   // OpenGL's blocks begin at its row 0, the lowest: in an image of odd height at our odd rows.
   data.set_place_in_block(x & 1, (frame_.height() - y) & 1);
   if (causes.has(BoundCause::interpolation)) {
-    const int rows = data.may_have_texture_coordinates() && material.texture ? uv_row + 2 : uv_row;
+    const Mesh& mesh = *frame_.scene().objects[triangle.ref().object].mesh;
+    const bool reads_uv = data.may_have_texture_coordinates() && material.texture;
+    const int rows = mesh.colours.empty() ? uv_row + 2 : attribute_rows;
     for (int r = 0; r < rows; ++r) {
+      if (r >= uv_row && r < uv_row + 2 && !reads_uv) continue;
       const double error =
           triangle.attribute_error(r, centre_x, centre_y) * (r >= normal_row && r < uv_row ? data.normal_factor() : 1);
       if (!std::isfinite(error)) return unknown;

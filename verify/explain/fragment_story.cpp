@@ -183,6 +183,8 @@ void add_surface(const FrameContext& context, const Material& material, std::uin
     const TriangleRef ref = TriangleFinder(context.scene, context.geometry).at(number);
     story.turned = context.any_two_sided && is_turned(context, ref, number);
     story.interpolated_normal = plain(attribute_value<&Mesh::normals>(context, data, at.at));
+    if (!context.scene.objects[data.object()].mesh->colours.empty())
+      story.vertex_colour = plain(vertex_colour(context, data, at));
     if (any(without_uv(data) & first_lane<T>())) return;
     const std::array<double, 2> whole = whole_repeats(context, number);
     const auto uv = [&](int c) { return plain(interpolated_uv(data, c, at)) + whole[static_cast<std::size_t>(c)]; };
@@ -201,7 +203,7 @@ constexpr std::int32_t centre(int pixel) {
 
 NamedTriangle named_triangle(const FrameContext& context, std::uint32_t number) {
   const TriangleRef ref = TriangleFinder(context.scene, context.geometry).at(number);
-  return {ref.object, ref.triangle, context.scene.objects[ref.object].name};
+  return {ref.object + 1, ref.triangle + 1, context.scene.objects[ref.object].name};
 }
 
 std::array<double, 3> corner_weights(const FrameContext& context, std::uint32_t number, std::int32_t x,
@@ -219,7 +221,8 @@ FragmentStory fragment_story(const FrameContext& context, std::uint32_t number, 
   FragmentStory story;
   story.of = named_triangle(context, number);
   story.samples = samples;
-  const Material& material = material_of(context.scene.objects[story.of.object], story.of.triangle);
+  const TriangleRef ref = TriangleFinder(context.scene, context.geometry).at(number);
+  const Material& material = material_of(context.scene.objects[ref.object], ref.triangle);
   const FragmentTerms<T> terms = fragment_terms<T>(context, number, centre(x), centre(y));
   add_surface(context, material, number, centre(x), centre(y), story);
   story.position = plain(terms.surface.position);

@@ -44,6 +44,7 @@ std::string surface_text(const FragmentStory& f) {
   text += row("to the eye v, unit", f.to_eye);
   text += row("n.v", std::vector<double>{f.n_v});
   if (f.uv) text += row("texture coordinates u v", std::vector<double>{f.uv->x, f.uv->y});
+  if (f.vertex_colour) text += row("colour of the vertices", *f.vertex_colour);
   return text;
 }
 

@@ -35,7 +35,7 @@ struct EnumNames<Side> {
   static constexpr std::pair<Side, std::string_view> names[] = {{Side::front, "front"}, {Side::back, "back"}};
 };
 
-/// A triangle of the scene. Both numbers count from 0, as in the scene file and its meshes.
+/// A triangle of the scene. Both numbers count from 1, as in the AOVs `object` and `triangle`.
 struct NamedTriangle {
   std::uint32_t object = 0, triangle = 0;
   std::string name; // of the object; may be empty
@@ -154,9 +154,10 @@ struct FragmentStory {
   double n_v = 0;
   std::optional<Double2> uv; // as interpolated, not wrapped
   std::optional<TextureStory> texture;
-  Double3 texture_colour{1}; // t; white without a texture
-  std::string material;      // its name, where a file has one
-  std::string function;      // "phong"
+  std::optional<Double3> vertex_colour; // of the mesh, interpolated
+  Double3 texture_colour{1};            // t: the texture's times the vertices'; white without
+  std::string material;                 // its name, where a file has one
+  std::string function;                 // "phong"
   std::vector<ParameterStory> parameters;
   bool user_function = false; // the formula is not known here: its lights were told apart by asking for them one by one
   Double3 ambient{0};

@@ -183,6 +183,7 @@ private:
       json_.member("n_v", f.n_v);
       json_.optional("uv", f.uv, [&](const Double2& uv) { json_.value(listed(uv)); });
       json_.optional("texture", f.texture, [&](const TextureStory& texture) { write(texture); });
+      json_.optional("vertex_colour", f.vertex_colour, [&](const Double3& colour) { json_.value(listed(colour)); });
       json_.member("texture_colour", listed(f.texture_colour));
       json_.object("material", [&] {
         if (!f.material.empty()) json_.member("name", f.material);

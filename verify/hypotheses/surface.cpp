@@ -211,7 +211,8 @@ Surface surface_at(const FrameContext& context, const SampleData<double>& data, 
   const bool away = steps.normal_side == NormalSide::toward_eye && dot(normal, way) < 0;
   surface.normal = steps.normal_side == NormalSide::reversed || away ? -normal : normal;
   surface.unit = steps.normal_length == NormalLength::unit && steps.eye != Eye::not_normalised;
-  surface.texture = texture_colour(context, data, at, prepared, steps, nudge, data.triangle());
+  surface.texture =
+      texture_colour(context, data, at, prepared, steps, nudge, data.triangle()) * vertex_colour(context, data, at);
   return surface;
 }
 

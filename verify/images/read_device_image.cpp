@@ -60,7 +60,7 @@ DeviceImage read_device_image(const DeviceImageRequest& request, NoteList& notes
   ColourImage none;
   Image<float> kept;
   PairRequest alpha;
-  alpha.alpha = request.alpha, alpha.background = request.background;
+  alpha.alpha = request.alpha, alpha.background = request.background, alpha.encoding = request.encoding;
   resolve_alpha(none, colour, alpha, kept, notes);
   DeviceImage image;
   image.colour = std::move(colour.colour);

@@ -18,7 +18,8 @@ struct DeviceImageRequest {
   RowOrder rows = RowOrder::top_first;           // of all three
   AlphaUse alpha = AlphaUse::refused_unless_one; // not `compared`
   std::array<double, 3> background = {0, 0, 0};  // R G B, 1 is full scale; of AlphaUse::composited
-  std::string layer = {};                        // of an EXR file
+  AlphaEncoding encoding = AlphaEncoding::by_format;
+  std::string layer = {}; // of an EXR file
   MemoryBudget memory = {};
 };
 

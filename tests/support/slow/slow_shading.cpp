@@ -189,8 +189,8 @@ concept HasFormula = requires(const Function& function, const Lit& at) {
 } // namespace
 
 Lit lit(const Scene& scene, const Seen& seen) {
-  return {seen.normal, unit(vec(scene.camera.position) - seen.position), texture_colour(*seen.material, seen),
-          lights_at(scene, seen.position)};
+  return {seen.normal, unit(vec(scene.camera.position) - seen.position),
+          texture_colour(*seen.material, seen) * seen.colour, lights_at(scene, seen.position)};
 }
 
 bool has_formula(const FragmentFunction& function) {

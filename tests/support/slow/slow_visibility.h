@@ -22,6 +22,7 @@ struct Seen {
   Vec position, normal; // world space; normal of unit length
   bool has_uv = false;  // all corners of the triangle have texture coordinates
   Real u = 0, v = 0;
+  Vec colour = {1, 1, 1};                                // of the vertices
   Real u_right = 0, v_right = 0, u_down = 0, v_down = 0; // their change by one pixel
 };
 

@@ -1,11 +1,8 @@
 // refraster bench, as a user runs it; and the schema of its report.
 
+#include "tests/support/program/json_schema.h"
 #include "tests/support/program/program.h"
 #include "tests/support/program/scenes.h"
-
-#include <rapidjson/document.h>
-#include <rapidjson/schema.h>
-#include <rapidjson/stringbuffer.h>
 
 #include <doctest/doctest.h>
 
@@ -17,7 +14,6 @@ using namespace refraster;
 namespace {
 
 using Words = std::vector<std::string>;
-using Json = rapidjson::Document;
 
 struct BallFolder : TemporaryFolder {
   BallFolder() { save_text(*this / "ball.json", ball_scene); }
@@ -29,33 +25,9 @@ struct BallFolder : TemporaryFolder {
   }
 };
 
-Json parsed(const std::string& text) {
-  Json json;
-  json.Parse(text.c_str());
-  REQUIRE_FALSE(json.HasParseError());
-  return json;
-}
-
-/// Lets no object have members that the schema does not name: for us, who write both.
-void allow_no_others(rapidjson::Value& schema, Json::AllocatorType& allocator) {
-  if (schema.IsArray())
-    for (auto& one : schema.GetArray()) allow_no_others(one, allocator);
-  if (!schema.IsObject()) return;
-  const bool names_members = schema.HasMember("properties") && schema["properties"].IsObject();
-  for (auto& member : schema.GetObject()) allow_no_others(member.value, allocator);
-  if (names_members) schema.AddMember("additionalProperties", false, allocator);
-}
-
 /// Empty, or where the document is not what the schema says.
 std::string fault(const Json& json) {
-  Json schema = parsed(text_of(std::string(REFRASTER_SOURCE_DIR) + "/docs/bench.schema.json"));
-  allow_no_others(schema, schema.GetAllocator());
-  const rapidjson::SchemaDocument rules(schema);
-  rapidjson::SchemaValidator validator(rules);
-  if (json.Accept(validator)) return {};
-  rapidjson::StringBuffer where;
-  validator.GetInvalidDocumentPointer().StringifyUriFragment(where);
-  return std::string(where.GetString()) + ": " + validator.GetInvalidSchemaKeyword();
+  return schema_fault(json, text_of(std::string(REFRASTER_SOURCE_DIR) + "/docs/bench.schema.json"));
 }
 
 bool holds(const std::string& text, const std::string& words) {

@@ -110,6 +110,24 @@ TEST_CASE("an image whose first row is the lowest is turned, and judged as it st
   CHECK(unturned.out.find("turned upside down") != std::string::npos); // the cause has a name
 }
 
+TEST_CASE("colours over a background are judged as --premultiplied says that they are stored") {
+  const TemporaryFolder folder;
+  Image<float> image = read_image(rendered(folder, "a.exr")).values;
+  Image<float> glass(image.width, image.height, 4, 0.5f);
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) std::copy_n(image.at(x, y), 3, glass.at(x, y));
+  const std::string path = (folder.path / "glass.exr").string();
+  write_image(path, glass);
+  const auto exit_code = [&](const std::string& more) {
+    return run("verify " + scene + " " + path + " -q " + more).exit_code;
+  };
+  CHECK(exit_code("") == 3);
+  CHECK(exit_code("--alpha over:0,0,0") == 0); // EXR: stored multiplied by alpha
+  CHECK(exit_code("--alpha over:0,0,0 --premultiplied yes") == 0);
+  CHECK(exit_code("--alpha over:0,0,0 --premultiplied no") == 1); // half as bright
+  CHECK(exit_code("--alpha ignore --premultiplied no") == 0);
+}
+
 TEST_CASE("what is wrong with a call or a file is one line") {
   const TemporaryFolder folder;
   const std::string image = rendered(folder, "a.png");

@@ -136,8 +136,8 @@ void check_story(const Scene& scene, const ExplainRequest& request, Numbers numb
   const FragmentStory& f = story.fragments.front();
   CHECK(same_bits(f.radiance, frame.radiance));
   CHECK(same_bits(f.exact.radiance, story.in(Precision::exact).radiance));
-  CHECK(static_cast<float>(seen->of.object + 1) == frame.aovs[0].values[0]);
-  CHECK(static_cast<float>(seen->of.triangle + 1) == frame.aovs[1].values[0]);
+  CHECK(static_cast<float>(seen->of.object) == frame.aovs[0].values[0]);
+  CHECK(static_cast<float>(seen->of.triangle) == frame.aovs[1].values[0]);
   CHECK(static_cast<float>(seen->depth) == frame.aovs[2].values[0]); // the very bits that the depth test had
   CHECK(seen->weights == f.weights);
   for (auto c = candidates.begin(); c != seen; ++c)

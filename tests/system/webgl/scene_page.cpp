@@ -109,11 +109,12 @@ std::string scene_json(const Scene& scene, int width, int height) {
           throw std::runtime_error(object.name + ": the page draws no mesh of which only some triangles have a vt");
         json.object([&] {
           json.member("vertex", own_vertex_glsl(GlslDialect::es_300));
-          json.member("fragment",
-                      own_fragment_glsl(scene, material, object.two_sided, MerlFilter::manual, GlslDialect::es_300));
+          json.member("fragment", own_fragment_glsl(scene, *object.mesh, material, object.two_sided, MerlFilter::manual,
+                                                    GlslDialect::es_300));
           json.member("positions", packed(object.mesh->positions));
           json.member("normals", packed(object.mesh->normals));
           json.member("uvs", packed(object.mesh->uvs));
+          json.member("colours", packed(object.mesh->colours));
           json.member("triangles", packed(object.mesh->triangles));
           json.member("cull", object.cull == Cull::back);
           UniformValues values = scene_uniforms(scene);

@@ -41,10 +41,9 @@ const std::vector<Clause>& clauses() {
       {"v x y z", sound, "2 triangles, 4 vertices, 0 with uv"},
       {"v x y z w", "v 0 0 0 1\nv 1 0 0 0.5\nv 1 1 0 2\nf 1 2 3\n", "1 triangles, 3 vertices, 0 with uv"},
       {"v x y z r g b, of other programs", "v 0 0 0\nv 1 0 0 1 0 0\nv 1 1 0 0 1 0\nf 1 2 3\n",
-       "1 triangles, 3 vertices, 0 with uv; :2: found a v with 6 numbers, skipped: colours of vertices are not read (2 "
-       "times)"},
+       "1 triangles, 3 vertices, 0 with uv"},
       {"v x y z w r g b, of other programs", "v 0 0 0 1 1 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n",
-       "1 triangles, 3 vertices, 0 with uv; :1: found a v with 7 numbers, skipped: colours of vertices are not read"},
+       "1 triangles, 3 vertices, 0 with uv"},
       {"v x y", "v 0 0\nv 1 0\nv 1 1\nf 1 2 3\n",
        "m.obj:1:1: found 2 numbers, expected 3 to 7 numbers\nm.obj:2:1: found 2 numbers, expected 3 to 7 numbers\n"
        "m.obj:3:1: found 2 numbers, expected 3 to 7 numbers"},

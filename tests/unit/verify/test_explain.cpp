@@ -123,17 +123,17 @@ bool holds(const std::string& text, const std::string& words) {
 TEST_CASE(
     "a sample's candidates are those that cover it, from near to far, with depth, weights and what became of them") {
   Scene scene = window_scene();
-  add_cover(scene, 4);   // 0: hidden
-  add_cover(scene, 10);  // 1: beyond the far plane
-  add_cover(scene, 2);   // 2: seen
-  add_cover(scene, 0.5); // 3: before the near plane
-  add_triangle(scene, {place(0, -8, 3), place(16, 8, 3), place(0, 8, 3)}, 1).cull = Cull::back; // 4
-  add_triangle(scene, {place(3, 8, 2), place(8, 8, 2), place(3, 0, 2)}, 1);                     // 5: beside it
+  add_cover(scene, 4);   // 1: hidden
+  add_cover(scene, 10);  // 2: beyond the far plane
+  add_cover(scene, 2);   // 3: seen
+  add_cover(scene, 0.5); // 4: before the near plane
+  add_triangle(scene, {place(0, -8, 3), place(16, 8, 3), place(0, 8, 3)}, 1).cull = Cull::back; // 5
+  add_triangle(scene, {place(3, 8, 2), place(8, 8, 2), place(3, 0, 2)}, 1);                     // 6: beside it
   const PixelStory story = story_at(scene, 2, 3);
   REQUIRE(story.sample_stories.size() == 1);
   const std::vector<Candidate>& found = story.sample_stories[0].candidates;
   REQUIRE(found.size() == 5);
-  constexpr std::uint32_t objects[] = {3, 2, 4, 0, 1};
+  constexpr std::uint32_t objects[] = {4, 3, 5, 1, 2};
   constexpr double distances[] = {0.5, 2, 3, 4, 10};
   constexpr CandidateFate fates[] = {CandidateFate::before_near, CandidateFate::seen, CandidateFate::culled,
                                      CandidateFate::hidden, CandidateFate::beyond_far};
@@ -149,7 +149,7 @@ TEST_CASE(
     CHECK(w[1] == doctest::Approx(0.15625));
     CHECK(w[i == 2 ? 0 : 2] == doctest::Approx(0.28125));
   }
-  CHECK(story.fragments.front().of.object == 2);
+  CHECK(story.fragments.front().of.object == 3);
 }
 
 TEST_CASE("a triangle that crosses the eye plane is a candidate like any other") {
@@ -322,7 +322,7 @@ TEST_CASE("what hides behind is an explanation, if the other renderer shows just
   const PixelStory story = story_at(scene, 2, 3, float_pixel(Double3(0.125)));
   const auto& found = story.actual->would_be;
   CHECK(std::any_of(found.begin(), found.end(), [](const WouldBe& w) {
-    return w.kind == WouldBe::Kind::pixel && holds(w.what, "object 1") && holds(w.remark, "depth test");
+    return w.kind == WouldBe::Kind::pixel && holds(w.what, "object 2") && holds(w.remark, "depth test");
   }));
 }
 
