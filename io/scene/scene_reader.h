@@ -77,9 +77,9 @@ public:
       one.object.material.name = document_[i].key;
       one.material_place = {one.object.material.name, document_[i].key_begin,
                             path_of(key) + '/' + pointer_part(document_[i].key)};
-      if (is_from_file(i)) continue;
-      read_material(i, one.material_place.json_path, [&](SceneReader& keys) { declare(one, keys); });
-      one.material_from = MaterialFrom::scene;
+      if (!is_from_file(i))
+        read_material(i, one.material_place.json_path, [&](SceneReader& keys) { declare(one, keys); });
+      one.material_from = is_from_file(i) ? MaterialFrom::file : MaterialFrom::scene;
     }
   }
 

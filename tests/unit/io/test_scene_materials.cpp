@@ -92,7 +92,7 @@ TEST_CASE("the function of the object shades what the file describes: Phong or B
   ModelFolder folder(", \"fragment_function\": \"phong\"");
   CHECK(std::holds_alternative<Phong>(material_of(folder.object(), 4).fragment_function));
   CHECK(ModelFolder(", \"fragment_function\": \"merl\", \"material\": \"from_file\"").refused() ==
-        "s.json:3:83: /scene/objects/0/fragment_function: found a function that files describe no materials for, "
+        "s.json:3:78: /scene/objects/0/fragment_function: found a function that files describe no materials for, "
         "expected phong or blinn_phong, or no material \"from_file\"");
 }
 
@@ -119,10 +119,10 @@ TEST_CASE("a scene may name materials: the others are what `material` says") {
   CHECK(kd(other.object(), 4) == green);
   CHECK(material_of(other.object(), 4).texture);
   CHECK(ModelFolder(", \"materials\": {\"gren\": \"from_file\"}").refused() ==
-        "s.json:3:98: /scene/objects/0/materials/gren: found a material that the OBJ file does not name, expected one "
+        "s.json:3:71: /scene/objects/0/materials/gren: found a material that the OBJ file does not name, expected one "
         "of red, green; did you mean green?");
   CHECK(ModelFolder(", \"materials\": {\"red\": 5}").refused() ==
-        "s.json:3:105: /scene/objects/0/materials/red: found 5, expected an object, or \"from_file\"");
+        "s.json:3:78: /scene/objects/0/materials/red: found 5, expected an object, or \"from_file\"");
 }
 
 TEST_CASE("what is missing is drawn in grey or without, with one note a kind") {
@@ -194,6 +194,7 @@ TEST_CASE("a library's name may have blanks, and one mtllib may name several") {
 TEST_CASE("a mesh out of the cache has its materials") {
   ModelFolder folder("", red_and_green, squares + std::string(2 << 20, '\n'));
   folder.options.mesh_cache = folder / "cache";
+  std::filesystem::create_directory(folder.options.mesh_cache);
   for (int i = 0; i < 2; ++i) {
     const Object object = folder.object();
     CHECK(kd(object, 2) == red);
