@@ -32,6 +32,13 @@ Scene poster(std::vector<Float3> colours) {
   return scene;
 }
 
+/// The square's corners lie on the image's, and places are small multiples of 1/32: what is left is the rounding of
+/// three weights, their sum, its reciprocal, and of products and sums with them, each half an ulp of at most 1.
+constexpr double roundings = 8 * 0x1p-53;
+bool is_near(double found, double expected) {
+  return std::abs(found - expected) <= roundings;
+}
+
 Image<double> radiance(const Scene& scene, int samples = 1) {
   RenderOptions options;
   options.width = options.height = 16;
@@ -49,20 +56,17 @@ TEST_CASE("a vertex's colour is seen at its place, and what is between them betw
   for (int y = 0; y < 16; ++y)
     for (int x = 0; x < 16; ++x) {
       const double* const rgb = image.at(x, y);
-      // The square's corners lie on the image's, all numbers are small multiples of 1/32: what is left is the rounding
-      // of three weights and their sum, each half an ulp of at most 1.
-      constexpr double roundings = 8 * 0x1p-53;
-      CHECK(std::abs(rgb[0] - (x + 0.5) / 16) <= roundings);
-      CHECK(std::abs(rgb[2] - (15.5 - y) / 16) <= roundings);
+      CHECK(is_near(rgb[0], (x + 0.5) / 16));
+      CHECK(is_near(rgb[2], (15.5 - y) / 16));
       CHECK(rgb[1] == 0.5); // the same at all corners: no rounding
     }
 }
 
 TEST_CASE("vertices without a colour are white where others have one, and a mesh of white ones is one without") {
   CHECK(radiance(poster({{1, 1, 1}})).values == radiance(poster({})).values);
-  const Image<double> image = radiance(poster({{0, 0, 0}}));  // the lower left one only, which both triangles have
-  CHECK(image.at(15, 0)[0] == doctest::Approx(1 - 1.0 / 32)); // the pixel's centre is a 32nd of the diagonal off
-  CHECK(image.at(0, 15)[0] == doctest::Approx(1.0 / 32));
+  const Image<double> image = radiance(poster({{0, 0, 0}})); // the lower left one only, which both triangles have
+  CHECK(is_near(image.at(15, 0)[0], 1 - 1.0 / 32));          // the pixel's centre is a 32nd of the diagonal off
+  CHECK(is_near(image.at(0, 15)[0], 1.0 / 32));
 }
 
 TEST_CASE("where a pixel's centre lies beside the triangle the colour goes on, but not below 0") {
