@@ -115,7 +115,9 @@ private:
     field(at, "scale", object.scale, any_number);
     if (!object.mesh) fault(at() + "mesh", "null", "a mesh");
     else if (meshes_.insert(object.mesh.get()).second) check(*object.mesh, at);
-    check(object.material, at);
+    check(object.material, [&] { return at() + "material/"; });
+    for (std::size_t i = 0; i < object.materials.size(); ++i)
+      check(object.materials[i], [&] { return at() + "materials/" + std::to_string(i) + '/'; });
   }
 
   void check(const Mesh& mesh, const Where& object) {
@@ -130,6 +132,13 @@ private:
         fault(at() + std::string(attribute.name), text_of(values, attribute.words),
               "at most one a position: " + text_of(count, "of them"));
     });
+    for (std::size_t i = 1; i < mesh.material_runs.size(); ++i)
+      if (mesh.material_runs[i].first_triangle <= mesh.material_runs[i - 1].first_triangle) {
+        fault(at() + "material_runs/" + std::to_string(i),
+              "first triangle " + std::to_string(mesh.material_runs[i].first_triangle),
+              "more than " + std::to_string(mesh.material_runs[i - 1].first_triangle) + ", that of the run before");
+        break;
+      }
     if (depth_ == Depth::parameters) return;
     check_indices(mesh, at);
     for_each_vertex_attribute(
@@ -154,8 +163,7 @@ private:
                        Effect::drawn);
   }
 
-  void check(const Material& material, const Where& object) {
-    const Where at = [&] { return object() + "material/"; };
+  void check(const Material& material, const Where& at) {
     if (material.user_function) {
       if (functions_.insert(material.user_function.get()).second) {
         ParameterChecker parameters(*this, at);

@@ -5,12 +5,8 @@
 namespace refraster::bench {
 namespace {
 
-bool shows_texture(const Object& object) {
-  return !object.material.measured();
-}
-
-std::string_view function_name(const Object& object) {
-  return object.material.function_name();
+bool shows_texture(const Material& material) {
+  return !material.measured();
 }
 
 /// 64 x 64 texels in smooth colours, 48 kB: stays in the first caches, so that sampling is paid for and not memory.
@@ -48,34 +44,35 @@ std::size_t lights(const Scene& scene) {
 }
 
 Scene without_textures(Scene scene) {
-  for (Object& object : scene.objects)
-    if (shows_texture(object))
-      for (const TextureSlot& slot : texture_slots) object.material.*slot.texture = nullptr;
+  for_each_material(scene, [](Material& material) {
+    if (shows_texture(material))
+      for (const TextureSlot& slot : texture_slots) material.*slot.texture = nullptr;
+  });
   return scene;
 }
 
 Scene with_textures(Scene scene) {
   const std::shared_ptr<const Texture> texture = small_texture();
-  for (Object& object : scene.objects) {
-    if (!shows_texture(object)) continue;
+  for_each_material(scene, [&](Material& material) {
+    if (!shows_texture(material)) return;
     for (const TextureSlot& slot : texture_slots) {
-      object.material.*slot.texture = texture;
-      object.material.*slot.filter = TextureFilter::bilinear;
+      material.*slot.texture = texture;
+      material.*slot.filter = TextureFilter::bilinear;
     }
-  }
+  });
   return scene;
 }
 
 bool has_textures(const Scene& scene) {
-  return std::any_of(scene.objects.begin(), scene.objects.end(), [](const Object& object) {
-    return shows_texture(object) &&
+  return any_material(scene, [](const Material& material) {
+    return shows_texture(material) &&
            std::any_of(texture_slots.begin(), texture_slots.end(),
-                       [&](const TextureSlot& slot) { return object.material.*slot.texture != nullptr; });
+                       [&](const TextureSlot& slot) { return material.*slot.texture != nullptr; });
   });
 }
 
 bool shows_textures(const Scene& scene) {
-  return std::any_of(scene.objects.begin(), scene.objects.end(), shows_texture);
+  return any_material(scene, shows_texture);
 }
 
 std::string name_of(const FragmentFunctionVariant& function) {
@@ -89,20 +86,44 @@ std::vector<FragmentFunctionVariant> functions_of(const Scene& scene) {
   const auto add = [&](const FragmentFunctionVariant& function) {
     if (std::find(functions.begin(), functions.end(), function) == functions.end()) functions.push_back(function);
   };
-  for (const Object& object : scene.objects) {
-    if (const Merl* const merl = object.material.measured())
+  for_each_material(scene, [&](const Material& material) {
+    if (const Merl* const merl = material.measured())
       for (const MerlLookup lookup : {merl->lookup, MerlLookup::nearest, MerlLookup::trilinear})
         add({Merl::name, lookup});
-    else add({function_name(object), std::nullopt});
-  }
+    else add({material.function_name(), std::nullopt});
+  });
   return functions;
 }
 
 Scene only(Scene scene, const FragmentFunctionVariant& function) {
-  std::erase_if(scene.objects, [&](const Object& object) { return function_name(object) != function.name; });
-  for (Object& object : scene.objects)
-    if (Merl* const merl = std::get_if<Merl>(&object.material.fragment_function))
+  const auto has_it = [&](const Material& material) { return material.function_name() == function.name; };
+  for (Object& object : scene.objects) {
+    if (object.materials.empty()) continue;
+    auto part = std::make_shared<Mesh>(*object.mesh); // without the triangles of other functions
+    part->triangles.clear();
+    part->material_runs.clear();
+    const auto triangles = static_cast<std::uint32_t>(object.mesh->triangles.size());
+    for (std::uint32_t begin = 0; begin < triangles;) {
+      const MaterialRange range = material_range(object, begin);
+      const std::uint32_t from = begin;
+      begin = range.end_triangle;
+      if (!has_it(*range.material)) continue;
+      const bool named = range.material != &object.material;
+      part->material_runs.push_back(
+          {static_cast<std::uint32_t>(part->triangles.size()),
+           named ? static_cast<std::uint32_t>(range.material - object.materials.data()) : no_material});
+      part->triangles.insert(part->triangles.end(), object.mesh->triangles.begin() + from,
+                             object.mesh->triangles.begin() + range.end_triangle);
+    }
+    object.mesh = std::move(part);
+  }
+  std::erase_if(scene.objects, [&](const Object& object) {
+    return object.materials.empty() ? !has_it(object.material) : object.mesh->triangles.empty();
+  });
+  for_each_material(scene, [&](Material& material) {
+    if (Merl* const merl = std::get_if<Merl>(&material.fragment_function); merl && has_it(material))
       merl->lookup = function.lookup.value();
+  });
   return scene;
 }
 

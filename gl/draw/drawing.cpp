@@ -152,16 +152,18 @@ GlDrawing::Part GlDrawing::part(const Object& object, const ShaderText& vertex, 
 
 // Whatever a shader does with its texture, white is what it gets where there are no coordinates to read another at. The
 // order of triangles stays: of equally near ones the first is seen.
-std::vector<GlDrawing::TextureRun> GlDrawing::texture_runs(const Mesh& mesh, const SlotTextures& textures,
-                                                           const SlotTextures& white) {
-  if (textures == white || mesh.uvs.size() == mesh.positions.size()) return {{textures, 0, mesh.triangles.size()}};
-  std::vector<TextureRun> runs;
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+void GlDrawing::add_runs(const Mesh& mesh, std::size_t surface, std::size_t begin, std::size_t end, Item& item) const {
+  const SlotTextures& textures = item.surfaces[surface].textures;
+  SlotTextures white;
+  white.fill(white_);
+  if (textures == white || mesh.uvs.size() == mesh.positions.size())
+    return item.runs.push_back({surface, textures, begin, end - begin});
+  const std::size_t first = item.runs.size();
+  for (std::size_t i = begin; i < end; ++i) {
     const SlotTextures& here = has_uvs(mesh, mesh.triangles[i]) ? textures : white;
-    if (runs.empty() || runs.back().textures != here) runs.push_back({here, i, 0});
-    ++runs.back().triangles;
+    if (item.runs.size() == first || item.runs.back().textures != here) item.runs.push_back({surface, here, i, 0});
+    ++item.runs.back().triangles;
   }
-  return runs;
 }
 
 GlDrawing::Item GlDrawing::item(const Scene& scene, std::size_t number, const GlOptions& options,
@@ -175,40 +177,61 @@ GlDrawing::Item GlDrawing::item(const Scene& scene, std::size_t number, const Gl
     if ((object.mesh.get()->*attribute.values).empty()) item.missing.emplace_back(place, attribute.otherwise);
     ++place;
   });
-  SlotTextures white, shown;
-  white.fill(white_);
+  std::map<const Material*, std::size_t> surfaces;
+  const auto surface_of = [&](const Material& material) {
+    const auto [entry, is_new] = surfaces.try_emplace(&material, item.surfaces.size());
+    if (is_new) {
+      Object with_one = object; // as if all of it had this material
+      with_one.material = material;
+      with_one.materials.clear();
+      item.surfaces.push_back(surface(scene, with_one, number, options, clip_from_world, item));
+    }
+    return entry->second;
+  };
+  const auto triangles = static_cast<std::uint32_t>(object.mesh->triangles.size());
+  if (triangles == 0) surface_of(object.material); // its shaders are compiled all the same
+  for (std::uint32_t begin = 0; begin < triangles;) {
+    const MaterialRange range = material_range(object, begin);
+    add_runs(*object.mesh, surface_of(*range.material), begin, range.end_triangle, item);
+    begin = range.end_triangle;
+  }
+  return item;
+}
+
+GlDrawing::Surface GlDrawing::surface(const Scene& scene, const Object& object, std::size_t number,
+                                      const GlOptions& options, const Double4x4& clip_from_world, Item& item) {
+  Surface surface;
   for (std::size_t i = 0; i < texture_slots.size(); ++i) {
     const Texture* const texture = (object.material.*texture_slots[i].texture).get();
     const TextureFilter filter = object.material.*texture_slots[i].filter;
-    shown[i] =
+    surface.textures[i] =
         texture ? once(textures_, {texture, filter}, [&] { return upload_texture(gl_, *texture, filter); }) : white_;
   }
-  item.runs = texture_runs(*object.mesh, shown, white);
   if (const Merl* const merl = object.material.measured())
-    item.table = once(tables_, {merl->table.get(), merl->lookup}, [&] {
+    surface.table = once(tables_, {merl->table.get(), merl->lookup}, [&] {
       const TableContent content = reads_logarithms(merl->lookup) ? TableContent::logarithms : TableContent::values;
       return upload_table(gl_, *merl->table, content, merl->lookup);
     });
 
   const ShaderChoice choice = choose_shaders(scene, object, options.merl_filter, newest_glsl(gl_));
-  shaders_.push_back(choice.why);
+  if (shaders_.empty() || shaders_.back() != choice.why) shaders_.push_back(choice.why); // said once for all materials
   item.has_shaders_of_its_own = choice.vertex_of_scene || choice.fragment_of_scene;
   UniformValues values = scene_uniforms(scene);
   values.merge(object_uniforms(object, clip_from_world));
   const std::size_t colour = static_cast<std::size_t>(GlPass::colour), ids = static_cast<std::size_t>(GlPass::ids);
-  item.parts[colour] = part(object, choice.vertex, choice.fragment, values, warnings_);
+  surface.parts[colour] = part(object, choice.vertex, choice.fragment, values, warnings_);
   WarningList said_before; // the colour pass has told them, and of our own there is nothing to be reported
   const ShaderText ids_shader{"our fragment shader of ids", ids_glsl};
   values["objectNumber"] = static_cast<float>(number + 1);
   values["triangleNumber"] = 0.0f; // set for each
   if (options.want_ids) {
-    item.parts[ids] = part(object, choice.vertex, ids_shader, values, said_before);
-    item.triangle_number = gl_.GetUniformLocation(item.parts[ids].program->name, "triangleNumber");
+    surface.parts[ids] = part(object, choice.vertex, ids_shader, values, said_before);
+    surface.triangle_number = gl_.GetUniformLocation(surface.parts[ids].program->name, "triangleNumber");
   }
   if (item.has_shaders_of_its_own)
-    item.plain =
+    surface.plain =
         part(object, {"our vertex shader", own_vertex_glsl(GlslDialect::core_330)}, ids_shader, values, said_before);
-  return item;
+  return surface;
 }
 
 void GlDrawing::clear(GlPass pass) const {
@@ -220,7 +243,7 @@ void GlDrawing::clear(GlPass pass) const {
 }
 
 /// All that a draw depends on is set: no object's image depends on those drawn before, but for their depth.
-void GlDrawing::prepare(const Item& item, const Part& part) const {
+void GlDrawing::prepare(const Item& item, const Surface& surface, const Part& part) const {
   const Program& program = *part.program;
   if (item.cull == Cull::back) gl_.Enable(GL_CULL_FACE);
   else gl_.Disable(GL_CULL_FACE);
@@ -239,7 +262,7 @@ void GlDrawing::prepare(const Item& item, const Part& part) const {
     gl_.BufferData(use.target, use.size_bytes, zeros.data(), GL_DYNAMIC_DRAW);
   }
   gl_.ActiveTexture(GL_TEXTURE0 + merl_unit);
-  gl_.BindTexture(GL_TEXTURE_3D, item.table);
+  gl_.BindTexture(GL_TEXTURE_3D, surface.table);
   gl_.BindVertexArray(part.vertices);
   for (const ConstantAttribute& attribute : program.attributes.constants) set_constant(gl_, attribute);
   for (const auto& [place, value] : item.missing)
@@ -247,11 +270,12 @@ void GlDrawing::prepare(const Item& item, const Part& part) const {
 }
 
 void GlDrawing::draw_item(const Item& item, GlPass pass) const {
-  const Part& part = item.parts[static_cast<std::size_t>(pass)];
-  if (!part.program->has_position) return;
-  prepare(item, part);
-  if (pass == GlPass::colour) draw_runs(item);
-  else draw_each(item);
+  draw_runs(
+      item, [pass](const Surface& surface) -> const Part& { return surface.parts[static_cast<std::size_t>(pass)]; },
+      [&](const Surface& surface, const Run& run) {
+        if (pass == GlPass::colour) draw_run(run);
+        else draw_each(surface, run);
+      });
 }
 
 void GlDrawing::bind_textures(const SlotTextures& textures) const {
@@ -261,12 +285,23 @@ void GlDrawing::bind_textures(const SlotTextures& textures) const {
   }
 }
 
-void GlDrawing::draw_runs(const Item& item) const {
-  for (const TextureRun& run : item.runs) {
+template <class PartOf, class DrawRun>
+void GlDrawing::draw_runs(const Item& item, const PartOf& part_of, const DrawRun& draw_run) const {
+  const Surface* prepared = nullptr;
+  for (const Run& run : item.runs) {
+    const Surface& surface = item.surfaces[run.surface];
+    const Part& part = part_of(surface);
+    if (!part.program->has_position) continue;
+    if (prepared != &surface) prepare(item, surface, part);
+    prepared = &surface;
     bind_textures(run.textures);
-    gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * run.triangles), GL_UNSIGNED_INT,
-                     place_of(run.first_triangle));
+    draw_run(surface, run);
   }
+}
+
+void GlDrawing::draw_run(const Run& run) const {
+  gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * run.triangles), GL_UNSIGNED_INT,
+                   place_of(run.first_triangle));
 }
 
 void GlDrawing::draw(GlPass pass) const {
@@ -275,31 +310,29 @@ void GlDrawing::draw(GlPass pass) const {
 }
 
 // gl_PrimitiveID would be the way, but Mesa's softpipe has none in fragment shaders.
-void GlDrawing::draw_each(const Item& item) const {
-  for (const TextureRun& run : item.runs) {
-    bind_textures(run.textures);
-    for (std::size_t i = run.first_triangle; i < run.first_triangle + run.triangles; ++i) {
-      gl_.Uniform1f(item.triangle_number, static_cast<float>(i + 1));
-      gl_.DrawElements(GL_TRIANGLES, 3, GL_UNSIGNED_INT, place_of(i));
-    }
+void GlDrawing::draw_each(const Surface& surface, const Run& run) const {
+  for (std::size_t i = run.first_triangle; i < run.first_triangle + run.triangles; ++i) {
+    gl_.Uniform1f(surface.triangle_number, static_cast<float>(i + 1));
+    gl_.DrawElements(GL_TRIANGLES, 3, GL_UNSIGNED_INT, place_of(i));
   }
 }
 
-std::uint64_t GlDrawing::samples_alone(const Item& item, const Part& part) const {
+template <class PartOf>
+std::uint64_t GlDrawing::samples_alone(const Item& item, const PartOf& part_of) const {
   clear(GlPass::colour);
-  return samples_passed(gl_, [&] {
-    prepare(item, part);
-    draw_runs(item);
-  });
+  return samples_passed(gl_, [&] { draw_runs(item, part_of, [&](const Surface&, const Run& run) { draw_run(run); }); });
 }
 
 std::uint64_t GlDrawing::draw_checked() {
   clear(GlPass::colour);
   std::uint64_t sum = 0;
   std::vector<const Item*> unseen;
+  const auto with_its_own = [](const Surface& surface) -> const Part& {
+    return surface.parts[static_cast<std::size_t>(GlPass::colour)];
+  };
   for (const Item& item : items_) {
     const std::uint64_t passed = samples_passed(gl_, [&] { draw_item(item, GlPass::colour); });
-    const Part& part = item.parts[static_cast<std::size_t>(GlPass::colour)];
+    const Part& part = with_its_own(item.surfaces.front()); // all have the same shaders, where they have their own
     if (const GLenum error = take_error(gl_); error != GL_NO_ERROR)
       refuse(gl_, item.name, part.program->name, part.program->vertex, part.program->fragment, error);
     sum += passed;
@@ -310,8 +343,9 @@ std::uint64_t GlDrawing::draw_checked() {
   bool explained = false;
   for (const Item* const item : unseen) {
     if (!item->has_shaders_of_its_own) continue;
-    const std::uint64_t with_ours = samples_alone(*item, item->plain);
-    if (with_ours == 0 || samples_alone(*item, item->parts[static_cast<std::size_t>(GlPass::colour)]) > 0) continue;
+    const std::uint64_t with_ours =
+        samples_alone(*item, [](const Surface& surface) -> const Part& { return surface.plain; });
+    if (with_ours == 0 || samples_alone(*item, with_its_own) > 0) continue;
     warnings_.add(item->name, "its shaders draw nothing: no sample of it passes the depth test, where with ours " +
                                   std::to_string(with_ours) + " do");
     explained = true;

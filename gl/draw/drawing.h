@@ -43,13 +43,13 @@ public:
 private:
   /// In the order of texture_slots.
   using SlotTextures = std::array<GLuint, texture_slots.size()>;
-  /// Triangles that follow one another and show the same textures: white on those without texture coordinates.
-  struct TextureRun {
+  /// Triangles that follow one another, have one material and show the same textures: white on those without texture
+  /// coordinates.
+  struct Run {
+    std::size_t surface = 0; // in Item::surfaces
     SlotTextures textures{};
     std::size_t first_triangle = 0, triangles = 0;
   };
-  static std::vector<TextureRun> texture_runs(const Mesh& mesh, const SlotTextures& textures,
-                                              const SlotTextures& white);
 
   struct Program {
     ShaderText vertex, fragment;
@@ -66,31 +66,42 @@ private:
     GLuint vertices = 0;
     std::vector<UniformSetting> uniforms;
   };
-  struct Item {
-    std::string name;
+  struct Surface { // what triangles of one material are drawn with
+    SlotTextures textures{};
     GLuint table = 0;
-    std::vector<TextureRun> runs;
-    Cull cull = Cull::none;
-    std::vector<std::pair<GLuint, float>> missing; // attributes that the mesh has none of, and what stands for them
-    bool has_shaders_of_its_own = false;
     GLint triangle_number = -1; // place of that uniform in the program of ids
     Part parts[2];              // by pass
     Part plain;                 // with our shaders, for those that have shaders of their own
   };
+  struct Item {
+    std::string name;
+    Cull cull = Cull::none;
+    std::vector<std::pair<GLuint, float>> missing; // attributes that the mesh has none of, and what stands for them
+    bool has_shaders_of_its_own = false;
+    std::vector<Surface> surfaces; // one or more
+    std::vector<Run> runs;         // in the order of the mesh: of equal depths the first is seen
+  };
 
   Item item(const Scene& scene, std::size_t object, const GlOptions& options, const Double4x4& clip_from_world);
+  Surface surface(const Scene& scene, const Object& object, std::size_t number, const GlOptions& options,
+                  const Double4x4& clip_from_world, Item& item);
+  void add_runs(const Mesh& mesh, std::size_t surface, std::size_t begin, std::size_t end, Item& item) const;
   Part part(const Object& object, const ShaderText& vertex, const ShaderText& fragment, const UniformValues& values,
             WarningList& warnings);
   const Program& linked(const ShaderText& vertex, const ShaderText& fragment, const Object& object,
                         WarningList& warnings);
   void upload_blocks(const MatricesBlock& matrices);
   void clear(GlPass pass) const;
-  void prepare(const Item& item, const Part& part) const;
+  void prepare(const Item& item, const Surface& surface, const Part& part) const;
   void draw_item(const Item& item, GlPass pass) const;
   void bind_textures(const SlotTextures& textures) const;
-  void draw_runs(const Item& item) const;
-  void draw_each(const Item& item) const;
-  std::uint64_t samples_alone(const Item& item, const Part& part) const;
+  /// With part_of(surface) of each run's surface; draw_run(surface, run) draws it.
+  template <class PartOf, class DrawRun>
+  void draw_runs(const Item& item, const PartOf& part_of, const DrawRun& draw_run) const;
+  void draw_run(const Run& run) const;
+  void draw_each(const Surface& surface, const Run& run) const;
+  template <class PartOf>
+  std::uint64_t samples_alone(const Item& item, const PartOf& part_of) const;
 
   const GlApi& gl_;
   Double3 background_;

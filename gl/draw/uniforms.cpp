@@ -63,6 +63,7 @@ UniformValues object_uniforms(const Object& object, const Double4x4& clip_from_w
   values["model"] = Float4x4(transform.world_from_object);
   values["clipFromObject"] = Float4x4(transform.clip_from_object);
   values["normalMatrix"] = Float3x3(transform.world_from_normal);
+  values["frontSign"] = is_mirrored(object) ? -1.0f : 1.0f;
   for (std::size_t i = 0; i < texture_slots.size(); ++i)
     values[std::string(texture_slots[i].sampler)] = static_cast<int>(i);
   if (object.material.user_function) {

@@ -1,5 +1,12 @@
+#ifdef TWO_SIDED
+uniform float frontSign; // 1; -1 where the model mirrors, which turns its faces round but not its normals
+#endif
+
 void main() {
     vec3 n = unit(fs_in(Normal));
+#ifdef TWO_SIDED
+    n *= gl_FrontFacing ? frontSign : -frontSign;
+#endif
     vec3 v = unit(viewPos - fs_in(FragPos));
     vec3 t = surface_colour();
     FragColor = vec4(with_lights(ambient(t), n, v, t), 1.0);

@@ -163,10 +163,12 @@ std::string own_vertex_glsl(GlslDialect dialect) {
          "\nvoid pass_attributes() {\n" + assignments + "}\n";
 }
 
-std::string own_fragment_glsl(const Scene& scene, const Material& material, MerlFilter filter, GlslDialect dialect) {
+std::string own_fragment_glsl(const Scene& scene, const Mesh& mesh, const Material& material, TwoSided two_sided,
+                              MerlFilter filter, GlslDialect dialect) {
   std::ostringstream text;
   text.imbue(std::locale::classic()); // whatever the program's own is
   text << version(dialect);
+  define(text, "HAS_COLOURS", !mesh.colours.empty());
   const std::string_view formulas = std::visit(
       [&](const auto& function) {
         if constexpr (requires { define_function(text, function, material, filter); })
@@ -174,6 +176,7 @@ std::string own_fragment_glsl(const Scene& scene, const Material& material, Merl
         return formulas_of(function);
       },
       material.fragment_function);
+  define(text, "TWO_SIDED", two_sided == TwoSided::yes);
   text << varyings(dialect, "in") << glsl_text.surface << formulas << light_sum(scene) << glsl_text.main;
   return text.str();
 }

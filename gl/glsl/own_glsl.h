@@ -37,9 +37,11 @@ bool has_own_glsl(std::string_view varying);
 /// What our GLSL would leave out of an object's image: "point lights", "texture_file_path", "texture coordinates".
 std::vector<std::string_view> without_glsl(const Scene& scene, const Object& object);
 
-/// For one object's material under the scene's lights: how many lights there are, whether there is a texture, how a
-/// table is read, is compiled in, so that no pixel pays for what the scene does not use.
-std::string own_fragment_glsl(const Scene& scene, const Material& material, MerlFilter filter, GlslDialect dialect);
+/// For one object's mesh and material under the scene's lights: how many lights there are, whether there is a texture
+/// or are colours, how a table is read, whether normals are turned, is compiled in, so that no pixel pays for what the
+/// scene does not use.
+std::string own_fragment_glsl(const Scene& scene, const Mesh& mesh, const Material& material, TwoSided two_sided,
+                              MerlFilter filter, GlslDialect dialect);
 
 /// Whether our GLSL reads the table as logarithms (MerlTable::log_values).
 bool reads_logarithms(MerlLookup lookup);

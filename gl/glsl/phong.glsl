@@ -10,11 +10,14 @@ uniform sampler2D tex;
 #endif
 
 vec3 surface_colour() {
+    vec3 t = vec3(1.0);
 #ifdef HAS_TEXTURE
-    return texture(tex, fs_in(TexCoord)).rgb;
-#else
-    return vec3(1.0);
+    t = texture(tex, fs_in(TexCoord)).rgb;
 #endif
+#ifdef HAS_COLOURS
+    t *= max(fs_in(Color), 0.0);
+#endif
+    return t;
 }
 
 vec3 ambient(vec3 t) {

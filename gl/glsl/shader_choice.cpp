@@ -90,7 +90,8 @@ ShaderChoice choose_shaders(const Scene& scene, const Object& object, MerlFilter
   const auto [vertex, vertex_from] =
       choose(object.vertex_shader_path, own_vertex_glsl(GlslDialect::core_330), "our vertex shader", newest_version);
   const auto [fragment, fragment_from] =
-      choose(object.fragment_shader_path, own_fragment_glsl(scene, object.material, filter, GlslDialect::core_330),
+      choose(object.fragment_shader_path,
+             own_fragment_glsl(scene, *object.mesh, object.material, object.two_sided, filter, GlslDialect::core_330),
              "our fragment shader of " + std::string(function), newest_version);
   return {vertex, fragment,
           object.name + ": vertex shader " + vertex_from + ", fragment shader of " + std::string(function) + " " +

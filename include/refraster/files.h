@@ -69,14 +69,30 @@ struct MeshNormals {
   bool operator==(const MeshNormals&) const = default;
 };
 
+/// What the colours of an OBJ file's vertices, `v x y z r g b`, are taken as.
+enum class VertexColours {
+  linear, ///< linear values
+  srgb,   ///< encoded by the sRGB curve: decoded before they are interpolated
+  ignored ///< nothing: the mesh has none
+};
+
+template <>
+struct EnumNames<VertexColours> {
+  static constexpr std::pair<VertexColours, std::string_view> names[] = {
+      {VertexColours::linear, "linear"}, {VertexColours::srgb, "srgb"}, {VertexColours::ignored, "ignored"}};
+};
+
 /// How an OBJ file is read.
 struct ObjOptions {
-  MeshNormals normals = {};  ///< where they come from
-  NoteList* notes = nullptr; ///< where remarks on the file go; nowhere if null
+  MeshNormals normals = {};                      ///< where they come from
+  NoteList* notes = nullptr;                     ///< where remarks on the file go; nowhere if null
+  VertexColours colours = VertexColours::linear; ///< what those of the vertices are taken as
 };
 
 /// Reads all faces of an OBJ file as one mesh, triangles in the order of the file.
 ///   v, vt, vn   each coordinate is rounded once, to float. A face without vt at all its corners has none
+///               `v x y z r g b` has a colour: from 0 to 1, or, where one of the file exceeds 1, from 0 to 255. In a
+///               file in which some have one, the others are white; so is one that is not finite. Below 0 counts as 0
 ///   f           3 or more corners, also concave; indices from 1, or negative: counted back from the last one given.
 ///               A polygon with n corners becomes n - 2 triangles of the same winding; a convex one the fan of its
 ///               first corner. Refused if many thousand corners fold so that cutting takes more than seconds

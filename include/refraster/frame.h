@@ -33,7 +33,7 @@ struct EnumNames<Precision> {
 /// Images beside the colour, each of the nearest surface at the pixel centre; 0 where there is none.
 enum class Aov {
   depth,    ///< 1 channel: window depth in [0, 1]; 1 where there is no surface
-  normal,   ///< 3: unit shading normal, world space
+  normal,   ///< 3: unit shading normal, world space: turned to the eye where a two-sided object shows its back
   position, ///< 3: world space
   uv,       ///< 2: as interpolated, not wrapped
   albedo,   ///< 3: texture colour times kd; for a measured BRDF its value at normal incidence times pi

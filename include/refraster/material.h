@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <variant>
@@ -211,6 +212,8 @@ struct Material {
   std::shared_ptr<const UserFunction> user_function = {}; ///< shades instead of it, if not null
   std::shared_ptr<const Texture> texture = {};            ///< null: white
   TextureFilter texture_filter = TextureFilter::bilinear; ///< trilinear wants a texture with all its levels
+
+  std::string name = {}; ///< for reports: of a file's its own
 
   /// What is measured of it; null if another function shades it.
   const Merl* measured() const { return user_function ? nullptr : std::get_if<Merl>(&fragment_function); }

@@ -2,6 +2,7 @@
 // Meshes, and those that need no file.
 
 #include <refraster/fields.h>
+#include <refraster/mesh_material.h>
 #include <refraster/vector.h>
 
 #include <array>
@@ -14,13 +15,29 @@
 
 namespace refraster {
 
+/// Triangles that follow one another and have the same material: from the first on, up to the next run's first.
+struct TriangleRun {
+  std::uint32_t first_triangle = 0; ///< of the mesh
+  std::uint32_t material = 0;       ///< which of Object::materials; one that is not there: Object::material
+  /// Whether they say the same.
+  bool operator==(const TriangleRun&) const = default;
+};
+
+/// Of triangles that name none.
+inline constexpr std::uint32_t no_material = 0xffffffff;
+
 /// Triangles in object space, counter-clockwise seen from outside. Coordinates are float: what a GPU is given, so that
 /// both sides of a comparison start from the same numbers.
 struct Mesh {
   std::vector<Float3> positions = {}; ///< one entry a unique (position, normal, uv)
   std::vector<Float3> normals = {};   ///< as many as positions; any length
   std::vector<Float2> uvs = {};       ///< of the first vertices, all or some; the others have none
+  std::vector<Float3> colours = {};   ///< linear; of the first vertices, all or some; the others are white
   std::vector<std::array<std::uint32_t, 3>> triangles = {}; ///< indices into the above, each < positions.size()
+  /// In the order of triangles, no two of which begin at one; those before the first run name no material.
+  std::vector<TriangleRun> material_runs = {};
+  std::vector<MeshMaterial> materials = {}; ///< those that runs name, by their number: of each the name, at least
+  std::vector<MaterialLibrary> material_libraries = {}; ///< the files that describe them
 };
 
 /// What turns an attribute of the mesh into one of the world.
@@ -55,7 +72,13 @@ inline constexpr std::tuple vertex_attributes{
                             Need::required},
     VertexAttribute<Float3>{&Mesh::normals, "normals", "normals", "vNormal", "Normal", Transformed::as_normal,
                             Need::required},
-    VertexAttribute<Float2>{&Mesh::uvs, "uvs", "texture coordinates", "vTexCoord", "TexCoord"}};
+    VertexAttribute<Float2>{&Mesh::uvs, "uvs", "texture coordinates", "vTexCoord", "TexCoord"},
+    VertexAttribute<Float3>{.values = &Mesh::colours,
+                            .name = "colours",
+                            .words = "vertex colours",
+                            .input = "vColor",
+                            .varying = "Color",
+                            .otherwise = 1}};
 
 /// Calls visit(attribute) with each.
 constexpr void for_each_vertex_attribute(auto&& visit) {

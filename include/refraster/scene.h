@@ -80,6 +80,17 @@ struct EnumNames<Cull> {
   static constexpr std::pair<Cull, std::string_view> names[] = {{Cull::none, "none"}, {Cull::back, "back"}};
 };
 
+/// Whether a surface is lit from both of its sides.
+enum class TwoSided {
+  no, ///< normals are as the mesh gives them
+  yes ///< the normal is turned to the eye where a triangle is seen from the side away from its normals
+};
+
+template <>
+struct EnumNames<TwoSided> {
+  static constexpr std::pair<TwoSided, std::string_view> names[] = {{TwoSided::no, "false"}, {TwoSided::yes, "true"}};
+};
+
 /// A mesh, placed. World from object is T . Rx . Ry . Rz . S.
 struct Object {
   std::string name = {};                 ///< for reports
@@ -88,12 +99,38 @@ struct Object {
   Double3 rotate_degrees{0};             ///< about x, y and z
   Double3 scale{1};                      ///< negative mirrors, 0 flattens: both are drawn
   Cull cull = Cull::none;                ///< whether its back is drawn
-  Material material = {};                ///< what its surface is like
+  TwoSided two_sided = TwoSided::no;     ///< whether its back is lit as its front is
+  Material material = {};                ///< what its surface is like, where `materials` has nothing else
+  std::vector<Material> materials = {};  ///< of the mesh's runs of triangles, by their number
   /// GLSL, read by OpenGL only; an absolute path, or relative to the current directory. Empty: our own.
   std::string vertex_shader_path = {};
   /// The same.
   std::string fragment_shader_path = {};
 };
+
+/// A material, and up to which triangle of the mesh it goes on: the first of another's, or how many there are.
+struct MaterialRange {
+  const Material* material = nullptr;
+  std::uint32_t end_triangle = 0;
+};
+
+/// What a triangle of the object's mesh is drawn with. Takes time in proportion to the logarithm of the mesh's runs.
+MaterialRange material_range(const Object& object, std::uint32_t triangle);
+
+/// The same without its range.
+inline const Material& material_of(const Object& object, std::uint32_t triangle) {
+  if (object.materials.empty()) return object.material;
+  return *material_range(object, triangle).material;
+}
+
+/// Calls visit(material) with each material that the object may be drawn with.
+void for_each_material(auto& object, auto&& visit) requires requires {
+  object.materials;
+}
+{
+  visit(object.material);
+  for (auto& material : object.materials) visit(material);
+}
 
 /// What is drawn.
 struct Scene {
@@ -103,6 +140,21 @@ struct Scene {
   std::vector<DirectionLight> direction_lights = {}; ///< after all point lights
   std::vector<Object> objects = {};                  ///< drawn in this order
 };
+
+/// Calls visit(material) with each material that anything of a scene may be drawn with.
+void for_each_material(auto& scene, auto&& visit) requires requires {
+  scene.objects;
+}
+{
+  for (auto& object : scene.objects) for_each_material(object, visit);
+}
+
+/// Whether has(material) holds for any of them.
+bool any_material(const Scene& scene, auto&& has) {
+  bool any = false;
+  for_each_material(scene, [&](const Material& material) { any = any || has(material); });
+  return any;
+}
 
 /// The types of light there are: every list of them that a scene has, in the order in which light is summed. Scene
 /// files and their documentation, checks, all precisions and OpenGL's uniforms follow from this list.

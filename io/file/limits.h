@@ -34,6 +34,8 @@ inline constexpr Limit json_depth{"nesting of JSON", 64, "levels", "N levels of 
                                   "no key of a scene is deeper than 8"};
 inline constexpr Limit obj_bytes{"an OBJ file", std::numeric_limits<std::int32_t>::max(), "bytes", "N bytes",
                                  "no list of it can have more entries than 31 bits count"};
+inline constexpr Limit mtl_bytes{"a material library", std::uint64_t{1} << 24, "bytes", "N bytes",
+                                 "30,000 materials, each with five textures"};
 inline constexpr Limit image_bytes{"an image file", std::uint64_t{1} << 33, "bytes", "N bytes",
                                    "twice the largest image of four floats a pixel"};
 inline constexpr Limit glsl_bytes{"a GLSL file", std::uint64_t{1} << 20, "bytes", "N bytes",
@@ -51,6 +53,7 @@ inline constexpr Limit texture_side{"a texture, each side", 16384, "texels a sid
                                     "the most that OpenGL drivers take: `gl` must draw the same"};
 // The scene
 inline constexpr Limit objects{"objects", 65536, "values", "an array of N values", "each may load four files"};
+inline constexpr Limit materials{"materials of a mesh", 65536, "materials", "N materials", "each may load ten images"};
 template <class Light>
 inline constexpr Limit lights{Light::names.words, 65536, "values", "an array of N values",
                               "each shines on every fragment"};
@@ -75,11 +78,11 @@ inline constexpr Limit threads{
 /// In the order of docs/limits.md.
 inline constexpr std::array all_limits = std::apply(
     []<class... Light>(std::vector<Light> Scene::*...) {
-      return std::array{&limit::scene_bytes, &limit::json_depth,   &limit::obj_bytes,    &limit::image_bytes,
-                        &limit::glsl_bytes,  &limit::image_side,   &limit::image_pixels, &limit::image_channels,
-                        &limit::jpeg_scans,  &limit::texture_side, &limit::objects,      &limit::lights<Light>...,
-                        &limit::vertices,    &limit::triangles,    &limit::frame_side,   &limit::frame_samples,
-                        &limit::threads};
+      return std::array{&limit::scene_bytes,    &limit::json_depth,       &limit::obj_bytes,    &limit::mtl_bytes,
+                        &limit::image_bytes,    &limit::glsl_bytes,       &limit::image_side,   &limit::image_pixels,
+                        &limit::image_channels, &limit::jpeg_scans,       &limit::texture_side, &limit::objects,
+                        &limit::materials,      &limit::lights<Light>..., &limit::vertices,     &limit::triangles,
+                        &limit::frame_side,     &limit::frame_samples,    &limit::threads};
     },
     light_lists);
 

@@ -18,10 +18,10 @@ Mesh read_obj_by_cache(const std::string& path, const std::string& folder, const
 
 /// Part of what a mesh is found by. To be raised when read_obj makes another mesh of the same bytes, or when the format
 /// below changes: a test says when.
-inline constexpr std::uint32_t mesh_cache_version = 3;
+inline constexpr std::uint32_t mesh_cache_version = 4;
 
 /// What a mesh is found by: different for different bytes, and for different normals of the same bytes.
-std::string mesh_key(const std::string& sha256, const MeshNormals& normals);
+std::string mesh_key(const std::string& sha256, const ObjOptions& options);
 
 /// A mesh, and what there was to note of its file: notes without a file's name.
 struct KeptMesh {

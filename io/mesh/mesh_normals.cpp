@@ -12,4 +12,9 @@ std::string name_of(const MeshNormals& normals) {
          std::string(text.data(), std::to_chars(text.data(), text.data() + text.size(), normals.crease_degrees).ptr);
 }
 
+std::string name_of(const ObjOptions& options) {
+  const std::string normals = name_of(options.normals);
+  return options.colours == VertexColours::linear ? normals : normals + "." + std::string(name_of(options.colours));
+}
+
 } // namespace refraster

@@ -14,4 +14,7 @@ inline constexpr double crease_degrees_of_files = 50;
 /// "file", "smooth", "flat", "crease-30": different for different ones, and good in the name of a file.
 std::string name_of(const MeshNormals& normals);
 
+/// Of all options that make another mesh of the same file: "smooth", "crease-30.srgb".
+std::string name_of(const ObjOptions& options);
+
 } // namespace refraster

@@ -2,6 +2,7 @@
 
 #include "io/file/input_file.h"
 #include "io/file/limits.h"
+#include "io/mesh/obj_colours.h"
 #include "io/mesh/obj_faces.h"
 #include "io/mesh/triple_index.h"
 
@@ -115,6 +116,20 @@ void put_textured_first(std::vector<TripleIndex::Triple>& vertices,
     for (std::uint32_t& vertex : triangle) vertex = place[vertex];
 }
 
+/// A face of n corners has become n - 2 triangles, in the order of the file.
+void add_materials(const ObjText& obj, Mesh& mesh) {
+  for (const ObjName& name : obj.material_names) {
+    MeshMaterial& material = mesh.materials.emplace_back();
+    material.name = name.text;
+  }
+  for (const ObjName& library : obj.material_libraries) mesh.material_libraries.push_back({library.text, library.line});
+  for (const MaterialRun& run : obj.material_runs) {
+    const std::uint32_t triangle = obj.faces.begin[run.face] - 2 * run.face;
+    if (triangle >= mesh.triangles.size()) continue; // a usemtl after the last face
+    mesh.material_runs.push_back({triangle, run.name < 0 ? no_material : static_cast<std::uint32_t>(run.name)});
+  }
+}
+
 } // namespace
 
 Mesh read_obj(const std::string& path, const ObjOptions& options) {
@@ -128,6 +143,9 @@ Mesh mesh_of_obj(const std::string& path, std::string text, const ObjOptions& op
   if (const std::uint64_t triangles = obj.faces.corners.size() - 2 * obj.faces.count();
       triangles > limit::triangles.value)
     throw InputError(InputFault{path, 0, 0, "", found_of(limit::triangles, triangles), at_most(limit::triangles)});
+  if (obj.material_names.size() > limit::materials.value)
+    throw InputError(
+        InputFault{path, 0, 0, "", found_of(limit::materials, obj.material_names.size()), at_most(limit::materials)});
   drop_what_is_missing(obj);
   note_rounding(path, obj, notes);
   std::uint64_t steps_left = max_steps;
@@ -149,6 +167,8 @@ Mesh mesh_of_obj(const std::string& path, std::string text, const ObjOptions& op
     mesh.normals.push_back(obj.vn[static_cast<std::size_t>(vn)]);
     if (vt >= 0) mesh.uvs.push_back(obj.vt[static_cast<std::size_t>(vt)]);
   }
+  mesh.colours = vertex_colours(path, obj, vertices, options.colours, notes);
+  add_materials(obj, mesh);
   if (options.notes) options.notes->add(notes);
   return mesh;
 }

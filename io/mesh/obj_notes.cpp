@@ -11,7 +11,6 @@ constexpr std::array<std::string_view, static_cast<std::size_t>(ObjRemark::count
     "skipped: no face uses it",
     "taken as no normal",
     "taken as no texture coordinate",
-    "skipped: colours of vertices are not read",
     "read without its empty part",
     "read as it stands: without vt at all corners no texture, without vn a computed normal",
     "read as f",
@@ -20,7 +19,7 @@ constexpr std::array<std::string_view, static_cast<std::size_t>(ObjRemark::count
     "read as \"s off\"",
     "read as \"s 1\"",
     "read as a group of its own",
-    "skipped: materials of OBJ files are not read, the scene's own material is used",
+    "skipped: textures are those of the materials",
     "skipped: no other file is read, and no command run",
     "skipped: the format has no such statement",
 };
@@ -34,8 +33,8 @@ constexpr std::pair<std::string_view, ObjKeyword> keywords[] = {
     {"f", ObjKeyword::shape},
     {"fo", ObjKeyword::shape},
     {"s", ObjKeyword::shape},
-    {"usemtl", ObjKeyword::materials},
-    {"mtllib", ObjKeyword::materials},
+    {"usemtl", ObjKeyword::harmless}, // read, but no part of the shape
+    {"mtllib", ObjKeyword::harmless},
     {"usemap", ObjKeyword::materials},
     {"maplib", ObjKeyword::materials},
     {"g", ObjKeyword::harmless},

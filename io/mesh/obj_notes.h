@@ -17,7 +17,6 @@ enum class ObjRemark : std::uint8_t {
   position_not_finite, // of a v that no face uses
   normal_not_finite,
   uv_not_finite,
-  vertex_colour,
   empty_slot,    // `1/`, `1//`, `1/2/`
   mixed_corners, // some corners of a face have a vt or vn, others none
   face_outline,  // `fo`

@@ -65,13 +65,16 @@ public:
     mend_line_ends();
     for (std::size_t begin = 0, end = 0; begin < text_.size(); begin = end + 1) {
       end = std::min(text_.find('\n', begin), text_.size());
+      while (joints_before_ < joints_.size() && joints_[joints_before_] < begin) ++joints_before_;
+      ++statements_;
       const std::string_view line = std::string_view(text_).substr(begin, end - begin);
-      statement(line.substr(0, comment_in(line)));
+      statement(line.substr(0, comment_in(line)), line);
     }
     for (const Forward& index : forward_) {
       if (index.value > count(index.list)) no_such_index(index.word, index.list);
       else if (index.list == List::v) use(index.value - 1);
     }
+    if (!obj_.colours.empty()) obj_.colours.resize(obj_.v.size(), no_colour);
     if (obj_.smoothing.empty() && faults_.empty())
       faults_.add({file_, 0, 0, "", what_instead_of_faces(), "at least one face (a statement f)"});
     faults_.sort_by_place();
@@ -124,7 +127,8 @@ private:
     }
   }
 
-  void statement(std::string_view line) {
+  /// `with_comment`: the whole line.
+  void statement(std::string_view line, std::string_view with_comment) {
     const std::string_view all = line, keyword = take_word(line);
     if (keyword == "v") numbers(List::v, obj_.v, line, all, 3, 7); // then may follow a weight, or a colour, or both
     else if (keyword == "vn") numbers(List::vn, obj_.vn, line, all, 3, 3);
@@ -134,7 +138,28 @@ private:
       remark(ObjRemark::face_outline, all, [] { return "fo"; });
       face(line, all);
     } else if (keyword == "s") smoothing(take_word(line), all);
-    else if (!keyword.empty()) skip(keyword, all);
+    else if (!keyword.empty()) {
+      if (keyword == "mtllib" || keyword == "usemtl") {
+        take_word(with_comment);
+        material(keyword, trimmed(with_comment));
+      }
+      skip(keyword, all);
+    }
+  }
+
+  void material(std::string_view keyword, std::string_view name) {
+    const int line = static_cast<int>(statements_ + joints_before_);
+    if (keyword == "mtllib") return obj_.material_libraries.push_back({std::string(name), line});
+    MaterialRun run{static_cast<std::uint32_t>(obj_.faces.count()), -1};
+    if (!name.empty()) {
+      const auto next = static_cast<std::int32_t>(obj_.material_names.size());
+      const auto [at, is_new] = names_.try_emplace(std::string(name), next);
+      if (is_new) obj_.material_names.push_back({std::string(name), line});
+      run.name = at->second;
+    }
+    std::vector<MaterialRun>& runs = obj_.material_runs;
+    if (!runs.empty() && runs.back().face == run.face) runs.back() = run;
+    else runs.push_back(run);
   }
 
   /// A statement that says nothing about the shape, or is not read.
@@ -177,6 +202,7 @@ private:
   void numbers(List which, std::vector<glm::vec<N, float, glm::defaultp>>& list, std::string_view rest,
                std::string_view all, std::size_t least, std::size_t most) {
     glm::vec<N, float, glm::defaultp> point(0.0f);
+    Float3 last(0.0f); // the last three numbers
     std::array<std::string_view, static_cast<std::size_t>(N)> words;
     std::size_t count = 0;
     std::string_view not_finite;
@@ -184,6 +210,8 @@ private:
       float number = 0;
       const NumberText read = read_coordinate(word, number);
       if (read == NumberText::not_a_number) fault(word, in_quotes(word), finite_number);
+      if (read == NumberText::not_finite) number = std::numeric_limits<float>::quiet_NaN();
+      if (which == List::v) last = {last.y, last.z, number};
       if (count >= N) continue;
       if (read == NumberText::not_finite && not_finite.empty()) not_finite = word;
       point[static_cast<glm::length_t>(count)] = number;
@@ -198,8 +226,10 @@ private:
     } else if constexpr (N == 3) {
       if (which == List::v && !list.empty() && rounding_may_matter(point, list.back())) moved(point, words);
     }
-    if (which == List::v && count >= 6)
-      remark(ObjRemark::vertex_colour, all, [&] { return "a v with " + counted(count, "number"); });
+    if (which == List::v && count >= 6) {
+      obj_.colours.resize(list.size(), no_colour);
+      obj_.colours.push_back(last);
+    }
     list.push_back(point);
   }
 
@@ -351,6 +381,7 @@ private:
     notes_.add(kind, [&] { return ObjNotes::First{place_of(where).line, found()}; });
   }
 
+  static constexpr Float3 no_colour{-1.0f, -1.0f, -1.0f};
   static constexpr const char* finite_number = "a finite number in single precision";
 
   const std::string& file_;
@@ -362,6 +393,9 @@ private:
   ObjNotes notes_;
   std::map<long long, NotFinite> not_finite_v_; // by their place in v; those that no face has used so far
   std::map<std::pair<bool, std::uint64_t>, std::int32_t> groups_; // by sign and size
+  std::map<std::string, std::int32_t> names_;                     // of materials
+  std::size_t statements_ = 0;                                    // with the present one
+  std::size_t joints_before_ = 0; // of joints_, how many lie before the present statement
   std::int32_t smoothing_ = smoothing_off;
   std::size_t points_ = 0, lines_ = 0, free_forms_ = 0;
 };

@@ -38,13 +38,34 @@ struct ObjFaces {
   }
 };
 
+/// What a `usemtl` says: the faces from `face` on, up to the next run's, have this material. Faces before the first run
+/// have none. Runs stand in the order of the file, no two begin at one face. A face of n corners becomes n - 2
+/// triangles, so that the first triangle of a face f is faces.begin[f] - 2 f.
+struct MaterialRun {
+  std::uint32_t face;
+  std::int32_t name; // which of material_names; -1: `usemtl` without a name
+};
+
+/// Words of a statement as they stand: up to the end of the line, without blanks at both ends. A '#' is part of them:
+/// it may belong to a name, or begin a comment.
+struct ObjName {
+  std::string text;
+  int line; // counted from 1
+};
+
 struct ObjText {
   std::vector<Float3> v, vn; // a v that a face uses is finite; a vn or vt that is not stands for none
   std::vector<Float2> vt;
-  ObjFaces faces;                      // each index is one of a point that is there, or -1
-  std::vector<std::int32_t> smoothing; // of each face
-  bool has_smoothing = false;          // whether there is any `s`
-  bool has_not_finite = false;         // whether any vn or vt is not finite
+  ObjFaces faces;                          // each index is one of a point that is there, or -1
+  std::vector<std::int32_t> smoothing;     // of each face
+  bool has_smoothing = false;              // whether there is any `s`
+  bool has_not_finite = false;             // whether any vn or vt is not finite
+  std::vector<ObjName> material_libraries; // each `mtllib`, which may name several files
+  std::vector<ObjName> material_names;     // of `usemtl`, each once, in the order of the file
+  std::vector<MaterialRun> material_runs;
+  /// Of each v, `v x y z r g b` or `v x y z w r g b`, as the numbers stand, NaN for what is not finite; -1 of a v
+  /// without. Empty if none has one.
+  std::vector<Float3> colours;
   /// Those of which rounding_may_matter (obj_numbers.h) says that it may.
   std::vector<MovedVertex> moved;
 };

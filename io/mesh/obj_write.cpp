@@ -43,7 +43,13 @@ private:
 
 void write_obj(const std::string& path, const Mesh& mesh) {
   ObjWriter out(path);
-  for (const Float3& p : mesh.positions) out << "v " << p.x << " " << p.y << " " << p.z << "\n";
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    const Float3& p = mesh.positions[i];
+    out << "v " << p.x << " " << p.y << " " << p.z;
+    if (i < mesh.colours.size())
+      out << " " << mesh.colours[i].x << " " << mesh.colours[i].y << " " << mesh.colours[i].z;
+    out << "\n";
+  }
   for (const Float2& uv : mesh.uvs) out << "vt " << uv.x << " " << uv.y << "\n";
   for (const Float3& n : mesh.normals) out << "vn " << n.x << " " << n.y << " " << n.z << "\n";
   for (const auto& triangle : mesh.triangles) {

@@ -2,9 +2,11 @@
 
 #include "io/brdf/merl_file.h"
 #include "io/file/input_file.h"
+#include "io/file/nearest.h"
 #include "io/file/text.h"
 #include "io/mesh/mesh_cache.h"
 #include "io/mesh/mesh_normals.h"
+#include "io/scene/file_materials.h"
 #include "io/scene/not_a_scene.h"
 #include "io/scene/scene_reader.h"
 #include "io/scene/shape_mesh.h"
@@ -25,12 +27,19 @@ public:
   /// `faults`: of the scene file; `in_files`: of those that it names.
   Loader(const JsonDocument& document, const SceneOptions& options, FaultList& faults, FaultList& in_files)
       : document_(document), options_(options), folder_(fs::path(document.file()).parent_path()),
-        real_folder_(canonical_path(folder_.empty() ? "." : folder_.string())), faults_(faults), in_files_(in_files) {}
+        real_folder_(canonical_path(folder_.empty() ? "." : folder_.string())), faults_(faults), in_files_(in_files),
+        file_materials_([this](const std::string& path) { return is_outside(path); }, options.memory, options.notes) {}
 
   /// To be called for every object before the first is loaded: a loaded texture never changes, so it must be known
   /// whether it needs a mip chain; and shapes that are too many are not made.
   void note(const ObjectText& text) {
     if (text.shape) add(mesh_counts(*text.shape));
+    if (is_any_from_file(text)) described_.insert(canonical_path(path_of(text.obj_file)));
+    note_textures(text);
+    for (const ObjectText& one : text.materials) note_textures(one);
+  }
+
+  void note_textures(const ObjectText& text) {
     for (std::size_t i = 0; i < texture_slots.size(); ++i)
       if (const PathText& file = text.texture_files[i];
           !file.given.empty() && text.object.material.*texture_slots[i].filter == TextureFilter::trilinear)
@@ -48,30 +57,85 @@ public:
     if (result.name.empty())
       result.name = text.shape ? std::string(std::visit([](auto& s) { return s.name; }, *text.shape))
                                : fs::path(text.obj_file.given).stem().string();
-    note_what_is_not_read(text);
-    if (result.material.measured()) {
-      std::get<Merl>(result.material.fragment_function).table =
-          load(tables_, text.brdf_file, "a MERL table", [&](const std::string& path) {
-            options_.memory.need(std::min(file_size_bytes(path), merl_file_bytes), path);
-            return read_merl(path);
-          });
-    } else {
-      bool any_texture = false;
-      for (std::size_t i = 0; i < texture_slots.size(); ++i) {
-        const auto loaded = texture(text.texture_files[i]);
-        result.material.*texture_slots[i].texture = loaded;
-        any_texture |= loaded != nullptr;
-      }
-      if (result.mesh && any_texture) note_untextured(text, *result.mesh);
-    }
+    if (text.material_from == MaterialFrom::scene) load_material(text, result.material);
+    else result.material = FileMaterials::plain(function_of(text));
+    if (result.mesh) add_materials(text, result);
+    if (result.mesh) note_untextured(text, result);
     for (const PathText* const path : {&text.obj_file, &text.vertex_shader, &text.fragment_shader})
       note_backslashes(*path);
-    for (const PathText& path : text.texture_files) note_backslashes(path);
-    note_backslashes(text.brdf_file);
     return result;
   }
 
 private:
+  /// What a material that is described in the scene names.
+  void load_material(const ObjectText& text, Material& material) {
+    note_what_is_not_read(text);
+    if (material.measured())
+      std::get<Merl>(material.fragment_function).table =
+          load(tables_, text.brdf_file, "a MERL table", [&](const std::string& path) {
+            options_.memory.need(std::min(file_size_bytes(path), merl_file_bytes), path);
+            return read_merl(path);
+          });
+    else
+      for (std::size_t i = 0; i < texture_slots.size(); ++i)
+        material.*texture_slots[i].texture = texture(text.texture_files[i]);
+    for (const PathText& path : text.texture_files) note_backslashes(path);
+    note_backslashes(text.brdf_file);
+  }
+
+  static bool is_any_from_file(const ObjectText& text) {
+    const auto is_from_file = [](const ObjectText& one) { return one.material_from == MaterialFrom::file; };
+    return is_from_file(text) || std::any_of(text.materials.begin(), text.materials.end(), is_from_file);
+  }
+
+  static FileFunction function_of(const ObjectText& text) {
+    return fragment_function_of(text) == place_of<Phong>() ? FileFunction::phong : FileFunction::blinn_phong;
+  }
+
+  /// Those of the mesh, by the names that the file has for them.
+  void add_materials(const ObjectText& text, Object& result) {
+    const Mesh& mesh = *result.mesh;
+    if (mesh.materials.empty() && text.materials.empty()) return;
+    if (!is_any_from_file(text) && text.materials.empty()) {
+      if (options_.notes && unused_.insert(canonical_path(path_of(text.obj_file))).second)
+        options_.notes->add({path_of(text.obj_file), 0, counted(mesh.materials.size(), "material") + " of its own",
+                             "not used: the scene's `material` is"});
+      return;
+    }
+    const bool from_file = is_any_from_file(text);
+    const std::string path = path_of(text.obj_file);
+    const std::vector<Material> none;
+    const std::vector<Material>& of_file = from_file ? file_materials_.materials(path, mesh, function_of(text)) : none;
+    if (text.material_from == MaterialFrom::file) result.materials = of_file;
+    else result.materials.assign(mesh.materials.size(), result.material);
+    for (std::size_t i = 0; i < mesh.materials.size(); ++i) result.materials[i].name = mesh.materials[i].name;
+    for (const ObjectText& one : text.materials) {
+      const std::optional<std::size_t> number = number_of(one, mesh);
+      if (!number) continue;
+      Material& material = result.materials[*number];
+      if (one.material_from == MaterialFrom::file) {
+        material = of_file[*number];
+      } else {
+        material = one.object.material;
+        load_material(one, material);
+      }
+      material.name = mesh.materials[*number].name;
+    }
+  }
+
+  /// Of the mesh's materials, the one that a key names.
+  std::optional<std::size_t> number_of(const ObjectText& one, const Mesh& mesh) {
+    std::vector<std::string_view> names;
+    for (const MeshMaterial& material : mesh.materials) {
+      if (material.name == one.object.material.name) return names.size();
+      names.push_back(material.name);
+    }
+    const PathText& place = one.material_place;
+    faults_.add(document_.fault_at(place.offset, place.json_path, "a material that the OBJ file does not name",
+                                   names.empty() ? "none: it names no material" : one_of(names, place.given)));
+    return {};
+  }
+
   std::shared_ptr<const Texture> texture(const PathText& file) {
     return load(textures_, file, "an image", [&](const std::string& path) {
       auto texture = std::make_shared<Texture>(read_texture(path, options_.memory, options_.notes));
@@ -86,22 +150,32 @@ private:
   std::shared_ptr<const Mesh> mesh(const ObjectText& text) {
     const auto read = [&](const std::string& path) {
       options_.memory.need(2 * file_size_bytes(path), path); // its text, and no less than as much for what it says
-      // A file that is read once more, for other normals, has the same remarks.
-      const ObjOptions reading{text.normals, noted_.insert(canonical_path(path)).second ? options_.notes : nullptr};
+      // A file that is read once more, for other normals or colours, has the same remarks.
+      const ObjOptions reading{text.normals, noted_.insert(canonical_path(path)).second ? options_.notes : nullptr,
+                               text.colours};
       const std::string& cache = options_.mesh_cache;
-      return std::make_shared<const Mesh>(cache.empty() ? read_obj(path, reading)
-                                                        : read_obj_by_cache(path, cache, reading));
+      auto mesh =
+          std::make_shared<Mesh>(cache.empty() ? read_obj(path, reading) : read_obj_by_cache(path, cache, reading));
+      if (described_.contains(canonical_path(path))) file_materials_.describe(path, *mesh);
+      return mesh;
     };
-    return load(meshes_, text.obj_file, "an OBJ file", read, name_of(text.normals));
+    return load(meshes_, text.obj_file, "an OBJ file", read, name_of(ObjOptions{text.normals, nullptr, text.colours}));
   }
 
-  void note_untextured(const ObjectText& text, const Mesh& mesh) {
-    if (!options_.notes || mesh.uvs.size() == mesh.positions.size()) return;
-    const auto without = std::count_if(mesh.triangles.begin(), mesh.triangles.end(),
-                                       [&](const auto& triangle) { return !has_uvs(mesh, triangle); });
+  void note_untextured(const ObjectText& text, const Object& object) {
+    const Mesh& mesh = *object.mesh;
+    if (!options_.notes || text.shape || mesh.uvs.size() == mesh.positions.size()) return;
+    std::size_t without = 0;
+    const auto triangles = static_cast<std::uint32_t>(mesh.triangles.size());
+    for (std::uint32_t i = 0; i < triangles;) {
+      const MaterialRange range = material_range(object, i);
+      const bool textured = std::any_of(texture_slots.begin(), texture_slots.end(), [&](const TextureSlot& slot) {
+        return range.material->*slot.texture != nullptr;
+      });
+      for (; i < range.end_triangle; ++i) without += textured && !has_uvs(mesh, mesh.triangles[i]);
+    }
     if (without > 0 && untextured_.insert(canonical_path(path_of(text.obj_file))).second)
-      options_.notes->add({path_of(text.obj_file), 0,
-                           counted(static_cast<std::size_t>(without), "triangle") + " without vt",
+      options_.notes->add({path_of(text.obj_file), 0, counted(without, "triangle") + " without vt",
                            "on which the texture is not shown"});
   }
 
@@ -220,6 +294,9 @@ private:
   Files<MerlTable> tables_;
   std::set<std::string> trilinear_;                   // identities of textures
   std::set<std::string> faulty_, noted_, untextured_; // identities of files whose faults, or remarks, are reported
+  std::set<std::string> unused_;    // identities of OBJ files whose materials are reported not to be used
+  std::set<std::string> described_; // identities of OBJ files whose materials are read
+  FileMaterials file_materials_;
   std::vector<std::pair<Shape, std::shared_ptr<const Mesh>>> shapes_;
 };
 

@@ -9,6 +9,8 @@
 //                                                                    objects; declare(item, keys) has those of each
 //   keys.shape("mesh", shape, "meaning")                             one of the shapes below
 //   keys.normals("normals", normals, "meaning")                      a word, or an object with an angle
+//   keys.material("material", text, "meaning", declare)              the same, or a word
+//   keys.materials("materials", text, "meaning", declare)            of each name of a material the same
 //   keys.check(value)                                                what a single key cannot show
 //   keys.check_light(light)                                          the same of a light
 //   keys.parameters(function, use)                                   what a fragment function declares (fields.h)
@@ -115,18 +117,28 @@ void crease_keys(auto& normals, auto&& keys) {
        "edges are smooth where two faces enclose at most this angle, sharp where they enclose more", required);
 }
 
+/// Where a material is described: in the scene, or by a file of the mesh's.
+enum class MaterialFrom { scene, file };
+inline constexpr std::string_view from_file_word = "from_file";
+
 /// An object as the file describes it. What lies in other files is still to be loaded.
 struct ObjectText {
   Object object;
   FragmentFunctionName fragment_function;
   PathText obj_file, vertex_shader, fragment_shader;
-  MeshNormals normals; // of obj_file
+  MeshNormals normals;                           // of obj_file
+  VertexColours colours = VertexColours::linear; // likewise
   std::optional<Shape> shape;
   PathText brdf_file;
   std::array<PathText, texture_slots.size()> texture_files; // in the order of texture_slots
+  MaterialFrom material_from = MaterialFrom::scene;
+  /// Of materials of the mesh: the name in object.material, and of the rest what belongs to a material.
+  std::vector<ObjectText> materials;
+  PathText material_place; // of one of those: where it stands
 };
 
-/// The fragment function of an object: its own key, else the stem of fragment_shader_file_path. Empty: there is none.
+/// The fragment function of an object: its own key, else the stem of fragment_shader_file_path, else Blinn-Phong where
+/// materials are those of a file. Empty: there is none.
 std::optional<std::size_t> fragment_function_of(const ObjectText& text);
 
 template <std::size_t... I>
@@ -136,6 +148,12 @@ void for_each_fragment_function(auto&& visit, std::index_sequence<I...>) {
 /// Calls visit(function, index) with a default-constructed object of every fragment function.
 void for_each_fragment_function(auto&& visit) {
   for_each_fragment_function(visit, std::make_index_sequence<std::variant_size_v<FragmentFunction>>{});
+}
+
+/// The place of a fragment function in FragmentFunction.
+template <class Function>
+std::size_t place_of() {
+  return FragmentFunction(Function{}).index();
 }
 
 /// A material may hold the parameters of every fragment function: those of its own must be there, others may.
@@ -210,9 +228,13 @@ void object_keys(auto& text, auto&& keys) {
       "normals", text.normals,
       "of an OBJ file: `\"file\"`, as it says; the others, computed from its faces: one normal a vertex, one a "
       "face, or sharp edges");
+  keys("vertex_colors", text.colours, Range{},
+       "of an OBJ file: what the colours of its vertices are taken as; they multiply the texture's", defaulted);
+  keys.expect_material("material", text);
   keys("fragment_function", text.fragment_function, Range{}, "which function shades the surface",
-       otherwise("the stem of `fragment_shader_file_path`"));
-  const Presence shader = text.fragment_function.given ? otherwise("nothing") : required;
+       otherwise("the stem of `fragment_shader_file_path`; `\"blinn_phong\"` for the materials of a file"));
+  const bool needs_no_shader = text.fragment_function.given || text.material_from == MaterialFrom::file;
+  const Presence shader = needs_no_shader ? otherwise("nothing") : required;
   keys("vertex_shader_file_path", text.vertex_shader, Range{},
        "GLSL, read by `refraster gl` only; may be left out beside `fragment_function`", shader);
   keys("fragment_shader_file_path", text.fragment_shader, Range{},
@@ -224,8 +246,19 @@ void object_keys(auto& text, auto&& keys) {
   keys("rotate_z", text.object.rotate_degrees.z, any_number, "degrees", required);
   keys("scale", text.object.scale, any_number, "negative mirrors, 0 flattens", required);
   keys("cull", text.object.cull, Range{}, "`\"back\"`: triangles seen from behind are not drawn", defaulted);
-  keys.object("material", required, "what the fragment function needs",
-              [&](auto& inner) { material_keys(text, inner); });
+  keys("two_sided", text.object.two_sided, Range{},
+       "true: the normal is turned to the eye where a triangle is seen from the side away from its normals, so that "
+       "both sides are lit",
+       defaulted);
+  keys.material("material", text,
+                "what the fragment function needs; or `\"from_file\"`: each triangle has the material that the OBJ "
+                "file names for it ([mtl.md](mtl.md))",
+                [](ObjectText& of, auto& inner) { material_keys(of, inner); });
+  keys.materials(
+      "materials", text,
+      "of an OBJ file: materials by the names that the file has for them, each an object like `material`, or "
+      "`\"from_file\"`; all others are `material`",
+      [](ObjectText& of, auto& inner) { material_keys(of, inner); });
   keys.check(text);
 }
 

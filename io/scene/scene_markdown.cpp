@@ -80,6 +80,18 @@ public:
     inside(place_ + '/' + std::string(key), [&](MarkdownKeys& keys) { crease_keys(normals, keys); });
   }
 
+  void expect_material(std::string_view, const ObjectText&) const {}
+
+  template <class Declare>
+  void material(std::string_view key, ObjectText& text, std::string_view meaning, Declare&& declare) {
+    row(key, "an object or \"from_file\"", "`\"from_file\"` beside `obj_file_path`", meaning);
+    inside(place_ + '/' + std::string(key), [&](MarkdownKeys& keys) { declare(text, keys); });
+  }
+  template <class Declare>
+  void materials(std::string_view key, const ObjectText&, std::string_view meaning, Declare&&) {
+    row(key, "an object", "nothing", meaning);
+  }
+
   /// The keys of every fragment function, each in a table of its own.
   template <class M>
   void parameters(M& function, Use) {

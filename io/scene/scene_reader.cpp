@@ -29,6 +29,7 @@ bool is_zero(const Double3& a) {
 
 std::optional<std::size_t> fragment_function_of(const ObjectText& text) {
   if (text.fragment_function.given) return text.fragment_function.index;
+  if (text.fragment_shader.given.empty() && text.material_from == MaterialFrom::file) return place_of<BlinnPhong>();
   const std::string stem = std::filesystem::path(text.fragment_shader.given).stem().string();
   std::optional<std::size_t> result;
   for_each_fragment_function([&](auto function, std::size_t index) {
@@ -64,7 +65,11 @@ bool SceneReader::is_known(std::string_view key) const {
 }
 
 std::string SceneReader::path_of(std::string_view key) const {
-  std::string result = path_ + '/';
+  return path_ + '/' + pointer_part(key);
+}
+
+std::string SceneReader::pointer_part(std::string_view key) {
+  std::string result;
   for (const char c : key.substr(0, 60)) { // the escapes of a JSON pointer, RFC 6901
     if (c == '~') result += "~0";
     else if (c == '/') result += "~1";
@@ -177,6 +182,16 @@ void SceneReader::normals(std::string_view key, MeshNormals& normals, std::strin
   read_object(found, path_of(key), [&](SceneReader& keys) { crease_keys(normals, keys); });
 }
 
+bool SceneReader::is_from_file(JsonIndex node) const {
+  return document_[node].kind == JsonKind::string && document_[node].string == from_file_word;
+}
+
+void SceneReader::expect_material(std::string_view key, ObjectText& text) const {
+  const JsonIndex found = find(key);
+  const bool from_file = found ? is_from_file(found) : !text.obj_file.given.empty();
+  text.material_from = from_file ? MaterialFrom::file : MaterialFrom::scene;
+}
+
 void SceneReader::check(Camera& camera) {
   if (!sound_) return;
   if (!find("target")) camera.target = camera.position + Double3(0, 0, -1);
@@ -206,7 +221,19 @@ void SceneReader::check(ObjectText& text) {
   const bool has_file = find("obj_file_path"), has_shape = find("mesh");
   if (has_file && has_shape) fault("mesh", "both obj_file_path and mesh", "one of the two");
   if (!has_file && !has_shape) missing("obj_file_path", "the path of a file, or the key mesh");
+  const bool any_from_file = text.material_from == MaterialFrom::file ||
+                             std::any_of(text.materials.begin(), text.materials.end(),
+                                         [](const ObjectText& one) { return one.material_from == MaterialFrom::file; });
+  if (has_shape && text.material_from == MaterialFrom::file)
+    fault("material", "\"from_file\" beside mesh", "an object: a shape has no materials of its own");
+  if (has_shape && find("materials")) fault("materials", "materials beside mesh", "obj_file_path: a shape has none");
+  if (const auto function = fragment_function_of(text);
+      any_from_file && function && *function != place_of<Phong>() && *function != place_of<BlinnPhong>())
+    fault(find("fragment_function") ? "fragment_function" : "fragment_shader_file_path",
+          "a function that files describe no materials for", "phong or blinn_phong, or no material \"from_file\"");
   if (has_shape && find("normals")) fault("normals", "normals beside mesh", "obj_file_path: a shape has its own");
+  if (has_shape && find("vertex_colors"))
+    fault("vertex_colors", "vertex_colors beside mesh", "obj_file_path: a shape has no colours");
   if (!text.fragment_shader.given.empty() && !fragment_function_of(text) && !text.fragment_function.given) {
     std::string stems;
     for_each_fragment_function([&](auto function, std::size_t) {

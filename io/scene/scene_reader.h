@@ -2,6 +2,7 @@
 // The reading of scene_keys.h that takes values out of a JSON file.
 
 #include "io/file/fault_list.h"
+#include "io/file/limits.h"
 #include "io/scene/value_kinds.h"
 
 #include <string>
@@ -50,6 +51,38 @@ public:
   void shape(std::string_view key, std::optional<Shape>& shape, std::string_view);
   void normals(std::string_view key, MeshNormals& normals, std::string_view);
 
+  /// Looks ahead: other keys may be left out where the materials are those of a file.
+  void expect_material(std::string_view key, ObjectText& text) const;
+
+  /// declare(text, keys) has the keys of an object that stands there.
+  template <class Declare>
+  void material(std::string_view key, ObjectText& text, std::string_view, Declare&& declare) {
+    const Presence presence = text.material_from == MaterialFrom::file ? defaulted : required;
+    const JsonIndex found = claim(key, presence, std::string(expected_material));
+    if (found && text.material_from == MaterialFrom::scene)
+      read_material(found, path_of(key), [&](SceneReader& keys) { declare(text, keys); });
+  }
+
+  template <class Declare>
+  void materials(std::string_view key, ObjectText& text, std::string_view, Declare&& declare) {
+    const std::string expected = "an object: materials by their names";
+    const JsonIndex found = claim(key, defaulted, expected);
+    if (!found) return;
+    if (document_[found].kind != JsonKind::object) return not_expected(found, key, expected);
+    if (document_[found].children > limit::materials.value) return not_expected(found, key, at_most(limit::materials));
+    for (JsonIndex i = document_[found].first_child; i; i = document_[i].next) {
+      ObjectText& one = text.materials.emplace_back();
+      one.fragment_function = text.fragment_function, one.fragment_shader = text.fragment_shader;
+      one.material_from = text.material_from; // as long as the fragment function is asked for
+      one.object.material.name = document_[i].key;
+      one.material_place = {one.object.material.name, document_[i].key_begin,
+                            path_of(key) + '/' + pointer_part(document_[i].key)};
+      if (!is_from_file(i))
+        read_material(i, one.material_place.json_path, [&](SceneReader& keys) { declare(one, keys); });
+      one.material_from = is_from_file(i) ? MaterialFrom::file : MaterialFrom::scene;
+    }
+  }
+
   template <class M>
   void parameters(M& function, Use use) {
     M::fields(function,
@@ -78,6 +111,17 @@ public:
   void finish();
 
 private:
+  static constexpr std::string_view expected_material = "an object, or \"from_file\"";
+  bool is_from_file(JsonIndex node) const;
+  static std::string pointer_part(std::string_view key);
+
+  template <class Declare>
+  void read_material(JsonIndex node, std::string path, Declare&& declare) {
+    if (document_[node].kind != JsonKind::object)
+      return not_expected_at(node, std::move(path), std::string(expected_material));
+    read_object(node, std::move(path), declare);
+  }
+
   template <class Declare>
   void read_object(JsonIndex node, std::string path, Declare&& declare) {
     if (document_[node].kind != JsonKind::object) return not_expected_at(node, std::move(path), "an object");

@@ -66,6 +66,12 @@ auto lights_to_try(const std::vector<Light>& lights) {
   return shining;
 }
 
+bool is_measured(const Object& object) {
+  bool all = true;
+  for_each_material(object, [&](const Material& material) { all = all && material.measured(); });
+  return all;
+}
+
 Findings findings(const Scene& scene, const Frame& frame) {
   const std::vector<float>& objects = frame.aovs[0].values;
   const auto three = [](const Image<float>& image, std::size_t pixel) {
@@ -92,7 +98,7 @@ Findings findings(const Scene& scene, const Frame& frame) {
     if (from_behind) ++found.seen_from_behind;
     Double3 arriving_here(0);
     for_each_list([&](auto& tried) { shine(tried, at, arriving_here); });
-    if (from_behind && scene.objects[object].material.measured()) {
+    if (from_behind && is_measured(scene.objects[object])) {
       ++found.measured_from_behind;
       continue; // whatever arrives
     }
@@ -120,15 +126,15 @@ TableContent content_of(const MerlTable& table) {
   return any_measured ? TableContent::zeros : TableContent::never_measured;
 }
 
-/// Calls visit(function) with the fragment function of each object that is seen.
+/// Calls visit(function) with the fragment function of each material of objects that are seen.
 template <class Visit>
 void for_each_seen(const Scene& scene, const Findings& found, const Visit& visit) {
   for (std::size_t i = 0; i < scene.objects.size(); ++i)
-    if (found.objects[i]) {
-      const Material& material = scene.objects[i].material;
-      if (material.user_function) visit(*material.user_function);
-      else std::visit(visit, material.fragment_function);
-    }
+    if (found.objects[i])
+      for_each_material(scene.objects[i], [&](const Material& material) {
+        if (material.user_function) visit(*material.user_function);
+        else std::visit(visit, material.fragment_function);
+      });
 }
 
 /// What is wrong with the tables, if all objects that are seen are measured and no table holds any light.

@@ -49,7 +49,7 @@ void write_aovs(const FrameContext& context, const VisibleTile& visible, std::sp
   UserShading<T> user_shading;
   UndefinedCounts uncounted; // shading has counted these
   for (const auto& group : setups.groups()) {
-    const Material& material = context.scene.objects[group.object].material;
+    const Material& material = *group.material;
     for_each_packet<T>(setups, group, tile, [&](const Packet<T>& packet, std::uint32_t first) {
       const UndefinedTally<T> tally(uncounted, first_lanes<double, NumberTraits<T>::lanes>(packet.count));
       const PacketData<T, Triangles::many> data(packet);

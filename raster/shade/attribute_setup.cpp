@@ -80,7 +80,8 @@ template <class Real>
            static_cast<Real>(std::min({uv[0], uv[1], uv[2]}))};
     t.row[static_cast<std::size_t>(max_uv_row + c)][3] = static_cast<Real>(std::max({uv[0], uv[1], uv[2]}));
   }
-  if constexpr (any_further_attribute)
+  static_assert(attribute_rows == uv_row + 2 + 3, "a frame is to know whether there is another attribute");
+  if (context.has_vertex_colours) [[unlikely]]
     for_each_further_attribute(mesh, context.geometry.transforms[ref.object],
                                {indices[corner[0]], indices[corner[1]], indices[corner[2]]},
                                [&](int row, const auto& value) {
@@ -97,7 +98,39 @@ LargeEdges large_edges(const Geometry& geometry, const TriangleRef& ref, const s
   return {set_up_snapped(v).value().edge}; // in order already: corners keep their places
 }
 
+/// After all others are set up: frames without two-sided objects do not come here.
+template <class Real>
+[[gnu::noinline]] void turn_normals(const FrameContext& context, std::span<const VisibleTriangle> triangles,
+                                    std::span<AttributeSetup<Real>> setups) {
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    if (is_turned(context, triangles[i].ref, triangles[i].number))
+      for (int r = normal_row; r < normal_row + 3; ++r)
+        for (std::size_t column = 0; column < 3; ++column) { // the fourth is another's
+          Real& value = setups[i].row[static_cast<std::size_t>(r)][column];
+          value = -value;
+        }
+}
+
 } // namespace
+
+bool shows_back(const FrameContext& context, const TriangleRef& ref, std::uint32_t number) {
+  const std::array<WindowVertex, 3> v = window_corners(context.geometry, ref);
+  bool from_behind = false;
+  if ((v[0].outcode | v[1].outcode | v[2].outcode) & outcode::unsnapped) {
+    from_behind = context.bins.projective_triangle(number).facing == Facing::back;
+  } else {
+    const auto from_first = [&](std::size_t k) {
+      return std::array<std::int64_t, 2>{v[k].x - v[0].x, v[k].y - v[0].y}; // below 2^26
+    };
+    const auto a = from_first(1), b = from_first(2);
+    from_behind = a[0] * b[1] - b[0] * a[1] > 0; // clockwise in the image, with y down
+  }
+  return from_behind != is_mirrored(context.scene.objects[ref.object]);
+}
+
+bool is_turned(const FrameContext& context, const TriangleRef& ref, std::uint32_t number) {
+  return context.scene.objects[ref.object].two_sided == TwoSided::yes && shows_back(context, ref, number);
+}
 
 template <class Real>
 void set_up_attributes(const FrameContext& context, std::span<const VisibleTriangle> triangles,
@@ -160,6 +193,8 @@ void set_up_attributes(const FrameContext& context, std::span<const VisibleTrian
       set_attributes<Real>(context, ref, corner, {weights[0][i], weights[1][i], weights[2][i]}, t);
     }
   }
+  if (context.any_two_sided) [[unlikely]]
+    turn_normals(context, triangles, setups);
 }
 
 template void set_up_attributes(const FrameContext&, std::span<const VisibleTriangle>,
@@ -193,7 +228,9 @@ Double3 face_normal(const FrameContext& context, std::uint32_t number) {
     const DoubleDouble<double> difference = two_sum(a.hi, -b.hi);
     return difference.hi + (difference.lo + (a.lo - b.lo));
   };
-  return context.geometry.transforms[ref.object].world_from_normal * Double3(minor(1, 2), minor(2, 0), minor(0, 1));
+  const Double3 normal =
+      context.geometry.transforms[ref.object].world_from_normal * Double3(minor(1, 2), minor(2, 0), minor(0, 1));
+  return context.any_two_sided && is_turned(context, ref, number) ? -normal : normal;
 }
 
 } // namespace refraster

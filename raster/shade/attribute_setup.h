@@ -96,7 +96,16 @@ struct VisibleTriangle {
   std::uint32_t number = 0;
 };
 
-/// Sets up setups[i] for triangles[i]. What their edge functions need of `uncommon` is appended there.
+/// Whether a triangle is seen from the side away from its normals: the sign of its area in the window, which is exact,
+/// times that of the model's determinant. The triangle has area in the window.
+bool shows_back(const FrameContext& context, const TriangleRef& ref, std::uint32_t number);
+
+/// Whether its normals are turned: it shows its back, and its object is two-sided.
+bool is_turned(const FrameContext& context, const TriangleRef& ref, std::uint32_t number);
+
+/// Sets up setups[i] for triangles[i]. Of one that is turned, normals and their differences are negated, which rounds
+/// nothing: what is interpolated is turned, bit for bit. What their edge functions need of `uncommon` is appended
+/// there.
 template <class Real>
 void set_up_attributes(const FrameContext& context, std::span<const VisibleTriangle> triangles,
                        std::span<AttributeSetup<Real>> setups, UncommonEdges& uncommon);
@@ -110,7 +119,8 @@ extern template void set_up_attributes(const FrameContext&, std::span<const Visi
 /// fractions keep their digits. 0 for a triangle without texture coordinates.
 std::array<double, 2> whole_repeats(const FrameContext& context, std::uint32_t number);
 
-/// The triangle's own normal in world space, from its winding: for places where the mesh gives none. May be 0.
+/// The triangle's own normal in world space, from its winding, turned where others are: for places where the mesh gives
+/// none. May be 0.
 Double3 face_normal(const FrameContext& context, std::uint32_t number);
 
 } // namespace refraster

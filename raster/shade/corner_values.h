@@ -48,9 +48,6 @@ corner_value(const Mesh& mesh, const ObjectTransform& transform, const VertexAtt
   return result;
 }
 
-/// Whether attributes beyond texture coordinates are declared.
-inline constexpr bool any_further_attribute = attribute_rows > uv_row + 2;
-
 /// Calls body(first row, values of the three corners) with each attribute that the mesh has beyond texture coordinates.
 void for_each_further_attribute(const Mesh& mesh, const ObjectTransform& transform,
                                 const std::array<std::uint32_t, 3>& vertices, auto&& body) {

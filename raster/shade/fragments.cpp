@@ -45,7 +45,8 @@ void list_runs(const TileVisibility& visibility, const PixelRect& tile, int samp
   else list_multisample(visibility, tile, samples, runs);
 }
 
-// Each triangle that is seen, in submission order. Triangles of one object follow one another: an object is a group.
+// Each triangle that is seen, in submission order. Triangles of one object follow one another, and those of a material
+// do as the file has them: a group.
 template <class Real>
 void TileAttributes<Real>::set_up(const FrameContext& context, std::span<const std::uint32_t> triangles) {
   groups_.clear();
@@ -53,14 +54,19 @@ void TileAttributes<Real>::set_up(const FrameContext& context, std::span<const s
   visible_.clear();
   setup_of_.resize(triangles.size());
   TriangleFinder finder(context.scene, context.geometry);
-  std::uint32_t runs = 0;
+  std::uint32_t runs = 0, end_of_group = 0; // the number in the frame up to which the group's material goes on
   for (std::size_t slot = 0; slot < triangles.size(); ++slot) {
     const Seen seen = seen_[slot];
     if (seen.runs == 0) continue;
     const TriangleRef ref = finder.at(triangles[slot]);
     setup_of_[slot] = static_cast<std::int32_t>(visible_.size());
     visible_.push_back({ref, triangles[slot]});
-    if (groups_.empty() || groups_.back().object != ref.object) groups_.push_back({ref.object, runs, runs, 0});
+    if (triangles[slot] >= end_of_group) {
+      const MaterialRange range = material_range(context.scene.objects[ref.object], ref.triangle);
+      end_of_group = context.geometry.first_triangle[ref.object] + range.end_triangle;
+      if (groups_.empty() || groups_.back().object != ref.object || groups_.back().material != range.material)
+        groups_.push_back({ref.object, range.material, runs, runs, 0});
+    }
     next_.push_back(runs);
     runs += seen.runs;
     groups_.back().end_run = runs;

@@ -27,13 +27,14 @@ struct FragmentRun {
 void list_runs(const TileVisibility& visibility, const PixelRect& tile, int samples, std::vector<FragmentRun>& runs);
 
 /// The visible triangles of a tile, set up for shading once each in submission order, and the tile's runs gathered by
-/// triangle, and so by object, whose fragments share a material. So most packets of fragments lie in one triangle, and
-/// only the last packet of a material may have lanes to spare.
+/// triangle, and so by runs of triangles of an object that share a material. So most packets of fragments lie in one
+/// triangle, and only the last packet of a material may have lanes to spare.
 template <class Real>
 class TileAttributes {
 public:
   struct Group {
     std::uint32_t object = 0;
+    const Material* material = nullptr;
     std::size_t begin_run = 0, end_run = 0; // in sorted()
     std::uint32_t fragments = 0;
   };

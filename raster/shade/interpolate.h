@@ -212,7 +212,8 @@ T with_symbol(const T& x, int symbol) {
   if constexpr (requires { x.named(symbol); }) return x.named(symbol);
   else return x;
 }
-/// That of a sum of weights is the one before those of the rows of position, normal and texture coordinates.
+/// That of a sum of weights is the one before those of the rows of position, normal and texture coordinates. Further
+/// attributes have none: they are read once.
 inline constexpr int weights_symbol = 2, first_row_symbol = 3;
 
 /// Weights of the two corners that are not the anchor: perspective-correct, each in [0, 1] inside the triangle.
@@ -271,7 +272,10 @@ template <class Data, class T = typename Data::Number>
 T interpolated(const Data& data, int component_row, const Barycentric<T>& at) {
   const std::array<T, 4> row = data.row(component_row);
   if constexpr (is_fast<T>) return multiply_add(at.b1, row[1], multiply_add(at.b2, row[2], row[0]));
-  else return with_symbol(row[0] + changed(row, at), first_row_symbol + component_row);
+  else {
+    const T value = row[0] + changed(row, at);
+    return component_row < uv_row + 2 ? with_symbol(value, first_row_symbol + component_row) : value;
+  }
 }
 
 /// Texture coordinate c; in the triangle kept within the range of its corners': where an edge has the coordinate 0,

@@ -4,6 +4,7 @@
 #include "math/elementary.h"
 #include "raster/shade/fragments.h"
 #include "raster/shade/shade.h"
+#include "shading/srgb_curve.h"
 
 #include <array>
 #include <cstdint>
@@ -58,12 +59,6 @@ public:
 private:
   std::vector<Rgb<T>> rgb_;
 };
-
-/// The sRGB transfer curve, IEC 61966-2-1, of x in [0, 1].
-template <class T>
-T srgb_encoded(const T& x) {
-  return select(x <= as<T>(0.0031308), as<T>(12.92) * x, as<T>(1.055) * pow(x, 1 / 2.4) - as<T>(0.055));
-}
 
 /// 255 times x clamped to [0, 1], rounded to the nearest integer, half to even. For a number without lanes that a
 /// double can be made of.

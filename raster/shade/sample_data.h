@@ -84,6 +84,7 @@ public:
       corner_ = snapped_->corner;
     }
     set_rows(corners(window));
+    if (context.any_two_sided && is_turned(context, ref_, number)) turn_where(T(0) <= T(0));
   }
 
   /// To the sample at (x, y), in subpixels of the window, and as far from it as dx, dy say.
@@ -105,6 +106,12 @@ public:
   /// differences between any two neighbours in the block, of which OpenGL leaves open which.
   void set_place_in_block(int column, int row) { block_ = {column, row}; }
 
+  /// Of a two-sided object: normals are turned where this says, whatever side our triangle shows.
+  void set_turned(const MaskOf<T>& turned) {
+    if (turned_) turn_where(*turned_); // back
+    turn_where(turned);
+  }
+
   void take_differences(const EdgeValues<T>& edges, PacketBarycentrics<T>& result) const {
     if (!block_) return;
     const auto weights = [&](int column, int row) -> Barycentric<T> {
@@ -125,12 +132,12 @@ public:
   }
   /// The triangle's corners may be moved, so that it is stretched and turned by a matrix that is off from 1 by no more
   /// than this, below 1: from now on, what changes along the axes of the window is, too.
-  void set_turned(double by) { turned_ = by / (1 - by); }
+  void set_stretched(double by) { stretched_ = by / (1 - by); }
   void turn(Vec2<T>& right, Vec2<T>& down) const {
-    if (turned_ == 0) return;
+    if (stretched_ == 0) return;
     for (int c = 0; c < 2; ++c) {
       const T r = abs(right[c]), d = abs(down[c]);
-      const double error = turned_ * (r.hi + d.hi);
+      const double error = stretched_ * (r.hi + d.hi);
       right[c] += T(-error, error), down[c] += T(-error, error);
     }
   }
@@ -179,7 +186,8 @@ public:
     const auto corner = [&](std::size_t k) { return as<T>(Double3(mesh.positions[mesh.triangles[ref_.triangle][k]])); };
     const Vec3<T> n = cross(corner(1) - corner(0), corner(2) - corner(0));
     const Double3x3& m = context_.geometry.transforms[ref_.object].world_from_normal;
-    return as<T>(m[0]) * n.x + as<T>(m[1]) * n.y + as<T>(m[2]) * n.z;
+    const Vec3<T> own = as<T>(m[0]) * n.x + as<T>(m[1]) * n.y + as<T>(m[2]) * n.z;
+    return turned_ ? select<T>(*turned_, -own, own) : own;
   }
 
 private:
@@ -213,6 +221,15 @@ private:
       for (std::size_t k = 0; k < 3; ++k) result.uv[k][c] = as<T>(uv.value[k]);
     }
     return result;
+  }
+
+  void turn_where(const MaskOf<T>& turned) {
+    for (int r = normal_row; r < normal_row + 3; ++r)
+      for (std::size_t column = 0; column < 3; ++column) {
+        T& value = row_[static_cast<std::size_t>(r)][column];
+        value = select(turned, -value, value);
+      }
+    turned_ = turned;
   }
 
   /// The rows of AttributeSetup.
@@ -325,7 +342,8 @@ private:
   std::array<std::array<T, 4>, attribute_rows> row_;
   std::int32_t x_ = 0, y_ = 0;
   EdgeValue dx_{}, dy_{};
-  double normal_factor_ = 1, turned_ = 0;
+  double normal_factor_ = 1, stretched_ = 0;
+  std::optional<MaskOf<T>> turned_; // where normals are, if the object is two-sided
   std::array<double, attribute_rows> error_{};
   std::optional<std::array<int, 2>> block_;
 };

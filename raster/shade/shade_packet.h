@@ -65,6 +65,15 @@ Rgb<T> texture_colour(const Material& material, const Data& data, const PacketBa
   return select<T>(none, Rgb<T>(T(1)), colour);
 }
 
+/// The vertices' colour at the pixel's centre; white where the mesh has none. Out of line: few packets ask for it.
+/// Beyond the triangle's edge, where the centre of a pixel lies of which only other samples are covered, it goes on as
+/// it does inside, but not below 0.
+template <class Data, class T = typename Data::Number>
+[[gnu::noinline]] Rgb<T> vertex_colour(const FrameContext& context, const Data& data, const PacketBarycentrics<T>& at) {
+  const Rgb<T> colour = attribute_value<&Mesh::colours>(context, data, at.at);
+  return {max0(colour.x), max0(colour.y), max0(colour.z)};
+}
+
 template <class Data, class T = typename Data::Number>
 PacketSurface<T> packet_surface(const FrameContext& context, const Material& material, const Data& data,
                                 const UndefinedTally<T>& tally) {
@@ -83,6 +92,8 @@ PacketSurface<T> packet_surface(const FrameContext& context, const Material& mat
   tally.note(Undefined::eye_at_surface, dot(surface.to_eye, surface.to_eye) <= T(0));
   const bool shows_texture = material.*base_texture.texture && data.may_have_texture_coordinates();
   surface.texture = shows_texture ? texture_colour<base_texture>(material, data, at, tally) : Rgb<T>(T(1));
+  if (context.has_vertex_colours) [[unlikely]]
+    surface.texture = surface.texture * vertex_colour(context, data, at);
   return surface;
 }
 

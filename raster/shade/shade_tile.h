@@ -64,7 +64,7 @@ public:
     measures.seconds.attribute_setup += stopwatch.lap();
     colours_.resize(fragments);
     for (const auto& group : setups_.groups()) {
-      const Material& material = context.scene.objects[group.object].material;
+      const Material& material = *group.material;
       const auto shade = [&](const auto& function) {
         shade_group(context, visible.tile, material, function, group, counts.undefined);
       };

@@ -83,6 +83,11 @@ Double4x4 clip_from_world(const Camera& camera, double aspect) {
   return clip_from_view(camera, aspect) * view_from_world(camera);
 }
 
+bool is_mirrored(const Object& object) {
+  const Double3& s = object.scale; // of which the product may underflow
+  return s.x != 0 && s.y != 0 && s.z != 0 && (s.x < 0) != ((s.y < 0) != (s.z < 0));
+}
+
 ObjectTransform object_transform(const Object& object, const Double4x4& clip_from_world) {
   const Double3x3 linear = linear_part(object);
   Double4x4 model(linear);

@@ -33,6 +33,9 @@ Double4x4 clip_from_world(const Camera& camera, double aspect);
 /// Defined for every scale: a mirrored one keeps outward normals outward, a flattened one gives the plane's normal.
 ObjectTransform object_transform(const Object& object, const Double4x4& clip_from_world);
 
+/// Whether the model matrix mirrors: its determinant, which has the sign of the product of the scales, is below 0.
+bool is_mirrored(const Object& object);
+
 /// Which of the six clip half-spaces a vertex lies outside of, and two states. Comparisons of exact doubles.
 namespace outcode {
 inline constexpr std::uint8_t left = 1, right = 2, bottom = 4, top = 8, near = 16, far = 32;

@@ -75,10 +75,13 @@ std::string fault_of(const Mesh& mesh) {
   const std::size_t count = mesh.positions.size();
   if (mesh.normals.size() != count) return "mesh: normals";
   if (mesh.uvs.size() > count) return "mesh: uvs";
+  if (mesh.colours.size() > count) return "mesh: colours";
   for (std::size_t i = 0; i < count; ++i) {
     const Float3 p = mesh.positions[i], n = mesh.normals[i];
     const Float2 uv = i < mesh.uvs.size() ? mesh.uvs[i] : Float2(0.0f);
-    if (!all_finite(std::array{p.x, p.y, p.z, n.x, n.y, n.z, uv.x, uv.y})) return "mesh: a vertex is not finite";
+    const Float3 c = i < mesh.colours.size() ? mesh.colours[i] : Float3(1.0f);
+    if (!all_finite(std::array{p.x, p.y, p.z, n.x, n.y, n.z, uv.x, uv.y, c.x, c.y, c.z}))
+      return "mesh: a vertex is not finite";
   }
   std::vector<char> used(count);
   for (const auto& triangle : mesh.triangles)

@@ -1,5 +1,7 @@
 #include "verify/bounds/device_triangle.h"
 
+#include "raster/shade/corner_values.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -363,10 +365,16 @@ double DeviceTriangle::attribute_error(int row, double x, double y) const {
       value[i] = world.normal[row - normal_row];
       corner_error =
           std::max(corner_error, frame_.normal_error(ref_.object, row - normal_row, mesh.normals[indices[i]]));
-    } else {
+    } else if (row < uv_row + 2) {
       value[i] = static_cast<double>(mesh.uvs[indices[i]][row - uv_row]);
     }
   }
+  if (row >= uv_row + 2) // which no vertex stage has changed
+    for_each_further_attribute(mesh, geometry.transforms[ref_.object], indices, [&](int first, const auto& corners) {
+      const auto component = static_cast<std::size_t>(row - first);
+      if (row < first || component >= corners[0].size()) return;
+      for (std::size_t i = 0; i < 3; ++i) value[i] = corners[i][component];
+    });
   const Plane g = plane(value, x, y), h = plane({1, 1, 1}, x, y);
   if (!(h.value > h.error)) return infinite;
   const double f = g.value / h.value;

@@ -60,7 +60,8 @@ PixelBounds PixelBounder::bounds(const DeviceTriangle& triangle, int x, int y, B
   constexpr double infinite = std::numeric_limits<double>::infinity();
   PixelBounds unknown{{Double3(-infinite), Double3(infinite)}, false, false};
   const FrameContext& context = frame_.context();
-  const Material& material = frame_.scene().objects[triangle.ref().object].material;
+  const Object& object = frame_.scene().objects[triangle.ref().object];
+  const Material& material = material_of(object, triangle.ref().triangle);
   if (material.user_function) return unknown;
   const std::array<WindowVertex, 3> window = window_corners(context.geometry, triangle.ref());
   const bool projective = ((window[0].outcode | window[1].outcode | window[2].outcode) & outcode::unsnapped) != 0;
@@ -73,8 +74,11 @@ PixelBounds PixelBounder::bounds(const DeviceTriangle& triangle, int x, int y, B
   // OpenGL's blocks begin at its row 0, the lowest: in an image of odd height at our odd rows.
   data.set_place_in_block(x & 1, (frame_.height() - y) & 1);
   if (causes.has(BoundCause::interpolation)) {
-    const int rows = data.may_have_texture_coordinates() && material.texture ? uv_row + 2 : uv_row;
+    const Mesh& mesh = *frame_.scene().objects[triangle.ref().object].mesh;
+    const bool reads_uv = data.may_have_texture_coordinates() && material.texture;
+    const int rows = mesh.colours.empty() ? uv_row + 2 : attribute_rows;
     for (int r = 0; r < rows; ++r) {
+      if (r >= uv_row && r < uv_row + 2 && !reads_uv) continue;
       const double error =
           triangle.attribute_error(r, centre_x, centre_y) * (r >= normal_row && r < uv_row ? data.normal_factor() : 1);
       if (!std::isfinite(error)) return unknown;
@@ -84,7 +88,7 @@ PixelBounds PixelBounder::bounds(const DeviceTriangle& triangle, int x, int y, B
   if (causes.has(BoundCause::sample_shift) && material.texture && material.texture_filter == TextureFilter::trilinear) {
     const double turned = triangle.turned();
     if (!(turned < 1)) return unknown;
-    data.set_turned(turned);
+    data.set_stretched(turned);
   }
   SampleShift shift = triangle.shift(centre_x, centre_y);
   if (!causes.has(BoundCause::sample_shift)) shift.radius = Double2(0);
@@ -94,6 +98,11 @@ PixelBounds PixelBounder::bounds(const DeviceTriangle& triangle, int x, int y, B
                Affine<DoubleArithmetic>::along(Symbol::shift_y, shift.centre.y, shift.radius.y));
 
   const std::uint64_t met = Forks::open_comparisons();
+  if (object.two_sided == TwoSided::yes) { // where it is open which side a device sees, either may be lit
+    const Bounds facing(triangle.may_face_back() ? -1 : 1, triangle.may_face_front() ? 1 : -1);
+    const Certainty front = facing >= Bounds(0);
+    data.set_turned(is_mirrored(object) ? front : !front);
+  }
   UndefinedCounts undefined;
   PacketBatch<Bounds>& batch = scratch_->batch;
   batch.packets = 1;

@@ -180,7 +180,11 @@ void add_surface(const FrameContext& context, const Material& material, std::uin
   with_sample<T>(context, number, x, y, [&](const auto& data) {
     const PacketBarycentrics<T> at = barycentrics<Derivatives::yes>(data);
     story.weights = in_order_of_mesh(at.at, corner_order(context, number));
+    const TriangleRef ref = TriangleFinder(context.scene, context.geometry).at(number);
+    story.turned = context.any_two_sided && is_turned(context, ref, number);
     story.interpolated_normal = plain(attribute_value<&Mesh::normals>(context, data, at.at));
+    if (!context.scene.objects[data.object()].mesh->colours.empty())
+      story.vertex_colour = plain(vertex_colour(context, data, at));
     if (any(without_uv(data) & first_lane<T>())) return;
     const std::array<double, 2> whole = whole_repeats(context, number);
     const auto uv = [&](int c) { return plain(interpolated_uv(data, c, at)) + whole[static_cast<std::size_t>(c)]; };
@@ -217,8 +221,8 @@ FragmentStory fragment_story(const FrameContext& context, std::uint32_t number, 
   FragmentStory story;
   story.of = named_triangle(context, number);
   story.samples = samples;
-  const std::uint32_t object = TriangleFinder(context.scene, context.geometry).at(number).object;
-  const Material& material = context.scene.objects[object].material;
+  const TriangleRef ref = TriangleFinder(context.scene, context.geometry).at(number);
+  const Material& material = material_of(context.scene.objects[ref.object], ref.triangle);
   const FragmentTerms<T> terms = fragment_terms<T>(context, number, centre(x), centre(y));
   add_surface(context, material, number, centre(x), centre(y), story);
   story.position = plain(terms.surface.position);
@@ -226,6 +230,7 @@ FragmentStory fragment_story(const FrameContext& context, std::uint32_t number, 
   story.to_eye = plain(terms.surface.to_eye);
   story.n_v = plain(dot(terms.surface.normal, terms.surface.to_eye));
   story.texture_colour = plain(terms.surface.texture);
+  story.material = material.name;
   story.function = material.function_name();
   story.user_function = material.user_function != nullptr;
   if (story.user_function) {

@@ -152,7 +152,7 @@ void with_function(const Material& material, auto&& visit) {
 template <class T>
 FragmentTerms<T> fragment_terms(const FrameContext& context, std::uint32_t number, std::int32_t x, std::int32_t y) {
   const TriangleRef ref = TriangleFinder(context.scene, context.geometry).at(number);
-  const Material& material = context.scene.objects[ref.object].material;
+  const Material& material = material_of(context.scene.objects[ref.object], ref.triangle);
   FragmentTerms<T> terms;
   const UndefinedTally<T> tally(terms.undefined, first_lane<T>());
   with_sample<T>(context, number, x, y,

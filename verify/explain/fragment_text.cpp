@@ -39,11 +39,12 @@ std::string surface_text(const FragmentStory& f) {
   std::string text = heading("SURFACE at the pixel's centre, interpolated (perspective-correct)");
   text += row("weights of the corners", std::vector<double>(f.weights.begin(), f.weights.end()));
   text += row("position", f.position);
-  text += row("normal as interpolated", f.interpolated_normal);
+  text += row(f.turned ? "normal, turned to the eye" : "normal as interpolated", f.interpolated_normal);
   text += row("normal n, unit", f.normal);
   text += row("to the eye v, unit", f.to_eye);
   text += row("n.v", std::vector<double>{f.n_v});
   if (f.uv) text += row("texture coordinates u v", std::vector<double>{f.uv->x, f.uv->y});
+  if (f.vertex_colour) text += row("colour of the vertices", *f.vertex_colour);
   return text;
 }
 
@@ -85,7 +86,7 @@ std::string parameters_text(const std::vector<ParameterStory>& parameters) {
 }
 
 std::string material_text(const FragmentStory& f) {
-  std::string text = heading("MATERIAL " + f.function);
+  std::string text = heading("MATERIAL " + f.function + (f.material.empty() ? "" : ", " + as_utf8(f.material)));
   text += parameters_text(f.parameters);
   if (f.user_function)
     text += sentence("  The formula is not known here: a light's term is what it makes the radiance larger by where it "

@@ -148,13 +148,16 @@ struct FragmentStory {
   std::array<double, 3> weights{}; // of its corners, perspective-correct; below 0 where the centre lies beside it
   Double3 position{0};             // world space
   Double3 interpolated_normal{0};  // as it comes out of interpolation
+  bool turned = false;             // both normals: a two-sided object shows its back
   Double3 normal{0};               // n: unit
   Double3 to_eye{0};               // v: unit
   double n_v = 0;
   std::optional<Double2> uv; // as interpolated, not wrapped
   std::optional<TextureStory> texture;
-  Double3 texture_colour{1}; // t; white without a texture
-  std::string function;      // "phong"
+  std::optional<Double3> vertex_colour; // of the mesh, interpolated
+  Double3 texture_colour{1};            // t: the texture's times the vertices'; white without
+  std::string material;                 // its name, where a file has one
+  std::string function;                 // "phong"
   std::vector<ParameterStory> parameters;
   bool user_function = false; // the formula is not known here: its lights were told apart by asking for them one by one
   Double3 ambient{0};

@@ -178,12 +178,15 @@ private:
       json_.member("position", listed(f.position));
       json_.member("interpolated_normal", listed(f.interpolated_normal));
       json_.member("normal", listed(f.normal));
+      if (f.turned) json_.member("turned", true);
       json_.member("to_eye", listed(f.to_eye));
       json_.member("n_v", f.n_v);
       json_.optional("uv", f.uv, [&](const Double2& uv) { json_.value(listed(uv)); });
       json_.optional("texture", f.texture, [&](const TextureStory& texture) { write(texture); });
+      json_.optional("vertex_colour", f.vertex_colour, [&](const Double3& colour) { json_.value(listed(colour)); });
       json_.member("texture_colour", listed(f.texture_colour));
       json_.object("material", [&] {
+        if (!f.material.empty()) json_.member("name", f.material);
         json_.member("fragment_function", f.function);
         json_.member("user_function", f.user_function);
         write(f.parameters);

@@ -219,10 +219,7 @@ constexpr std::string_view words_of(Concerns concerns) {
 }
 
 bool is_in(const Scene& scene, Concerns concerns) {
-  const auto any_object = [&](const auto& has) {
-    return std::any_of(scene.objects.begin(), scene.objects.end(),
-                       [&](const Object& object) { return has(object.material); });
-  };
+  const auto any_object = [&](const auto& has) { return any_material(scene, has); };
   switch (concerns) {
   case any:
   case each_object:

@@ -101,10 +101,15 @@ std::uint32_t PixelColours::object(const Steps& steps) const {
   return first ? first->object : no_object;
 }
 
+const Material& PixelColours::material_of_covering(const Covering& covering) const {
+  const std::uint32_t first = geometry_.context().geometry.first_triangle[covering.object];
+  return material_of(setting_.scene.objects[covering.object], covering.triangle - first);
+}
+
 bool PixelColours::has_mip_levels(const Steps& steps) const {
   for (std::size_t t = 0; t < taps_.size(); ++t)
     if (const std::optional<Covering> first = seen(steps, 0, t)) {
-      const Material& material = setting_.scene.objects[first->object].material;
+      const Material& material = material_of_covering(*first);
       if (material.texture && steps.texture_filter.value_or(material.texture_filter) == TextureFilter::trilinear)
         return true;
     }
@@ -126,8 +131,7 @@ Rgb<double> PixelColours::linear(const Covering& covering, const Tap& tap, const
   data.move_to(x, y, tap.shaded_x - x + dx, tap.shaded_y - y + dy);
   const FrameContext& context = geometry_.context();
   const Surface surface = surface_at(context, data, setting_.prepared, steps, nudge);
-  return colour_of(context.scene, context.scene.objects[covering.object].material, setting_.prepared, surface, steps,
-                   nudge);
+  return colour_of(context.scene, material_of_covering(covering), setting_.prepared, surface, steps, nudge);
 }
 
 Double3 PixelColours::stored(const Steps& steps, int alternative, const Nudge& nudge, double dx, double dy) {

@@ -58,6 +58,7 @@ private:
   std::optional<Covering> seen(const Steps& steps, int alternative, std::size_t tap) const {
     return seen_of(covering_[static_cast<std::size_t>(alternative) * taps_.size() + tap], setting_.scene, steps);
   }
+  const Material& material_of_covering(const Covering& covering) const;
   SampleData<double>& data_of(std::uint32_t triangle);
   Rgb<double> linear(const Covering& covering, const Tap& tap, const Steps& steps, const Nudge& nudge, double dx,
                      double dy);

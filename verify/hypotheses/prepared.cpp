@@ -22,11 +22,10 @@ TableWithHoles read_all_the_same(const MerlTable& table) {
 } // namespace
 
 Prepared::Prepared(const Scene& scene) {
-  for (const Object& object : scene.objects) {
-    const Material& material = object.material;
+  for_each_material(scene, [this](const Material& material) {
     if (const Merl* const merl = material.measured(); merl && merl->table)
       if (!tables_.contains(merl->table.get())) tables_[merl->table.get()] = read_all_the_same(*merl->table);
-    if (!material.texture || mip_mapped_.contains(material.texture.get())) continue;
+    if (!material.texture || mip_mapped_.contains(material.texture.get())) return;
     auto mapped = material.texture;
     if (mapped->levels.size() == 1) {
       Texture with_levels = *mapped;
@@ -34,7 +33,7 @@ Prepared::Prepared(const Scene& scene) {
       mapped = std::make_shared<const Texture>(std::move(with_levels));
     }
     mip_mapped_[material.texture.get()] = std::move(mapped);
-  }
+  });
 }
 
 const Texture& Prepared::with_mip_levels(const Texture& texture) const {

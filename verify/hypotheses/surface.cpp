@@ -159,7 +159,7 @@ Rgb<double> sample_wrapped(const Texture& texture, TextureFilter filter, const T
 Rgb<double> texture_colour(const FrameContext& context, const SampleData<double>& data,
                            const PacketBarycentrics<double>& at, const Prepared& prepared, const Steps& steps,
                            const Nudge& nudge, std::uint32_t triangle) {
-  const Material& material = context.scene.objects[data.object()].material;
+  const Material& material = material_of(context.scene.objects[data.object()], data.triangle());
   if (!material.texture || material.measured() || !data.may_have_texture_coordinates() ||
       steps.texture_use == TextureUse::missing)
     return Rgb<double>(1);
@@ -211,7 +211,8 @@ Surface surface_at(const FrameContext& context, const SampleData<double>& data, 
   const bool away = steps.normal_side == NormalSide::toward_eye && dot(normal, way) < 0;
   surface.normal = steps.normal_side == NormalSide::reversed || away ? -normal : normal;
   surface.unit = steps.normal_length == NormalLength::unit && steps.eye != Eye::not_normalised;
-  surface.texture = texture_colour(context, data, at, prepared, steps, nudge, data.triangle());
+  surface.texture =
+      texture_colour(context, data, at, prepared, steps, nudge, data.triangle()) * vertex_colour(context, data, at);
   return surface;
 }
 

@@ -52,7 +52,8 @@ bool PixelJudge::is_allowed(const PixelCase& pixel, const Surface& surface) {
 }
 
 PixelClass PixelJudge::by_own_surface(const PixelCase& pixel, std::uint32_t number, JudgedDetail& detail) {
-  const Material& material = frame_.scene().objects[frame_.triangle(number).object].material;
+  const TriangleRef ref = frame_.triangle(number);
+  const Material& material = material_of(frame_.scene().objects[ref.object], ref.triangle);
   const auto explained = [&](PixelClass found) {
     double apart = 0;
     for (int c = 0; c < 3; ++c)

@@ -19,14 +19,15 @@ std::shared_ptr<const Texture> moved(const Texture& texture, double by) {
 Image<float> frame_with(const Scene& scene, const RenderOptions& options, double by) {
   Scene changed = scene;
   std::map<const Texture*, std::shared_ptr<const Texture>> done;
-  for (Object& object : changed.objects)
+  for_each_material(changed, [&](Material& material) {
     for (const TextureSlot& slot : texture_slots) {
-      std::shared_ptr<const Texture>& texture = object.material.*slot.texture;
-      if (!texture || object.material.*slot.filter == TextureFilter::nearest) continue;
+      std::shared_ptr<const Texture>& texture = material.*slot.texture;
+      if (!texture || material.*slot.filter == TextureFilter::nearest) continue;
       std::shared_ptr<const Texture>& copy = done[texture.get()];
       if (!copy) copy = moved(*texture, by);
       texture = copy;
     }
+  });
   return render(changed, options).radiance;
 }
 
@@ -35,9 +36,9 @@ Image<float> frame_with(const Scene& scene, const RenderOptions& options, double
 std::optional<Witnesses> texel_witnesses(const Scene& scene, const RenderOptions& options,
                                          const DeviceProfile& profile) {
   const double error = profile.texture.filter_error;
-  const bool any_filtered = std::any_of(scene.objects.begin(), scene.objects.end(), [](const Object& object) {
+  const bool any_filtered = any_material(scene, [](const Material& material) {
     return std::any_of(texture_slots.begin(), texture_slots.end(), [&](const TextureSlot& slot) {
-      return object.material.*slot.texture && object.material.*slot.filter != TextureFilter::nearest;
+      return material.*slot.texture && material.*slot.filter != TextureFilter::nearest;
     });
   });
   if (!any_filtered || error == 0) return std::nullopt;

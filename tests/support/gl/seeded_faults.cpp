@@ -261,7 +261,8 @@ std::optional<ObjectGlsl> faulty_glsl(const Scene& scene, std::size_t number, co
     all += scene.objects[i].mesh->triangles.size();
   }
   ObjectGlsl glsl{own_vertex_glsl(GlslDialect::core_330),
-                  own_fragment_glsl(scene, scene.objects[number].material, MerlFilter::manual, GlslDialect::core_330)};
+                  own_fragment_glsl(scene, *scene.objects[number].mesh, scene.objects[number].material,
+                                    scene.objects[number].two_sided, MerlFilter::manual, GlslDialect::core_330)};
   bool any = false;
   for (const Replacement& replacement : fault.glsl) {
     std::string to = filled_in(replacement.to, "@WIDTH@", static_cast<std::size_t>(size.width));

@@ -89,6 +89,14 @@ Mesh random_mesh(Random& random) {
   }
 }
 
+/// Of all vertices, or of the first half.
+std::vector<Float3> random_colours(Random& random, const Mesh& mesh) {
+  std::vector<Float3> colours(mesh.positions.size() / (one_in(random, 3) ? 2 : 1));
+  for (Float3& value : colours)
+    for (int c = 0; c < 3; ++c) value[c] = static_cast<float>(random.uniform(0, 2));
+  return colours;
+}
+
 std::shared_ptr<const Texture> random_texture(Random& random, TextureFilter filter) {
   auto texture = std::make_shared<Texture>();
   texture->full_scale = one_in(random, 3) ? 65535 : 255;
@@ -158,7 +166,9 @@ FragmentFunction random_function(Random& random) {
 Object random_object(Random& random) {
   Object object;
   object.name = "object";
-  object.mesh = std::make_shared<const Mesh>(random_mesh(random));
+  Mesh mesh = random_mesh(random);
+  if (one_in(random, 4)) mesh.colours = random_colours(random, mesh);
+  object.mesh = std::make_shared<const Mesh>(std::move(mesh));
   object.position = one_in(random, 4) ? vector(random) : Double3{random.uniform(-1, 1), random.uniform(-1, 1), 0};
   object.rotate_degrees = vector(random) * (one_in(random, 2) ? 1.0 : 60.0);
   object.scale = one_in(random, 3) ? vector(random) : Double3(random.uniform(0.3, 2));
@@ -168,6 +178,7 @@ Object random_object(Random& random) {
   finite(object.rotate_degrees, Double3(90));
   if (one_in(random, 8)) object.scale[random.below(3)] = 0;
   object.cull = any_of<Cull>(random);
+  object.two_sided = object.position.y < 0 ? TwoSided::yes : TwoSided::no; // no other number is drawn for it
   object.material.fragment_function = random_function(random);
   object.material.texture_filter = any_of<TextureFilter>(random);
   if (!one_in(random, 3)) object.material.texture = random_texture(random, object.material.texture_filter);

@@ -234,6 +234,7 @@ Object random_object(Random& random) {
   if (one_in(random, 6)) object.scale[random.below(3)] *= -1;
   if (one_in(random, 16)) object.scale[random.below(3)] = 0;
   object.cull = any_of<Cull>(random);
+  object.two_sided = object.position.y < 0 ? TwoSided::yes : TwoSided::no; // no other number is drawn for it
   object.material = random_material(random);
   return object;
 }

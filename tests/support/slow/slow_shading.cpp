@@ -189,8 +189,8 @@ concept HasFormula = requires(const Function& function, const Lit& at) {
 } // namespace
 
 Lit lit(const Scene& scene, const Seen& seen) {
-  return {seen.normal, unit(vec(scene.camera.position) - seen.position), texture_colour(seen.object->material, seen),
-          lights_at(scene, seen.position)};
+  return {seen.normal, unit(vec(scene.camera.position) - seen.position),
+          texture_colour(*seen.material, seen) * seen.colour, lights_at(scene, seen.position)};
 }
 
 bool has_formula(const FragmentFunction& function) {
@@ -199,7 +199,7 @@ bool has_formula(const FragmentFunction& function) {
 
 std::optional<Shaded> shaded(const Scene& scene, const Seen& seen) {
   if (!seen.object) return Shaded{vec(scene.background), vec(scene.background)};
-  const Material& material = seen.object->material;
+  const Material& material = *seen.material;
   if (material.user_function || !has_formula(material.fragment_function))
     throw std::logic_error("slow_shading.cpp has no formula of " + std::string(material.function_name()));
   const Lit at = lit(scene, seen);

@@ -13,7 +13,7 @@ struct Arriving {
 
 /// What a formula is given.
 struct Lit {
-  Vec normal, to_eye, texture;  // unit vectors; the texture's colour
+  Vec normal, to_eye, texture;  // unit vectors; the texture's colour, times the vertices'
   std::vector<Arriving> lights; // all of the scene
 };
 Lit lit(const Scene& scene, const Seen& seen); // seen.object is not null

@@ -72,6 +72,7 @@ Corner Viewer::cut(const Corner& front, const Corner& back) const {
   corner.position = front.position * s + back.position * t, corner.normal = front.normal * s + back.normal * t;
   corner.has_uv = front.has_uv && back.has_uv;
   corner.u = front.u * s + back.u * t, corner.v = front.v * s + back.v * t;
+  corner.colour = front.colour * s + back.colour * t;
   corner.window = window_of(corner);
   return corner;
 }
@@ -94,6 +95,7 @@ std::vector<Corner> corners_of(const Object& object, const Viewer& viewer) {
     corner.normal = normals * vec(mesh.normals[i]);
     corner.has_uv = i < mesh.uvs.size();
     if (corner.has_uv) corner.u = real(mesh.uvs[i].x), corner.v = real(mesh.uvs[i].y);
+    if (i < mesh.colours.size()) corner.colour = vec(mesh.colours[i]);
     viewer.place(corner);
   }
   return corners;
@@ -112,6 +114,7 @@ std::vector<Corner> stored_corners(const Scene& scene, const Geometry& geometry,
     corner.normal = vec(geometry.world[number].normal);
     corner.has_uv = i < mesh.uvs.size();
     if (corner.has_uv) corner.u = real(mesh.uvs[i].x), corner.v = real(mesh.uvs[i].y);
+    if (i < mesh.colours.size()) corner.colour = vec(mesh.colours[i]);
     corner.x = real(clip.x), corner.y = real(clip.y), corner.z = real(clip.z), corner.w = real(clip.w);
     if (window.outcode & outcode::unsnapped) {
       corner.window = {(corner.x + corner.w) * width / 2, (corner.w - corner.y) * height / 2, corner.w};

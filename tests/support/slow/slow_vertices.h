@@ -18,6 +18,7 @@ struct Corner {
   Vec position, normal; // world space; normal of any length
   bool has_uv = false;
   Real u = 0, v = 0;
+  Vec colour = {1, 1, 1};
 };
 
 class Viewer {

@@ -35,8 +35,18 @@ constexpr Real edge_doubt = 0x1p-50L;
 // which the slope of depth does not cost more than 2^13 of that.
 constexpr Real depth_doubt = 0x1p-38L;
 
-void look(const Object& object, const std::array<const Corner*, 3>& c, const Planes& planes, Pixel pixel,
-          Candidate& candidate) {
+/// What runs of the mesh say, one after the other, up to a triangle's own.
+const Material& material_of_triangle(const Object& object, std::uint32_t triangle) {
+  const Material* material = &object.material;
+  for (const TriangleRun& run : object.mesh->material_runs)
+    if (run.first_triangle <= triangle)
+      material = run.material < object.materials.size() ? &object.materials[run.material] : &object.material;
+  return *material;
+}
+
+/// `side`: 1, or -1 where normals are turned.
+void look(const Object& object, const Material& material, Real side, const std::array<const Corner*, 3>& c,
+          const Planes& planes, Pixel pixel, Candidate& candidate) {
   const Vec p = {pixel.x + Real(0.5), pixel.y + Real(0.5), 1};
   std::array<Real, 3> lambda;
   Real least = std::numeric_limits<Real>::infinity(), size = 0;
@@ -75,11 +85,12 @@ void look(const Object& object, const std::array<const Corner*, 3>& c, const Pla
     return (a - mean(attribute) * sum_step) / sum;
   };
   Seen seen;
-  seen.object = &object;
+  seen.object = &object, seen.material = &material;
   seen.position = mean([](const Corner& corner) { return corner.position; });
-  const Vec normal = mean([](const Corner& corner) { return corner.normal; });
+  const Vec normal = mean([](const Corner& corner) { return corner.normal; }) * side;
   seen.has_uv = c[0]->has_uv && c[1]->has_uv && c[2]->has_uv;
   seen.u = mean(u), seen.v = mean(v);
+  seen.colour = mean([](const Corner& corner) { return corner.colour; });
   seen.u_right = change(u, mu_right, sum_right), seen.v_right = change(v, mu_right, sum_right);
   seen.u_down = change(u, mu_down, sum_down), seen.v_down = change(v, mu_down, sum_down);
   if (length(normal) > 0) seen.normal = unit(normal);
@@ -121,23 +132,27 @@ std::vector<std::optional<Seen>> seen_at(const Scene& scene, int width, int heig
     const Object& object = scene.objects[index];
     const std::vector<Corner> corners =
         vertices == Vertices::own ? corners_of(object, viewer) : stored_corners(scene, geometry, index, width, height);
-    const auto draw = [&](const std::array<const Corner*, 3>& c) {
+    const auto draw = [&](const std::array<const Corner*, 3>& c, const Material& material) {
       const Vec e0 = cross(c[1]->window, c[2]->window), e1 = cross(c[2]->window, c[0]->window),
                 e2 = cross(c[0]->window, c[1]->window);
       const Real determinant = dot(c[0]->window, e0);
       if (determinant == 0) return;
       if (object.cull == Cull::back && determinant > 0) return; // clockwise in the image, with y down
+      const bool mirrored = real(object.scale.x) * real(object.scale.y) * real(object.scale.z) < 0;
+      const Real side = object.two_sided == TwoSided::yes && (determinant > 0) != mirrored ? -1 : 1;
       const Planes planes = {{e0 * (1 / determinant), e1 * (1 / determinant), e2 * (1 / determinant)}};
-      for (std::size_t i = 0; i < pixels.size(); ++i) look(object, c, planes, pixels[i], candidates[i]);
+      for (std::size_t i = 0; i < pixels.size(); ++i) look(object, material, side, c, planes, pixels[i], candidates[i]);
     };
-    for (const auto& triangle : object.mesh->triangles) {
+    for (std::uint32_t number = 0; number < object.mesh->triangles.size(); ++number) {
+      const auto& triangle = object.mesh->triangles[number];
+      const Material& material = material_of_triangle(object, number);
       const std::array<const Corner*, 3> c = {&corners[triangle[0]], &corners[triangle[1]], &corners[triangle[2]]};
       if (c[0]->w > 0 && c[1]->w > 0 && c[2]->w > 0) {
-        draw(c);
+        draw(c, material);
         continue;
       }
       const std::vector<Corner> part = part_in_front(c, viewer);
-      for (std::size_t k = 1; k + 1 < part.size(); ++k) draw({&part[0], &part[k], &part[k + 1]});
+      for (std::size_t k = 1; k + 1 < part.size(); ++k) draw({&part[0], &part[k], &part[k + 1]}, material);
     }
   }
   std::vector<std::optional<Seen>> result;

@@ -18,9 +18,11 @@ struct Pixel {
 
 struct Seen {
   const Object* object = nullptr; // null: nothing but the background
-  Vec position, normal;           // world space; normal of unit length
-  bool has_uv = false;            // all corners of the triangle have texture coordinates
+  const Material* material = nullptr;
+  Vec position, normal; // world space; normal of unit length
+  bool has_uv = false;  // all corners of the triangle have texture coordinates
   Real u = 0, v = 0;
+  Vec colour = {1, 1, 1};                                // of the vertices
   Real u_right = 0, v_right = 0, u_down = 0, v_down = 0; // their change by one pixel
 };
 

@@ -99,6 +99,15 @@ std::vector<Beyond> beyond_each() {
   add_scene(limit::obj_bytes, scene_of("", "", object_of(with_file("obj_file_path", "m.obj"))),
             "m.obj: found 2147483648 bytes, expected at most 2147483647 bytes",
             {{"m.obj", "v", limit::obj_bytes.value + 1}});
+  const std::string of_file =
+      "{" + with_file("obj_file_path", "m.obj") +
+      R"(, "position": "0 0 0", "rotate_x": 0, "rotate_y": 0, "rotate_z": 0, "scale": "1 1 1"})";
+  add_scene(limit::mtl_bytes, scene_of("", "", of_file), "m.mtl: found 16777217 bytes, expected at most 16777216 bytes",
+            {{"m.obj", "mtllib m.mtl\n" + triangle_soup(1)}, {"m.mtl", "#", limit::mtl_bytes.value + 1}});
+  std::string names = triangle_soup(1);
+  for (int i = 0; i <= 65536; ++i) names += "usemtl m" + std::to_string(i) + "\n";
+  add_scene(limit::materials, scene_of("", "", of_file),
+            "m.obj: found 65537 materials, expected at most 65536 materials", {{"m.obj", std::move(names)}});
   add(limit::image_bytes, {{"i.pfm", "PF", limit::image_bytes.value + 1}}, {"compare", "i.pfm", "i.pfm"},
       "i.pfm: found 8589934593 bytes, expected at most 8589934592 bytes");
   add(limit::image_side, {{"i.png", png_of(65537, 1)}}, {"compare", "i.png", "i.png"},

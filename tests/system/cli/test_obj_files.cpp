@@ -38,10 +38,9 @@ struct ObjFolder : TemporaryFolder {
 };
 
 const std::string unusual = "usemtl red\n" + quad + "s\nf 1// 2// 3//\nf 1// 3// 4//\n";
-const std::string notes = "note: m.obj:1: found \"usemtl red\", skipped: materials of OBJ files are not read, the "
-                          "scene's own material is used\n"
-                          "note: m.obj:6: found s without a value, read as \"s off\"\n"
-                          "note: m.obj:7: found the corner \"1//\", read without its empty part (6 times)\n";
+const std::string notes = "note: m.obj:6: found s without a value, read as \"s off\"\n"
+                          "note: m.obj:7: found the corner \"1//\", read without its empty part (6 times)\n"
+                          "note: m.obj: found 1 material of its own, not used: the scene's `material` is\n";
 
 } // namespace
 
@@ -59,9 +58,9 @@ TEST_CASE("with --strict notes on an OBJ file are errors, and no image is made")
   for (const std::vector<std::string>& words : {std::vector<std::string>{"--strict"}, {"--strict", "-q"}}) {
     const Finished run = folder.render(words);
     CHECK(run.exit_code == 3);
-    CHECK(run.err == "refraster: m.obj:1: found \"usemtl red\", expected a file without notes (--strict)\n"
-                     "m.obj:6: found s without a value, expected a file without notes (--strict)\n"
-                     "m.obj:7: found the corner \"1//\" (6 times), expected a file without notes (--strict)\n");
+    CHECK(run.err == "refraster: m.obj:6: found s without a value, expected a file without notes (--strict)\n"
+                     "m.obj:7: found the corner \"1//\" (6 times), expected a file without notes (--strict)\n"
+                     "m.obj: found 1 material of its own, expected a file without notes (--strict)\n");
     CHECK(files_in(folder) == std::vector<std::string>{"m.obj", "red.png", "s.json"});
   }
   CHECK(ObjFolder(quad + "f 1 2 3 4\n").render({"--strict"}).exit_code == 0);

@@ -200,7 +200,8 @@ TEST_CASE("our GLSL does not depend on the locale") {
   Scene scene = ball(Merl{});
   scene.point_lights.resize(12);
   const auto text = [&] {
-    return own_fragment_glsl(scene, scene.objects[0].material, MerlFilter::manual, GlslDialect::core_330);
+    return own_fragment_glsl(scene, *scene.objects[0].mesh, scene.objects[0].material, TwoSided::no, MerlFilter::manual,
+                             GlslDialect::core_330);
   };
   const std::string before = text();
   const std::locale usual = std::locale::global(std::locale(std::locale::classic(), new Commas));

@@ -135,6 +135,21 @@ TEST_CASE("on triangles without texture coordinates llvmpipe shows no texture ei
     check_scene("half_textured", half_textured(filter), 160, 90, entered("llvmpipe"));
 }
 
+TEST_CASE(
+    "colours of vertices through llvmpipe are explained, with a texture and without, and their absence is found") {
+  Scene coloured = half_textured(TextureFilter::bilinear);
+  Mesh mesh = *coloured.objects[0].mesh;
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+    mesh.colours.emplace_back(static_cast<float>(i % 7) / 6, 0.25f, static_cast<float>(i % 3));
+  mesh.colours.resize(mesh.colours.size() * 3 / 4); // the others are white
+  Scene white = coloured;
+  coloured.objects[0].mesh = std::make_shared<const Mesh>(std::move(mesh));
+  const DeviceProfile profile = entered("llvmpipe");
+  check_scene("vertex colours", coloured, 160, 90, profile);
+  const Verdict verdict = judge(coloured, in_8_bits(drawn(white, 160, 90, profile)), profile, {});
+  CHECK(verdict.count(PixelClass::unexplained) > 1000);
+}
+
 TEST_SUITE_BEGIN("slow");
 
 TEST_CASE("a ground seen edge on through llvmpipe without its shortcuts has levels of detail that are explained") {

@@ -45,6 +45,7 @@ private:
     found.insert(std::string(material.function_name()));
     found.insert(material.texture ? std::string(name_of(material.texture_filter)) : "white");
     found.insert("cull " + std::string(name_of(object.cull)));
+    found.insert("two_sided " + std::string(name_of(object.two_sided)));
     if (const Merl* const merl = material.measured())
       found.insert({"lookup " + std::string(name_of(merl->lookup)), "angles " + std::string(name_of(merl->angles))});
     else
@@ -99,6 +100,7 @@ TEST_CASE("a hundred random scenes have everything that there is to verify") {
   };
   check_all("", TextureFilter{});
   check_all("cull ", Cull{});
+  check_all("two_sided ", TwoSided{});
   check_all("lookup ", MerlLookup{});
   check_all("angles ", MerlAngles{});
   check_all("gate ", SpecularGate{});

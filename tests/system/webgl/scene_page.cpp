@@ -101,16 +101,20 @@ std::string scene_json(const Scene& scene, int width, int height) {
     json.member("background", std::vector<double>{scene.background.x, scene.background.y, scene.background.z});
     json.array("objects", [&] {
       for (const Object& object : scene.objects) {
+        if (!object.materials.empty())
+          throw std::runtime_error(object.name + ": the page draws no mesh of several materials");
         Material material = object.material;
         if (object.mesh->uvs.empty()) material.texture = nullptr;
         else if (object.mesh->uvs.size() < object.mesh->positions.size())
           throw std::runtime_error(object.name + ": the page draws no mesh of which only some triangles have a vt");
         json.object([&] {
           json.member("vertex", own_vertex_glsl(GlslDialect::es_300));
-          json.member("fragment", own_fragment_glsl(scene, material, MerlFilter::manual, GlslDialect::es_300));
+          json.member("fragment", own_fragment_glsl(scene, *object.mesh, material, object.two_sided, MerlFilter::manual,
+                                                    GlslDialect::es_300));
           json.member("positions", packed(object.mesh->positions));
           json.member("normals", packed(object.mesh->normals));
           json.member("uvs", packed(object.mesh->uvs));
+          json.member("colours", packed(object.mesh->colours));
           json.member("triangles", packed(object.mesh->triangles));
           json.member("cull", object.cull == Cull::back);
           UniformValues values = scene_uniforms(scene);
@@ -137,7 +141,8 @@ int main(int argc, char** argv) try {
   const std::string mark = "@SCENE@";
   const std::size_t at = page.find(mark);
   if (at == std::string::npos) throw std::runtime_error(std::string(argv[3]) + ": no " + mark);
-  write_file(argv[4], page.replace(at, mark.size(), scene_json(read_scene(argv[1], {.outside = Outside::allowed}), width, height)));
+  write_file(argv[4], page.replace(at, mark.size(),
+                                   scene_json(read_scene(argv[1], {.outside = Outside::allowed}), width, height)));
   return 0;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "%s\n", error.what());

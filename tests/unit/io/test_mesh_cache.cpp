@@ -22,7 +22,8 @@ namespace {
 namespace fs = std::filesystem;
 
 bool same(const Mesh& a, const Mesh& b) {
-  return a.positions == b.positions && a.normals == b.normals && a.uvs == b.uvs && a.triangles == b.triangles;
+  return a.positions == b.positions && a.normals == b.normals && a.uvs == b.uvs && a.colours == b.colours &&
+         a.triangles == b.triangles;
 }
 
 std::string bytes_of(const fs::path& path) {
@@ -62,7 +63,8 @@ struct CacheFolder : TemporaryFolder {
   }
 };
 
-constexpr std::size_t vertices_at = 24, uvs_at = 32, triangles_at = 40, header_bytes = 48; // in a file
+constexpr std::size_t vertices_at = 24, uvs_at = 32, colours_at = 40, triangles_at = 48,
+                      header_bytes = 72; // in a file
 
 } // namespace
 
@@ -102,6 +104,19 @@ TEST_CASE("other normals of the same bytes are another mesh") {
     const Mesh expected = read_obj(folder.obj, {normals, nullptr});
     for (int i = 0; i < 2; ++i)
       CHECK(same(read_obj_by_cache(folder.obj, folder.cache, {normals, nullptr}, 0), expected));
+    CHECK(files_in(folder.cache).size() == ++files);
+  }
+}
+
+TEST_CASE("colours come out of the cache as they are taken, each way its own file") {
+  const CacheFolder folder;
+  write_files(folder.path, {{"ball.obj", "v 0 0 0 0.5 0.25 1\nv 1 0 0\nv 1 1 0 0.1 0.2 0.3\nf 1 2 3\n"}});
+  std::size_t files = 0;
+  for (const auto& [colours, name] : EnumNames<VertexColours>::names) {
+    CAPTURE(name);
+    const ObjOptions options{{}, nullptr, colours};
+    const Mesh expected = read_obj(folder.obj, options);
+    for (int i = 0; i < 2; ++i) CHECK(same(read_obj_by_cache(folder.obj, folder.cache, options, 0), expected));
     CHECK(files_in(folder.cache).size() == ++files);
   }
 }
@@ -172,6 +187,7 @@ TEST_CASE("a kept file that lies is not believed either") {
     check(vertices_at, count);
     check(triangles_at, count);
     check(uvs_at, count);
+    if (count > 0) check(colours_at, count);
   }
   check(16, mesh_cache_version + 1);
   check(20, 1u);
@@ -211,7 +227,7 @@ TEST_CASE("several may read and keep at once") {
       for (int j = 0; j < 20; ++j) {
         right += same(folder.read(), folder.ball);
         std::error_code gone_already;
-        if (j % 3 == 0) fs::remove_all(folder.cache + "/" + folder.key() + ".3.mesh", gone_already);
+        if (j % 3 == 0) fs::remove_all(folder.cache + "/" + folder.key() + ".4.mesh", gone_already);
       }
     });
   for (std::thread& thread : threads) thread.join();
@@ -249,9 +265,9 @@ TEST_CASE("mesh_cache_version is that of the meshes that are made today") {
               {{"c.obj", "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 0 0 3\nv 4 0 3\nv 4 -4 -1\nv 0 -4 -1\nvt 0 1\n"
                          "f 1/1 2/1 3/1 3/1 4/1\nf 1 5 6 2\nf 1 8 7 2\nf 3 2 1\n"}});
   store_mesh(folder.path, "c", {read_obj(folder / "c.obj"), {}});
-  CHECK(mesh_cache_version == 3);
-  CHECK(file_sha256(folder / "m.3.mesh") == "02eb13e3907b4edabff5c408371a49ea47ed5a9ac344e979b64ae625082ae091");
-  CHECK(file_sha256(folder / "c.3.mesh") == "9a4d797ae4efbefc4bc4daf0ff30d9921e6e0fee8560bbf94746ebdd09509931");
+  CHECK(mesh_cache_version == 4);
+  CHECK(file_sha256(folder / "m.4.mesh") == "e0d91301eb497ed8642cd448f42ba1d4bdbf99f49e67a33a8a72943f6ba4cc20");
+  CHECK(file_sha256(folder / "c.4.mesh") == "6d893d15bee0417aa7d8373e1fd482fdf469064e8dd68ae1799219c45a74d005");
 }
 
 } // namespace refraster::test

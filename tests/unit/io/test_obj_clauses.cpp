@@ -41,10 +41,9 @@ const std::vector<Clause>& clauses() {
       {"v x y z", sound, "2 triangles, 4 vertices, 0 with uv"},
       {"v x y z w", "v 0 0 0 1\nv 1 0 0 0.5\nv 1 1 0 2\nf 1 2 3\n", "1 triangles, 3 vertices, 0 with uv"},
       {"v x y z r g b, of other programs", "v 0 0 0\nv 1 0 0 1 0 0\nv 1 1 0 0 1 0\nf 1 2 3\n",
-       "1 triangles, 3 vertices, 0 with uv; :2: found a v with 6 numbers, skipped: colours of vertices are not read (2 "
-       "times)"},
+       "1 triangles, 3 vertices, 0 with uv"},
       {"v x y z w r g b, of other programs", "v 0 0 0 1 1 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n",
-       "1 triangles, 3 vertices, 0 with uv; :1: found a v with 7 numbers, skipped: colours of vertices are not read"},
+       "1 triangles, 3 vertices, 0 with uv"},
       {"v x y", "v 0 0\nv 1 0\nv 1 1\nf 1 2 3\n",
        "m.obj:1:1: found 2 numbers, expected 3 to 7 numbers\nm.obj:2:1: found 2 numbers, expected 3 to 7 numbers\n"
        "m.obj:3:1: found 2 numbers, expected 3 to 7 numbers"},
@@ -150,13 +149,9 @@ const std::vector<Clause>& clauses() {
                "1\n",
        "2 triangles, 4 vertices, 0 with uv"},
       {"mtllib and usemtl", "mtllib a.mtl b.mtl\n" + square + "usemtl red\nf 1 2 3\n",
-       "1 triangles, 3 vertices, 0 with uv; :1: found \"mtllib a.mtl b.mtl\", skipped: materials of OBJ files are not "
-       "read, "
-       "the scene's own material is used (2 times)"},
+       "1 triangles, 3 vertices, 0 with uv"},
       {"maplib and usemap", square + "usemap off\nf 1 2 3\n",
-       "1 triangles, 3 vertices, 0 with uv; :5: found \"usemap off\", skipped: materials of OBJ files are not read, "
-       "the "
-       "scene's own material is used"},
+       "1 triangles, 3 vertices, 0 with uv; :5: found \"usemap off\", skipped: textures are those of the materials"},
       // What is no statement
       {"a statement that there is not", sound + "vw 1 2 3\n",
        "2 triangles, 4 vertices, 0 with uv; :6: found \"vw 1 2 3\", skipped: the format has no such statement"},
@@ -217,11 +212,10 @@ TEST_CASE("every clause of the OBJ specification is read, noted or refused as th
 }
 
 TEST_CASE("what is unusual is noted once a kind, in the order of the first lines") {
-  CHECK(
-      outcome("usemtl a\n" + square + "s\nf 1// 2// 3//\nusemtl b\ns\nf 1 3/ 4\n") ==
-      "2 triangles, 6 vertices, 0 with uv; :1: found \"usemtl a\", skipped: materials of OBJ files are not read, the "
-      "scene's own material is used (2 times); :6: found s without a value, read as \"s off\" (2 times); :7: found the "
-      "corner \"1//\", read without its empty part (4 times)");
+  CHECK(outcome("usemap a\n" + square + "s\nf 1// 2// 3//\nusemap b\ns\nf 1 3/ 4\n") ==
+        "2 triangles, 6 vertices, 0 with uv; :1: found \"usemap a\", skipped: textures are those of the materials (2 "
+        "times); :6: found s without a value, read as \"s off\" (2 times); :7: found the "
+        "corner \"1//\", read without its empty part (4 times)");
 }
 
 TEST_CASE("a continued line's remark has the line on which it stands") {

@@ -87,10 +87,9 @@ TEST_CASE("objects share a mesh if they want the same normals of it") {
 TEST_CASE("what there is to note of a mesh is noted once, however many normals are wanted of it, cached or not") {
   const std::string file = "\"obj_file_path\": \"m.obj\"";
   const std::string three = object_of(file) + "," + object_of(file + ", \"normals\": \"flat\"") + "," + object_of(file);
-  SceneFolder folder(three, "usemtl red\n" + roof + "usemtl blue\n");
-  const Texts expected = {
-      "m.obj:1: found \"usemtl red\", skipped: materials of OBJ files are not read, the scene's own "
-      "material is used (2 times)"};
+  SceneFolder folder(three, "usemap red\nusemtl red\n" + roof + "usemap blue\n");
+  const Texts expected = {"m.obj:1: found \"usemap red\", skipped: textures are those of the materials (2 times)",
+                          "m.obj: found 1 material of its own, not used: the scene's `material` is"};
   folder.objects();
   CHECK(folder.reported() == expected);
   folder.notes = {};

@@ -130,7 +130,7 @@ TEST_CASE("the slow renderer's pixels with the formula in long double are those 
 TEST_CASE("without a formula of its own the slow renderer refuses it by name") {
   const Scene scene = moons();
   slow::Seen seen;
-  seen.object = scene.objects.data();
+  seen.object = scene.objects.data(), seen.material = &scene.objects[0].material;
   CHECK_THROWS_WITH_AS(slow::shaded(scene, seen), "slow_shading.cpp has no formula of minnaert", std::logic_error);
 }
 

@@ -1,0 +1,68 @@
+#include "io/mesh/mtl_material.h"
+
+#include "io/file/text.h"
+
+#include <algorithm>
+#include <string>
+
+namespace refraster {
+namespace {
+
+// What the format takes for Kd that is not there: "Object Files", Wavefront, Advanced Visualizer, appendix B1's
+// companion on materials. A texture alone is to be seen as it is, as three.js and assimp show it.
+constexpr double default_diffuse = 0.8;
+
+// The format has no highlight by default (Ns 0); viewers take a plain one where Ks is given and Ns is not, as
+// MeshPhongMaterial of three.js.
+constexpr double default_exponent = 30;
+
+/// Exporters that know of no ambient reflection write 0 or 1, whatever the colour: 3ds Max and Blender.
+bool says_nothing(const std::optional<Double3>& ambient) {
+  return !ambient || *ambient == Double3(0) || *ambient == Double3(1);
+}
+
+} // namespace
+
+PhongParameters phong_parameters(const MeshMaterial& material) {
+  const Double3 diffuse = material.diffuse.value_or(Double3(material.diffuse_map.path.empty() ? default_diffuse : 1));
+  PhongParameters result;
+  result.specular_gate = SpecularGate::cut_below_horizon;
+  if (material.illumination == 0) { // a constant colour
+    result.ka = diffuse, result.kd = result.ks = Double3(0);
+    return result;
+  }
+  result.ka = ambient_light_of_files * (says_nothing(material.ambient) ? diffuse : *material.ambient);
+  result.kd = diffuse;
+  result.ks = material.specular.value_or(Double3(0));
+  result.glossiness = material.exponent.value_or(default_exponent);
+  // An exponent of 0 would be a highlight wherever light arrives: files that have it mean none.
+  if (material.illumination == 1 || result.glossiness == 0) result.ks = Double3(0);
+  return result;
+}
+
+void note_what_is_not_shown(const MeshMaterial& material, NoteList& notes) {
+  const auto note = [&](const std::string& what, const char* consequence) {
+    notes.add({material.file, material.line, "material " + in_quotes(material.name) + " with " + what, consequence});
+  };
+  if (material.dissolve.value_or(1) < 1) note("d below 1", "drawn opaque: there is no blending");
+  if (material.illumination.value_or(2) > 2)
+    note("illum " + std::to_string(*material.illumination), "read as illum 2: nothing is mirrored or seen through");
+  if (material.exponent == 0.0 && material.specular.value_or(Double3(0)) != Double3(0) && material.illumination != 1)
+    note("Ns 0", "drawn without a highlight");
+  if (material.roughness || material.metallic || !material.roughness_map.path.empty() ||
+      !material.metallic_map.path.empty())
+    note("Pr or Pm", "drawn by Kd, Ks and Ns: roughness and metalness are read, but no fragment function uses them");
+  if (!material.ambient_map.path.empty() && material.ambient_map.path != material.diffuse_map.path)
+    note("map_Ka", "read without map_Ka: ambient light is coloured by map_Kd");
+  if (material.diffuse_map.channel != 0 && material.diffuse_map.channel != 'm')
+    note("-imfchan", "read without -imfchan: a colour has all channels");
+  const auto unshown = [&](const MeshTexture& map, const char* what) {
+    if (!map.path.empty()) note(what, "read, but not shown yet");
+  };
+  unshown(material.specular_map, "map_Ks"), unshown(material.emissive_map, "map_Ke");
+  unshown(material.dissolve_map, "map_d"), unshown(material.bump_map, "map_Bump");
+  unshown(material.normal_map, "norm");
+  if (material.emissive.value_or(Double3(0)) != Double3(0)) note("Ke", "read, but not shown yet");
+}
+
+} // namespace refraster

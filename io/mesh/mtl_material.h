@@ -1,0 +1,20 @@
+#pragma once
+// What a material of a file means to a fragment function: docs/mtl.md.
+
+#include <refraster/material.h>
+#include <refraster/mesh_material.h>
+#include <refraster/notes.h>
+
+namespace refraster {
+
+/// The ambient light that files take for granted: a scene has none, so it is in ka. As in the defaults of viewers, it
+/// lets shapes be told in shadow, and leaves what is lit as it is.
+inline constexpr double ambient_light_of_files = 0.1;
+
+/// The parameters of Phong and Blinn-Phong, in double and linear. Without textures.
+PhongParameters phong_parameters(const MeshMaterial& material);
+
+/// Notes what the file says of a material and no fragment function shows, each kind once.
+void note_what_is_not_shown(const MeshMaterial& material, NoteList& notes);
+
+} // namespace refraster

@@ -1,0 +1,22 @@
+#pragma once
+// The transfer curve of sRGB, IEC 61966-2-1, and its inverse: the same bits everywhere.
+
+#include "math/elementary.h"
+
+namespace refraster::inline REFRASTER_KIT {
+
+/// The curve, of a linear x in [0, 1].
+template <class T>
+T srgb_encoded(const T& x) {
+  return select(x <= as<T>(0.0031308), as<T>(12.92) * x, as<T>(1.055) * pow(x, 1 / 2.4) - as<T>(0.055));
+}
+
+/// Its inverse, of y in [0, 1].
+inline double srgb_decoded(double y) {
+  return y <= 0.04045 ? y / 12.92 : pow((y + 0.055) / 1.055, 2.4);
+}
+
+/// The steepest that the inverse is, at 1: what an encoded value is off by, the linear one is by at most as many times.
+inline constexpr double max_srgb_slope = 2.4 / 1.055;
+
+} // namespace refraster::inline REFRASTER_KIT

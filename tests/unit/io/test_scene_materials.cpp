@@ -1,0 +1,207 @@
+// Scenes whose objects have the materials of their OBJ files.
+
+#include <refraster/files.h>
+#include <refraster/notes.h>
+
+#include "tests/support/files/malformed_inputs.h"
+#include "tests/support/files/png_bytes.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace refraster::test {
+namespace {
+
+/// Five squares: of no material, red, green, red again, and of `usemtl` without a name.
+const std::string squares =
+    "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1 2 3 4\n"
+    "usemtl red\nf 1/1 2/2 3/3 4/4\nusemtl green\nf 1/1 2/2 3/3 4/4\nf 4 3 2\nusemtl red\nf 1 2 3\nusemtl\nf 1 2 3\n";
+const std::string red_and_green = "newmtl red\nKd 1 0 0\nnewmtl green\nKd 0 1 0\nmap_Kd t.png\n";
+
+/// A scene of one object m.obj with these keys.
+struct ModelFolder : TemporaryFolder {
+  NoteList notes;
+  SceneOptions options;
+
+  explicit ModelFolder(const std::string& keys, const std::string& library = red_and_green,
+                       const std::string& mesh = squares) {
+    write_files(path, {{"s.json", R"({"scene": {"camera": {"position": "0 0 6"}, "point_lights": [],
+        "direction_lights": [], "objects": [{"obj_file_path": "m.obj", "position": "0 0 0", "rotate_x": 0,
+        "rotate_y": 0, "rotate_z": 0, "scale": "1 1 1")" +
+                                      keys + "}]}}"},
+                       {"m.obj", mesh},
+                       {"m.mtl", library},
+                       {"t.png", png_bytes(1, 1, 3, 8, {255, 0, 0})}});
+    options.notes = &notes;
+  }
+  Object object() { return read_scene(*this / "s.json", options).objects.at(0); }
+  std::string noted() const {
+    std::string text;
+    for (const Note& note : notes.notes()) text += note.text().substr(path.string().size() + 1) + "\n";
+    return text;
+  }
+  /// The message of what is wrong with the scene.
+  std::string refused() {
+    try {
+      object();
+    } catch (const InputError& error) {
+      return error.faults().at(0).text().substr(path.string().size() + 1);
+    }
+    return "";
+  }
+};
+
+Double3 kd(const Material& material) {
+  return std::visit(
+      [](const auto& function) {
+        if constexpr (requires { function.kd; }) return function.kd;
+        else return Double3(-1);
+      },
+      material.fragment_function);
+}
+Double3 kd(const Object& object, std::uint32_t triangle) {
+  return kd(material_of(object, triangle));
+}
+
+const Double3 red(1, 0, 0), green(0, 1, 0), grey(0.8);
+
+} // namespace
+
+TEST_CASE("without a material each triangle has that of the file, in Blinn-Phong") {
+  for (const char* const keys : {"", ", \"material\": \"from_file\""}) {
+    ModelFolder folder(keys);
+    const Object object = folder.object();
+    const Double3 expected[] = {grey, grey, red, red, green, green, green, red, grey};
+    REQUIRE(object.mesh->triangles.size() == std::size(expected));
+    for (std::uint32_t i = 0; i < std::size(expected); ++i) {
+      CAPTURE(i);
+      CHECK(kd(object, i) == expected[i]);
+      CHECK(std::holds_alternative<BlinnPhong>(material_of(object, i).fragment_function));
+    }
+    CHECK(material_of(object, 4).texture);
+    CHECK_FALSE(material_of(object, 2).texture);
+    CHECK(material_of(object, 4).name == "green");
+    CHECK(object.mesh->materials.at(1).diffuse_map.path == "t.png");
+    CHECK(folder.noted() == "m.obj: found 1 triangle without vt, on which the texture is not shown\n");
+  }
+}
+
+TEST_CASE("the function of the object shades what the file describes: Phong or Blinn-Phong, and no other") {
+  ModelFolder folder(", \"fragment_function\": \"phong\"");
+  CHECK(std::holds_alternative<Phong>(material_of(folder.object(), 4).fragment_function));
+  CHECK(ModelFolder(", \"fragment_function\": \"merl\", \"material\": \"from_file\"").refused() ==
+        "s.json:3:78: /scene/objects/0/fragment_function: found a function that files describe no materials for, "
+        "expected phong or blinn_phong, or no material \"from_file\"");
+}
+
+TEST_CASE("a material of the scene is that of all triangles, and a note says that the file's are not used") {
+  const std::string blue = R"("kd": "0 0 1", "ka": "0 0 0", "ks": "0 0 0", "glossiness": 1)";
+  ModelFolder folder(", \"fragment_function\": \"phong\", \"material\": {" + blue + "}");
+  const Object object = folder.object();
+  CHECK(object.materials.empty());
+  CHECK(kd(object, 4) == Double3(0, 0, 1));
+  CHECK(folder.noted() == "m.obj: found 2 materials of its own, not used: the scene's `material` is\n");
+  CHECK(object.mesh->materials.at(0).file.empty()); // nor are they read
+}
+
+TEST_CASE("a scene may name materials: the others are what `material` says") {
+  const std::string blue = R"({"kd": "0 0 1", "ka": "0 0 0", "ks": "0 0 0", "glossiness": 1})";
+  ModelFolder one(", \"materials\": {\"red\": " + blue + "}");
+  CHECK(kd(one.object(), 2) == Double3(0, 0, 1));
+  CHECK(kd(one.object(), 4) == green);
+  CHECK(kd(one.object(), 0) == grey);
+  ModelFolder other(", \"fragment_function\": \"phong\", \"material\": " + blue +
+                    ", \"materials\": {\"green\": \"from_file\"}");
+  CHECK(kd(other.object(), 0) == Double3(0, 0, 1));
+  CHECK(kd(other.object(), 2) == Double3(0, 0, 1));
+  CHECK(kd(other.object(), 4) == green);
+  CHECK(material_of(other.object(), 4).texture);
+  CHECK(ModelFolder(", \"materials\": {\"gren\": \"from_file\"}").refused() ==
+        "s.json:3:71: /scene/objects/0/materials/gren: found a material that the OBJ file does not name, expected one "
+        "of red, green; did you mean green?");
+  CHECK(ModelFolder(", \"materials\": {\"red\": 5}").refused() ==
+        "s.json:3:78: /scene/objects/0/materials/red: found 5, expected an object, or \"from_file\"");
+}
+
+TEST_CASE("what is missing is drawn in grey or without, with one note a kind") {
+  ModelFolder none("", red_and_green, "mtllib gone.mtl\n" + squares.substr(squares.find('\n') + 1));
+  CHECK(kd(none.object(), 2) == grey);
+  CHECK(none.noted() == "m.obj:1: found the material library \"gone.mtl\", there is no such file: drawn without its "
+                        "materials\n"
+                        "m.obj: found the material \"red\", drawn in grey: no library describes it (2 times)\n");
+  ModelFolder unnamed("", red_and_green, squares.substr(squares.find('\n') + 1));
+  CHECK(kd(unnamed.object(), 2) == grey);
+  CHECK(unnamed.noted() == "m.obj: found usemtl without mtllib, drawn in grey: no file describes its materials\n");
+  ModelFolder textures("", "newmtl red\nmap_Kd gone.png\nnewmtl green\nKd 0 1 0\nmap_Kd m.mtl\n");
+  const Object object = textures.object();
+  CHECK_FALSE(material_of(object, 2).texture);
+  CHECK(kd(object, 2) == Double3(1));
+  CHECK_FALSE(material_of(object, 4).texture);
+  const std::string noted = textures.noted();
+  CHECK(noted.find("m.mtl:2: found the texture \"gone.png\", there is no such file: drawn without it\n") !=
+        std::string::npos);
+  CHECK(noted.find("m.mtl: found ") != std::string::npos);
+  CHECK(noted.find("drawn without it: expected ") != std::string::npos);
+}
+
+TEST_CASE("a texture is found with / for \\, by its last component, without regard to case; never outside") {
+  const auto found = [](const std::string& written, Outside outside = Outside::refused) {
+    ModelFolder folder("", "newmtl green\nmap_Kd " + written + "\n");
+    std::filesystem::create_directory(folder.path / "Images");
+    write_files(folder.path, {{"Images/Wall 1.png", png_bytes(1, 1, 3, 8, {0, 255, 0})}});
+    const std::string beside = folder.path.string() + ".png"; // outside, next to the folder
+    std::filesystem::copy_file(folder.path / "t.png", beside);
+    std::filesystem::create_symlink(beside, folder.path / "link.png");
+    folder.options.outside = outside;
+    const bool is_there = material_of(folder.object(), 4).texture != nullptr;
+    std::filesystem::remove(beside);
+    std::string noted = folder.noted();
+    const std::size_t begin = noted.find("m.mtl:2: ");
+    noted = begin == std::string::npos ? "" : noted.substr(begin, noted.find('\n', begin) - begin);
+    const std::size_t comma = noted.rfind("\", ");
+    return (is_there ? "there" : "none") + (noted.empty() ? "" : ": " + noted.substr(comma + 3));
+  };
+  CHECK(found("t.png") == "there");
+  CHECK(found("t.png # a comment") == "there");
+  CHECK(found("Images/Wall 1.png") == "there");
+  CHECK(found("Images\\Wall 1.png") == "there: read with / for \\");
+  CHECK(found("C:\\Users\\me\\t.png") == "there: its last component is read, beside the model");
+  CHECK(found("/nowhere/at/all/t.png") == "there: its last component is read, beside the model");
+  CHECK(found("T.PNG") == "there: read without regard to case");
+  CHECK(found("images\\wall 1.PNG") == "there: read without regard to case");
+  const std::string outside = "none: outside the model's folder: drawn without it; --allow-outside reads it";
+  CHECK(found("../x.png") == outside);
+  CHECK(found("link.png") == outside);
+  CHECK(found("link.png", Outside::allowed) == "there");
+  CHECK(found("x.png") == "none: there is no such file: drawn without it");
+}
+
+TEST_CASE("a library's name may have blanks, and one mtllib may name several") {
+  const auto colours = [](const std::string& named) {
+    ModelFolder folder("", "", "mtllib " + named + "\n" + squares.substr(squares.find('\n') + 1));
+    write_files(folder.path, {{"my red.mtl", "newmtl red\nKd 1 0 0\n"}, {"g.mtl", "newmtl green\nKd 0 1 0\n"}});
+    const Object object = folder.object();
+    return std::pair(kd(object, 2), kd(object, 4));
+  };
+  CHECK(colours("my red.mtl") == std::pair(red, grey));
+  CHECK(colours("g.mtl # of the garden") == std::pair(grey, green));
+  CHECK(colours("my red.mtl\nmtllib g.mtl") == std::pair(red, green));
+  CHECK(colours("none.mtl G.MTL") == std::pair(grey, green));
+}
+
+TEST_CASE("a mesh out of the cache has its materials") {
+  ModelFolder folder("", red_and_green, squares + std::string(2 << 20, '\n'));
+  folder.options.mesh_cache = folder / "cache";
+  std::filesystem::create_directory(folder.options.mesh_cache);
+  for (int i = 0; i < 2; ++i) {
+    const Object object = folder.object();
+    CHECK(kd(object, 2) == red);
+    CHECK(kd(object, 4) == green);
+    CHECK(object.mesh->material_runs.size() == 4);
+    CHECK(object.mesh->material_libraries.at(0).text == "m.mtl");
+  }
+}
+
+} // namespace refraster::test
