@@ -10,8 +10,7 @@ namespace refraster::inline REFRASTER_KIT {
 template <class T>
 struct Fragment {
   Vec3<T> position;
-  Vec3<T>
-      normal; // unit; as the mesh gives it, turned to the eye on back faces of a two-sided object. 0 if there is none
+  Vec3<T> normal; // unit; as the mesh gives it: turned toward the eye on two-sided objects only. 0 if there is none
   Vec3<T> to_eye; // unit; 0 with the eye at the surface
   Rgb<T> texture; // texture colour, white without a texture
   const UndefinedTally<T>* tally = nullptr;

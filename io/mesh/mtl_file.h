@@ -1,7 +1,7 @@
 #pragma once
 // Material libraries: .mtl files, which describe the materials that an OBJ file names.
 
-#include <refraster/mesh_material.h>
+#include <refraster/mesh.h>
 #include <refraster/notes.h>
 
 #include <string>

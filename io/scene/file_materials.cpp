@@ -7,7 +7,7 @@
 #include "io/file/limits.h"
 #include "io/file/text.h"
 #include "io/mesh/mtl_file.h"
-#include "io/mesh/mtl_material.h"
+#include "io/scene/mtl_material.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -2,7 +2,7 @@
 // What a material of a file means to a fragment function: docs/mtl.md.
 
 #include <refraster/material.h>
-#include <refraster/mesh_material.h>
+#include <refraster/mesh.h>
 #include <refraster/notes.h>
 
 namespace refraster {

@@ -1,4 +1,4 @@
-#include "io/mesh/mtl_material.h"
+#include "io/scene/mtl_material.h"
 
 #include "io/file/text.h"
 
