@@ -229,8 +229,8 @@ GlDrawing::Surface GlDrawing::surface(const Scene& scene, const Object& object, 
     surface.triangle_number = gl_.GetUniformLocation(surface.parts[ids].program->name, "triangleNumber");
   }
   if (item.has_shaders_of_its_own)
-    surface.plain =
-        part(object, {"our vertex shader", own_vertex_glsl(GlslDialect::core_330)}, ids_shader, values, said_before);
+    surface.plain = part(object, {"our vertex shader", own_vertex_glsl(*object.mesh, GlslDialect::core_330)},
+                         ids_shader, values, said_before);
   return surface;
 }
 

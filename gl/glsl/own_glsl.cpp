@@ -33,11 +33,19 @@ std::string type_of(const auto& attribute) {
   return "vec" + std::to_string(attribute.components);
 }
 
+/// Whether our shaders hand the attribute over. What the lecture's do is always there, since blocks must be the same on
+/// both sides and one of the two may be a file of the scene; what else there is, where the mesh has it.
+bool is_handed_over(const auto& attribute, const Mesh& mesh) {
+  constexpr std::string_view by_the_lecture[] = {"FragPos", "Normal", "TexCoord"};
+  return std::ranges::count(by_the_lecture, attribute.varying) > 0 || !(mesh.*attribute.values).empty();
+}
+
 /// What the shaders hand over, declared: `way` is "in" or "out". Reached as fs_in(name) and vs_out(name).
-std::string varyings(GlslDialect dialect, const std::string& way) {
+std::string varyings(const Mesh& mesh, GlslDialect dialect, const std::string& way) {
   const std::string block = way == "in" ? "fs_in" : "vs_out";
   std::string members;
   for_each_vertex_attribute([&](const auto& attribute) {
+    if (!is_handed_over(attribute, mesh)) return;
     members += (dialect == GlslDialect::es_300 ? way + " " : "    ") + type_of(attribute) + " ";
     members.append(attribute.varying).append(";\n");
   });
@@ -151,15 +159,17 @@ bool reads_logarithms(MerlLookup lookup) {
   return lookup == MerlLookup::trilinear_log || lookup == MerlLookup::tricubic_log;
 }
 
-std::string own_vertex_glsl(GlslDialect dialect) {
+std::string own_vertex_glsl(const Mesh& mesh, GlslDialect dialect) {
   std::string inputs, assignments;
   int location = 0;
   for_each_vertex_attribute([&](const auto& attribute) {
-    inputs += "layout(location = " + std::to_string(location++) + ") in " + type_of(attribute) + " ";
+    const int here = location++;
+    if (!is_handed_over(attribute, mesh)) return;
+    inputs += "layout(location = " + std::to_string(here) + ") in " + type_of(attribute) + " ";
     inputs.append(attribute.input).append(";\n");
     assignments.append("    vs_out(").append(attribute.varying).append(") = ").append(passed_on(attribute)) += ";\n";
   });
-  return std::string(version(dialect)).append(inputs).append(varyings(dialect, "out")).append(glsl_text.vertex) +
+  return std::string(version(dialect)).append(inputs).append(varyings(mesh, dialect, "out")).append(glsl_text.vertex) +
          "\nvoid pass_attributes() {\n" + assignments + "}\n";
 }
 
@@ -177,7 +187,7 @@ std::string own_fragment_glsl(const Scene& scene, const Mesh& mesh, const Materi
       },
       material.fragment_function);
   define(text, "TWO_SIDED", two_sided == TwoSided::yes);
-  text << varyings(dialect, "in") << glsl_text.surface << formulas << light_sum(scene) << glsl_text.main;
+  text << varyings(mesh, dialect, "in") << glsl_text.surface << formulas << light_sum(scene) << glsl_text.main;
   return text.str();
 }
 

@@ -20,7 +20,8 @@ extern const GlslText glsl_text;
 /// OpenGL 3.3, and WebGL 2.
 enum class GlslDialect { core_330, es_300 };
 
-std::string own_vertex_glsl(GlslDialect dialect);
+/// For one object's mesh: attributes that the lecture's shaders do not know are handed over where the mesh has them.
+std::string own_vertex_glsl(const Mesh& mesh, GlslDialect dialect);
 
 /// Whether there is GLSL of ours for this fragment function.
 bool has_own_glsl(const Material& material);

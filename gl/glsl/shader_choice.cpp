@@ -88,7 +88,8 @@ ShaderChoice choose_shaders(const Scene& scene, const Object& object, MerlFilter
       throw InputError({object.name, 0, 0, "/fragment_shader_file_path", "none that can be read",
                         "a GLSL file: there is none of ours of " + std::string(without.front())});
   const auto [vertex, vertex_from] =
-      choose(object.vertex_shader_path, own_vertex_glsl(GlslDialect::core_330), "our vertex shader", newest_version);
+      choose(object.vertex_shader_path, own_vertex_glsl(*object.mesh, GlslDialect::core_330), "our vertex shader",
+             newest_version);
   const auto [fragment, fragment_from] =
       choose(object.fragment_shader_path,
              own_fragment_glsl(scene, *object.mesh, object.material, object.two_sided, filter, GlslDialect::core_330),

@@ -22,7 +22,7 @@ struct GlProgram {
   std::vector<std::string> moved_attributes; // names not ours, and without a location in the shader
 };
 
-/// Compiles and links. Attributes vPos, vNormal and vTexCoord are 0, 1, 2 where the shader does not say so itself;
+/// Compiles and links. vPos, vNormal, vTexCoord and vColor are attributes 0, 1, 2, 3 where the shader does not say so;
 /// other names that it leaves to the driver come after them, so that what they get is not the driver's choice. Throws
 /// InputError: a fault for each line of the compiler's log, with file, line and, where it tells one, column.
 GlProgram link_program(const GlApi& gl, const ShaderText& vertex, const ShaderText& fragment);

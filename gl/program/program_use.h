@@ -28,7 +28,7 @@ struct AttributeUse {
 };
 
 /// Warns of attributes of ours at another location, of those whose type a mesh cannot feed, and of those that nobody
-/// sets. A name that is not ours is nobody's fault at location 0 to 2: there it gets what that location gets.
+/// sets. A name that is not ours is nobody's fault at location 0 to 3: there it gets what that location gets.
 AttributeUse attribute_use(const GlApi& gl, const GlProgram& program, std::vector<std::string>& warnings);
 
 /// Red, green and blue: those that the program defines, to be written; the others keep what they had. On a driver that

@@ -110,8 +110,8 @@ struct Object {
 
 /// A material, and up to which triangle of the mesh it goes on: the first of another's, or how many there are.
 struct MaterialRange {
-  const Material* material = nullptr;
-  std::uint32_t end_triangle = 0;
+  const Material* material = nullptr; ///< not null; of the object
+  std::uint32_t end_triangle = 0;     ///< the first triangle that is not of the run
 };
 
 /// What a triangle of the object's mesh is drawn with. Takes time in proportion to the logarithm of the mesh's runs.

@@ -260,7 +260,7 @@ std::optional<ObjectGlsl> faulty_glsl(const Scene& scene, std::size_t number, co
     if (i < number) before += scene.objects[i].mesh->triangles.size();
     all += scene.objects[i].mesh->triangles.size();
   }
-  ObjectGlsl glsl{own_vertex_glsl(GlslDialect::core_330),
+  ObjectGlsl glsl{own_vertex_glsl(*scene.objects[number].mesh, GlslDialect::core_330),
                   own_fragment_glsl(scene, *scene.objects[number].mesh, scene.objects[number].material,
                                     scene.objects[number].two_sided, MerlFilter::manual, GlslDialect::core_330)};
   bool any = false;

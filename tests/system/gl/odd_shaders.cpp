@@ -144,7 +144,7 @@ void add_attributes(std::vector<OddShader>& list) {
        {"ball: attribute uvec4 id is at location 1, where vec3 vNormal is expected: " + constant},
        white});
   list.push_back({"a matrix for each instance",
-                  bare(usual_declarations + "layout(location = 3) in mat4 instance; out vec4 i;",
+                  bare(usual_declarations + "layout(location = 4) in mat4 instance; out vec4 i;",
                        "i = instance[0]; " + usual_position),
                   bare("in vec4 i; out vec4 FragColor;", "FragColor = vec4(1.0 - i.xyz, 1.0) * i.w;"),
                   {"ball: attribute mat4 instance" + not_set + constant},

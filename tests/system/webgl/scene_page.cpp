@@ -108,7 +108,7 @@ std::string scene_json(const Scene& scene, int width, int height) {
         else if (object.mesh->uvs.size() < object.mesh->positions.size())
           throw std::runtime_error(object.name + ": the page draws no mesh of which only some triangles have a vt");
         json.object([&] {
-          json.member("vertex", own_vertex_glsl(GlslDialect::es_300));
+          json.member("vertex", own_vertex_glsl(*object.mesh, GlslDialect::es_300));
           json.member("fragment", own_fragment_glsl(scene, *object.mesh, material, object.two_sided, MerlFilter::manual,
                                                     GlslDialect::es_300));
           json.member("positions", packed(object.mesh->positions));
