@@ -123,7 +123,7 @@ TEST_CASE("colours come out of the cache as they are taken, each way its own fil
 
 TEST_CASE("what there was to note comes out of the cache, under the name that the file has now") {
   const CacheFolder folder;
-  const std::string text = "usemtl red\nv 0 0 0\nv 1 0 0\nv 1 1 0\ns\nf 1// 2// 3//\n";
+  const std::string text = "usemap red\nv 0 0 0\nv 1 0 0\nv 1 1 0\ns\nf 1// 2// 3//\n";
   write_files(folder.path, {{"ball.obj", text}, {"copy.obj", text}});
   const auto notes_of = [&](const std::string& path) {
     NoteList notes;
@@ -133,7 +133,7 @@ TEST_CASE("what there was to note comes out of the cache, under the name that th
     return texts;
   };
   const std::vector<std::string> first = notes_of(folder.obj);
-  CHECK(first.size() == 3);
+  REQUIRE(first.size() == 3);
   CHECK(first[2] == ":6: found the corner \"1//\", read without its empty part (3 times)");
   CHECK(notes_of(folder.obj) == first);
   CHECK(notes_of(folder / "copy.obj") == first);
