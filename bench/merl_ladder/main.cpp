@@ -35,7 +35,7 @@ int main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   try {
     const auto preset = [](const char* name) { return find_brdf_preset(name)->brdf; };
-    std::vector<Material> materials;
+    std::vector<ladder::Material> materials;
     materials.push_back(measure_errors("Sharp: metal, α = 0.02", GgxConductor{0.02, Double3(0.9, 0.7, 0.4)}, pairs));
     materials.push_back(measure_errors("Between: `brass-like`, α = 0.1", preset("brass-like"), pairs));
     materials.push_back(measure_errors("Smooth: `nylon-like`, α = 0.3", preset("nylon-like"), pairs));

@@ -89,8 +89,11 @@ Mesh random_mesh(Random& random) {
   }
 }
 
-/// Of all vertices, or of the first half.
-std::vector<Float3> random_colours(Random& random, const Mesh& mesh) {
+/// Of one mesh in four: of all vertices, or of the first half. From a generator of its own, which the mesh seeds, so
+/// that all else in a scene of a given seed is what it is without them.
+std::vector<Float3> random_colours(const Mesh& mesh) {
+  Random random(1000 * mesh.positions.size() + mesh.triangles.size());
+  if (!one_in(random, 4)) return {};
   std::vector<Float3> colours(mesh.positions.size() / (one_in(random, 3) ? 2 : 1));
   for (Float3& value : colours)
     for (int c = 0; c < 3; ++c) value[c] = static_cast<float>(random.uniform(0, 2));
@@ -167,7 +170,7 @@ Object random_object(Random& random) {
   Object object;
   object.name = "object";
   Mesh mesh = random_mesh(random);
-  if (one_in(random, 4)) mesh.colours = random_colours(random, mesh);
+  mesh.colours = random_colours(mesh);
   object.mesh = std::make_shared<const Mesh>(std::move(mesh));
   object.position = one_in(random, 4) ? vector(random) : Double3{random.uniform(-1, 1), random.uniform(-1, 1), 0};
   object.rotate_degrees = vector(random) * (one_in(random, 2) ? 1.0 : 60.0);

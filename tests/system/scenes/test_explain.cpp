@@ -84,6 +84,7 @@ void check_texture(const FragmentStory& f) {
   double weights = 0;
   for (const Texel& texel : f.texture->texels) sum += texel.value * texel.weight, weights += texel.weight;
   CHECK(weights == doctest::Approx(1).epsilon(1e-12));
+  sum *= f.vertex_colour.value_or(Double3(1));
   for (int c = 0; c < 3; ++c) CHECK(sum[c] == doctest::Approx(f.texture_colour[c]).epsilon(1e-12));
 }
 
