@@ -16,7 +16,4 @@ inline double srgb_decoded(double y) {
   return y <= 0.04045 ? y / 12.92 : pow((y + 0.055) / 1.055, 2.4);
 }
 
-/// The steepest that the inverse is, at 1: what an encoded value is off by, the linear one is by at most as many times.
-inline constexpr double max_srgb_slope = 2.4 / 1.055;
-
 } // namespace refraster::inline REFRASTER_KIT
