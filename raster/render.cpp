@@ -142,6 +142,11 @@ void render_frame(const Scene& scene, const RenderOptions& options, Geometry& ge
                   const std::function<std::span<TileWorker>(int threads)>& workers_for, Frame& frame) {
   check(options);
   if (const std::optional<SceneFault> fault = first_refused_fault(scene)) refuse(*fault);
+  if (needs_placing(scene)) {
+    Scene placed = scene;
+    place_camera(placed, options.width, options.height);
+    return render_frame(placed, options, geometry, bins, workers_for, frame);
+  }
   const Stopwatch whole_frame;
   const FrameContext context{{scene, options}, geometry, bins};
   const PixelRect& region = context.region;

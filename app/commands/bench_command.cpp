@@ -7,6 +7,7 @@
 #include "app/diagnostics.h"
 #include "app/interrupt.h"
 #include "app/memory_limit.h"
+#include "app/options/scene_options.h"
 #include "app/options/shared_options.h"
 #include "app/output.h"
 #include "app/progress_line.h"
@@ -89,6 +90,7 @@ constexpr const char* default_gl = "llvmpipe";
 struct BenchArguments {
   std::vector<std::string> scenes, precisions;
   SceneOptions reading;
+  SceneChanges changes;
   std::uint64_t max_memory = 0;
   Diagnostics diagnostics;
   std::vector<int> threads;
@@ -151,7 +153,8 @@ public:
       if (!interrupted()) add(name, scene, size);
   }
 
-  void add(const std::string& name, const Scene& scene, const Size& size) {
+  void add(const std::string& name, Scene scene, const Size& size) {
+    place_camera(scene, size.width, size.height);
     SceneTask task{.name = name,
                    .scene = scene,
                    .width = size.width,
@@ -236,6 +239,7 @@ Scene scene_of(const std::string& path, const BenchArguments& a, Remarks remarks
   NoteList notes;
   SceneOptions reading = a.reading;
   reading.notes = &notes;
+  reading.edits = a.changes.edits();
   Scene scene = read_scene(path, reading);
   if (a.diagnostics.file_notes == FileNotes::refused || remarks == Remarks::printed)
     print_file_notes(notes, a.diagnostics);
@@ -304,8 +308,9 @@ Command bench_command() {
           .meaning = "Measure what a pixel costs, and what accuracy it buys",
           .groups =
               {{"Scenes",
-                {refraster::arguments("SCENE", a.scenes, "scene files; without one, a sphere that fills the image"),
+                {refraster::arguments("SCENE", a.scenes, "scene files or OBJ models; without one, a sphere that fills the image"),
                  outside_option(a.reading.outside), cache_option(a.reading.mesh_cache)}},
+               scene_change_options(a.changes),
                {"What is measured",
                 {parsed_option("--size", "WxH,…", a.sizes, sizes_from,
                                "WIDTHxHEIGHT, each 1 to " + std::to_string(largest_side) +

@@ -2,6 +2,7 @@
 
 #include <refraster/files.h>
 #include <refraster/notes.h>
+#include <refraster/render.h>
 #include <refraster/scene.h>
 
 #include "app/arguments.h"
@@ -111,7 +112,9 @@ std::optional<SeenObjects> objects_of_scene(const CompareArguments& arguments, c
   SceneOptions reading = arguments.reading;
   reading.memory = memory;
   reading.notes = &notes;
-  return seen_objects(read_scene(arguments.scene, reading), found.width, found.height, memory);
+  Scene scene = read_scene(arguments.scene, reading);
+  place_camera(scene, found.width, found.height);
+  return seen_objects(scene, found.width, found.height, memory);
 }
 
 /// What is seen in each cluster of the report.

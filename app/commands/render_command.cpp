@@ -9,6 +9,8 @@
 #include "app/diagnostics.h"
 #include "app/interrupt.h"
 #include "app/memory_limit.h"
+#include "app/options/picture_options.h"
+#include "app/options/scene_options.h"
 #include "app/options/shared_options.h"
 #include "app/output.h"
 #include "app/progress_line.h"
@@ -27,6 +29,7 @@ namespace {
 
 struct RenderArguments {
   std::string scene, output, report;
+  PictureArguments asked; // what of the next three does not follow from the scene
   Size size;
   std::optional<PixelRect> crop;
   std::vector<Aov> aovs;
@@ -34,6 +37,7 @@ struct RenderArguments {
   int samples = 1, threads = 0, tile_size = 64;
   Transfer transfer = Transfer::linear;
   SceneOptions reading;
+  SceneChanges changes;
   std::uint64_t max_memory = 0;
   Diagnostics diagnostics;
 };
@@ -50,15 +54,23 @@ std::string aov_path(const std::string& output, Aov aov) {
          float_extension_beside(output);
 }
 
-/// What one option alone does not show.
-void check_together(const RenderArguments& arguments) {
+/// Once the size is known.
+void check_crop(const RenderArguments& arguments) {
   const PixelRect part = arguments.crop.value_or(PixelRect{0, 0, arguments.size.width, arguments.size.height});
   if (part.width > arguments.size.width - part.x || part.height > arguments.size.height - part.y)
     throw UsageError("--crop", "reaches out of the image of " + std::to_string(arguments.size.width) + "x" +
                                    std::to_string(arguments.size.height) + " pixels");
   check_frame_samples(part.width, part.height, arguments.samples);
+}
+
+/// What one option alone does not show.
+void check_together(RenderArguments& arguments) {
+  if (arguments.asked.size) {
+    arguments.size = *arguments.asked.size, arguments.samples = arguments.asked.samples.value_or(1);
+    check_crop(arguments);
+  }
   check_extension("--output", arguments.output, {rgb8_image, float_rgb_image});
-  if (arguments.transfer == Transfer::srgb && writes_floats(arguments))
+  if (arguments.asked.transfer == Transfer::srgb && writes_floats(arguments))
     throw UsageError("--srgb", "is for " + writable_extensions({rgb8_image}) + "; float images hold linear values");
 }
 
@@ -80,13 +92,24 @@ RenderOptions options_from(const RenderArguments& arguments) {
   return options;
 }
 
-/// The scene; the notes on its files are printed, and put into `said`.
-Scene scene_of(const RenderArguments& arguments, std::vector<std::string>& said) {
+/// The image that the scene says where no option does.
+void complete(RenderArguments& arguments, const Scene& scene) {
+  const Picture picture = arguments.asked.of(scene);
+  arguments.size = {picture.width, picture.height}, arguments.samples = picture.samples;
+  arguments.transfer = writes_floats(arguments) ? Transfer::linear : picture.transfer;
+  check_crop(arguments);
+}
+
+/// The scene, placed for the image; the notes on its files are printed, and put into `said`.
+Scene scene_of(RenderArguments& arguments, std::vector<std::string>& said) {
   NoteList notes;
   auto line = progress_line(arguments.diagnostics, "reading " + arguments.scene);
   SceneOptions reading = arguments.reading;
   reading.notes = &notes;
+  reading.edits = arguments.changes.edits();
   Scene scene = read_scene(arguments.scene, reading);
+  complete(arguments, scene);
+  place_camera(scene, arguments.size.width, arguments.size.height);
   line.reset(); // before anything is printed
   print_file_notes(notes, arguments.diagnostics);
   for (const Note& note : notes.notes()) said.push_back(note.text());
@@ -123,7 +146,7 @@ std::vector<std::string> write_images(const Frame& frame, const RenderArguments&
   return paths;
 }
 
-ExitCode run(const RenderArguments& arguments) {
+ExitCode run(RenderArguments& arguments) {
   std::vector<std::string> outputs = {arguments.output, arguments.report};
   for (const Aov aov : arguments.aovs) outputs.push_back(aov_path(arguments.output, aov));
   check_different(outputs, {arguments.scene});
@@ -191,17 +214,16 @@ Command render_command() {
                          "image to write: " + writable_extensions({rgb8_image}) + " (8 bit), " +
                              writable_extensions({float_rgb_image}) +
                              " (float, unclamped); by default the scene's name with .png, in the current directory"),
-             size_option(a.size),
+             size_option(a.asked),
              value_option("--crop", "X,Y,W,H", "make only this part of the image, with the same pixels", set_crop),
              choice_option("--precision", a.precision, precision_names(),
                            "number type of shading; `refraster list precisions`"),
-             number_choice_option("--samples", a.samples, {1, 2, 4, 8, 16},
-                                  "samples a pixel, at the standard positions; shaded once a triangle"),
+             samples_option(a.asked, "samples a pixel, at the standard positions; shaded once a triangle"),
              word_list_option("--aov", "NAME,…", aovs, set_aovs,
                               "more images to write (arbitrary output variables), as NAME.depth.pfm next to NAME.png, "
                               ".exr next to .exr: depth, normal, position, uv, albedo, triangle, object"),
-             flag(
-                 "--srgb", [&a] { a.transfer = Transfer::srgb; }, "apply the sRGB curve (.png only)")}},
+             srgb_option(a.asked, "apply the sRGB curve (.png only)"), linear_option(a.asked)}},
+           scene_change_options(a.changes),
            {"Run",
             {number_option("--threads", a.threads, Range{0, double(limit::threads.value)},
                            "threads; 0: as many as this machine has"),

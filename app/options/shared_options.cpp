@@ -49,13 +49,7 @@ Option premultiplied_option(AlphaEncoding& encoding) {
 }
 
 Option scene_argument(std::string& path) {
-  return argument("SCENE", path, "scene file; docs/scene-format.md");
-}
-
-Option size_option(Size& size) {
-  return parsed_option("--size", "WxH", size, size_from, "WIDTHxHEIGHT, each 1 to " + std::to_string(largest_side),
-                       "pixels of the image")
-      .by_default("1280x720");
+  return argument("SCENE", path, "scene file, or an OBJ model; docs/scene-format.md, docs/models.md");
 }
 
 Option outside_option(Outside& outside) {

@@ -3,7 +3,6 @@
 
 #include <refraster/files.h>
 
-#include "app/arguments.h"
 #include "app/diagnostics.h"
 #include "app/options/option.h"
 #include "verify/images/image_pair.h"
@@ -16,9 +15,6 @@ namespace refraster {
 
 /// The argument SCENE.
 Option scene_argument(std::string& path);
-
-/// --size WxH.
-Option size_option(Size& size);
 
 /// --allow-outside, for the commands that read scenes.
 Option outside_option(Outside& outside);

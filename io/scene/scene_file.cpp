@@ -7,7 +7,9 @@
 #include "io/mesh/mesh_cache.h"
 #include "io/mesh/mesh_normals.h"
 #include "io/scene/file_materials.h"
+#include "io/scene/model_scene.h"
 #include "io/scene/not_a_scene.h"
+#include "io/scene/scene_edits.h"
 #include "io/scene/scene_reader.h"
 #include "io/scene/shape_mesh.h"
 
@@ -24,9 +26,12 @@ namespace fs = std::filesystem;
 /// Everything that the objects name, loaded or made. Each file is loaded once, and its faults are reported once.
 class Loader {
 public:
-  /// `faults`: of the scene file; `in_files`: of those that it names.
-  Loader(const JsonDocument& document, const SceneOptions& options, FaultList& faults, FaultList& in_files)
-      : document_(document), options_(options), folder_(fs::path(document.file()).parent_path()),
+  /// `model`: the identity of the file that the user named in the place of a scene, or empty; `faults`: of the scene
+  /// file; `in_files`: of those that it names.
+  Loader(const JsonDocument& document, std::string model, const SceneOptions& options, FaultList& faults,
+         FaultList& in_files)
+      : document_(document), options_(options), model_(std::move(model)),
+        folder_(fs::path(document.file()).parent_path()),
         real_folder_(canonical_path(folder_.empty() ? "." : folder_.string())), faults_(faults), in_files_(in_files),
         file_materials_([this](const std::string& path) { return is_outside(path); }, options.memory, options.notes) {}
 
@@ -271,6 +276,7 @@ private:
   bool is_outside(const std::string& path) const {
     if (options_.outside == Outside::allowed) return false;
     const fs::path real = canonical_path(path);
+    if (real == model_) return false; // a link, perhaps, but to what the user named
     return std::mismatch(real_folder_.begin(), real_folder_.end(), real.begin(), real.end()).first !=
            real_folder_.end();
   }
@@ -286,6 +292,7 @@ private:
 
   const JsonDocument& document_;
   const SceneOptions& options_;
+  fs::path model_;
   fs::path folder_, real_folder_;
   FaultList &faults_, &in_files_;
   MeshCounts sum_;
@@ -303,9 +310,8 @@ private:
 } // namespace
 
 Scene read_scene(const std::string& path, const SceneOptions& options) {
-  if (auto error = not_a_scene(path)) throw std::move(*error);
-  options.memory.need(2 * std::min<std::uint64_t>(file_size_bytes(path), JsonDocument::max_bytes), path);
-  const JsonDocument document(path, read_file(path, "a scene file", JsonDocument::max_bytes));
+  const std::string model = is_model(path) ? canonical_path(path) : std::string();
+  const JsonDocument document(path, edited_text(path, scene_text(path, options.memory), options.edits));
   FaultList faults;
   Scene scene;
   std::vector<ObjectText> objects;
@@ -319,7 +325,7 @@ Scene read_scene(const std::string& path, const SceneOptions& options) {
   top.finish();
 
   FaultList in_files;
-  Loader loader(document, options, faults, in_files);
+  Loader loader(document, model, options, faults, in_files);
   for (const ObjectText& text : objects) loader.note(text);
   for (const ObjectText& text : objects) scene.objects.push_back(loader.object(text));
   faults.sort_by_place();

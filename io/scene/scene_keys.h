@@ -5,6 +5,8 @@
 // `keys` is the reading. It is called
 //   keys("fov_y", value, range, "meaning", presence)                 a value; its type says what JSON may stand there
 //   keys.object("camera", presence, "meaning", declare)              an object; declare(keys) has its members
+//   keys.optional_object("fit", content, "meaning", declare)         one that may be left out: std::optional<Content>;
+//                                                                    declare(content, keys) has its members
 //   keys.list("objects", presence, limit::objects, "meaning", items, declare)
 //                                                                    objects; declare(item, keys) has those of each
 //   keys.shape("mesh", shape, "meaning")                             one of the shapes below
@@ -164,14 +166,36 @@ struct Ignored {
   double value = 0;
 };
 
+/// A number of samples a pixel: not every whole number is one.
+struct SampleCount {
+  int& count;
+};
+
+void fit_keys(CameraFit& fit, auto&& keys) {
+  keys("azimuth", fit.azimuth_degrees, any_number,
+       "degrees about the up vector, from the front (+z where +y is up) to the right", defaulted);
+  keys("elevation", fit.elevation_degrees, Range{-90, 90}, "degrees above the plane across the up vector", defaulted);
+  keys("margin", fit.margin, Range{0, 0.49}, "part of the image's width and height that stays free on each side",
+       defaulted);
+  double distance = 0;
+  keys("distance", distance, Range{.ends = Ends::excluded}, "from the point looked at",
+       otherwise("as near as lets every vertex be seen"));
+  if (distance > 0) fit.distance = distance;
+}
+
 void camera_keys(auto& camera, auto&& keys) {
-  keys("position", camera.position, any_number, "where the eye is, world space", required);
+  keys.optional_object("fit", camera.fit, "from which side what the scene shows is looked at: then position, near and "
+                                          "far follow from it, and target, if left out",
+                       [](CameraFit& fit, auto& inner) { fit_keys(fit, inner); });
+  keys("position", camera.position, any_number, "where the eye is, world space; not beside `fit`",
+       camera.fit ? otherwise("`fit`") : required);
   keys("target", camera.target, any_number, "the point looked at: not the position",
-       otherwise("position + (0, 0, -1)"));
+       otherwise("position + (0, 0, -1); with `fit` the middle of what is seen"));
   keys("up", camera.up, any_number, "up in the image: not parallel to the line of sight", defaulted);
   keys("fov_y", camera.fov_y_degrees, Range{0, 180, Ends::excluded}, "vertical field of view, degrees", defaulted);
-  keys("near", camera.near, Range{.ends = Ends::excluded}, "distance of the near plane", defaulted);
-  keys("far", camera.far, Range{.ends = Ends::excluded}, "distance of the far plane: beyond the near one", defaulted);
+  keys("near", camera.near, Range{.ends = Ends::excluded}, "distance of the near plane; with `fit` before the nearest vertex",
+       defaulted);
+  keys("far", camera.far, Range{.ends = Ends::excluded}, "distance of the far plane: beyond the near one; with `fit` behind the farthest vertex", defaulted);
   keys("movement_speed", Ignored{}, any_number, "for the lecture's interactive framework; not used",
        otherwise("nothing"));
   keys("mouse_sensitivity", Ignored{}, any_number, "for the lecture's interactive framework; not used",
@@ -185,6 +209,9 @@ void light_keys(Light& light, auto&& keys) {
                 [&]<class Value>(std::string_view key, Value& value, const Range& range, std::string_view meaning) {
                   keys(key, value, range, meaning, NamedEnum<Value> ? defaulted : required);
                 });
+  keys("space", light.space, Range{},
+       "`\"camera\"`: x to the right, y up, z toward the viewer, from the eye: the light moves with the camera",
+       defaulted);
   keys.check_light(light);
 }
 
@@ -262,6 +289,14 @@ void object_keys(auto& text, auto&& keys) {
   keys.check(text);
 }
 
+void picture_keys(Picture& picture, auto&& keys) {
+  const Range side{1, double(limit::frame_side.value)};
+  keys("width", picture.width, side, "pixels", defaulted);
+  keys("height", picture.height, side, "pixels", defaulted);
+  keys("samples", SampleCount{picture.samples}, Range{}, "a pixel", defaulted);
+  keys("srgb", picture.transfer, Range{}, "whether an 8-bit image has the sRGB curve", defaulted);
+}
+
 void scene_keys(auto& scene, std::vector<ObjectText>& objects, UserFunctions user_functions, auto&& keys) {
   keys.object("camera", required, "", [&](auto& inner) { camera_keys(scene.camera, inner); });
   keys("background", scene.background, Range{}, "colour where there is no surface", defaulted);
@@ -274,6 +309,9 @@ void scene_keys(auto& scene, std::vector<ObjectText>& objects, UserFunctions use
               object.fragment_function.user_functions = user_functions;
               object_keys(object, k);
             });
+  keys.object("picture", otherwise("its keys' defaults"),
+              "the image that is made where no option of the command asks for another",
+              [&](auto& inner) { picture_keys(scene.picture, inner); });
 }
 
 } // namespace refraster

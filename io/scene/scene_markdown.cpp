@@ -31,6 +31,9 @@ std::string text_of(const PathText&) {
 std::string text_of(const FragmentFunctionName&) {
   return "nothing";
 }
+std::string text_of(const SampleCount& samples) {
+  return text_of(samples.count);
+}
 std::string text_of(const Ignored&) {
   return "nothing";
 }
@@ -56,9 +59,17 @@ public:
   }
 
   template <class Declare>
-  void object(std::string_view key, Presence, std::string_view meaning, Declare&& declare) {
-    row(key, "an object", "", meaning);
+  void object(std::string_view key, Presence presence, std::string_view meaning, Declare&& declare) {
+    row(key, "an object", presence.otherwise, meaning);
     inside(place_ + '/' + std::string(key), declare);
+  }
+
+  template <class Content, class Declare>
+  void optional_object(std::string_view key, const std::optional<Content>&, std::string_view meaning,
+                       Declare&& declare) {
+    row(key, "an object", "nothing", meaning);
+    Content content;
+    inside(place_ + '/' + std::string(key), [&](MarkdownKeys& keys) { declare(content, keys); });
   }
 
   template <class Item, class Declare>

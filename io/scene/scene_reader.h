@@ -5,6 +5,7 @@
 #include "io/file/limits.h"
 #include "io/scene/value_kinds.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -32,6 +33,12 @@ public:
   void object(std::string_view key, Presence presence, std::string_view, Declare&& declare) {
     const JsonIndex found = claim(key, presence, "an object");
     if (found) read_object(found, path_of(key), declare);
+  }
+
+  template <class Content, class Declare>
+  void optional_object(std::string_view key, std::optional<Content>& content, std::string_view, Declare&& declare) {
+    const JsonIndex found = claim(key, defaulted, "an object");
+    if (found) read_object(found, path_of(key), [&](SceneReader& keys) { declare(content.emplace(), keys); });
   }
 
   template <class Item, class Declare>
@@ -76,7 +83,7 @@ public:
       one.material_from = text.material_from; // as long as the fragment function is asked for
       one.object.material.name = document_[i].key;
       one.material_place = {one.object.material.name, document_[i].key_begin,
-                            path_of(key) + '/' + pointer_part(document_[i].key)};
+                            path_of(key) + '/' + shown_part(document_[i].key)};
       if (!is_from_file(i))
         read_material(i, one.material_place.json_path, [&](SceneReader& keys) { declare(one, keys); });
       one.material_from = is_from_file(i) ? MaterialFrom::file : MaterialFrom::scene;
@@ -113,7 +120,8 @@ public:
 private:
   static constexpr std::string_view expected_material = "an object, or \"from_file\"";
   bool is_from_file(JsonIndex node) const;
-  static std::string pointer_part(std::string_view key);
+  /// A part of a JSON pointer for a message: cut where it is long.
+  static std::string shown_part(std::string_view key);
 
   template <class Declare>
   void read_material(JsonIndex node, std::string path, Declare&& declare) {
@@ -137,6 +145,8 @@ private:
   JsonIndex find(std::string_view key) const;
   std::string path_of(std::string_view key) const;
 
+  /// Of a camera that stands where its fit says; hands over to it what the camera says otherwise.
+  void check_fit(Camera& camera);
   void check_direction(std::string_view key, const Double3& value, const Range& range);
 
   void missing(std::string_view key, const std::string& expected);

@@ -1,6 +1,7 @@
 #include "io/scene/value_kinds.h"
 
 #include "io/file/number_text.h"
+#include "raster/samples.h"
 
 #include <array>
 #include <charconv>
@@ -62,6 +63,9 @@ std::string expected_value(const Ignored&, const Range& range) {
 std::string expected_value(const int&, const Range& range) {
   return "a whole number" + range_text(range);
 }
+std::string expected_value(const SampleCount&, const Range&) {
+  return "1, 2, 4, 8 or 16";
+}
 std::string expected_value(const Double3&, const Range& range) {
   return "three numbers" + range_text(range);
 }
@@ -101,6 +105,13 @@ bool read_value(const JsonDocument&, const JsonNode& node, const Range& range, i
   if (node.kind != JsonKind::number || !range.contains(node.number) || node.number != std::floor(node.number))
     return false;
   value = static_cast<int>(node.number); // every Range of an int is within int
+  return true;
+}
+
+bool read_value(const JsonDocument& document, const JsonNode& node, const Range&, SampleCount& value) {
+  int count = 0;
+  if (!read_value(document, node, Range{1, 16}, count) || !is_sample_count(count)) return false;
+  value.count = count;
   return true;
 }
 

@@ -13,6 +13,7 @@ namespace refraster {
 std::string expected_value(const double&, const Range& range);
 std::string expected_value(const Ignored&, const Range& range);
 std::string expected_value(const int&, const Range& range);
+std::string expected_value(const SampleCount&, const Range&);
 std::string expected_value(const Double3&, const Range& range);
 std::string expected_value(const std::string&, const Range&);
 std::string expected_value(const PathText&, const Range&);
@@ -36,6 +37,7 @@ std::string expected_value(const Enum&, const Range&) {
 bool read_value(const JsonDocument&, const JsonNode& node, const Range& range, double& value);
 bool read_value(const JsonDocument&, const JsonNode& node, const Range& range, Ignored& value);
 bool read_value(const JsonDocument&, const JsonNode& node, const Range& range, int& value);
+bool read_value(const JsonDocument&, const JsonNode& node, const Range&, SampleCount& value);
 bool read_value(const JsonDocument&, const JsonNode& node, const Range& range, Double3& value);
 bool read_value(const JsonDocument&, const JsonNode& node, const Range&, std::string& value);
 bool read_value(const JsonDocument&, const JsonNode& node, const Range&, PathText& value);
