@@ -141,6 +141,13 @@ std::shared_ptr<const Texture> FileMaterials::texture(const MeshTexture& map, co
   return entry->second;
 }
 
+TexturePaths FileMaterials::texture_paths() const {
+  TexturePaths paths;
+  for (const auto& [file, texture] : textures_)
+    if (texture) paths.emplace(texture.get(), file);
+  return paths;
+}
+
 const std::vector<Material>& FileMaterials::materials(const std::string& obj_path, const Mesh& mesh,
                                                       FileFunction function) {
   const auto [entry, is_new] = materials_.try_emplace({&mesh, function});

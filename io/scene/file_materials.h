@@ -6,6 +6,8 @@
 #include <refraster/mesh.h>
 #include <refraster/notes.h>
 
+#include "io/scene/whole_scene.h"
+
 #include <functional>
 #include <map>
 #include <memory>
@@ -30,6 +32,9 @@ public:
 
   /// What a mesh's materials are drawn with, by their number, with their textures. The mesh must live on.
   const std::vector<Material>& materials(const std::string& obj_path, const Mesh& mesh, FileFunction function);
+
+  /// Where the textures of all these are from.
+  TexturePaths texture_paths() const;
 
   /// What is drawn with that names no material, or one that no library describes.
   static Material plain(FileFunction function);

@@ -1,6 +1,7 @@
 #include <refraster/files.h>
 
 #include "io/brdf/merl_file.h"
+#include "io/file/find_file.h"
 #include "io/file/input_file.h"
 #include "io/file/nearest.h"
 #include "io/file/text.h"
@@ -12,6 +13,7 @@
 #include "io/scene/scene_edits.h"
 #include "io/scene/scene_reader.h"
 #include "io/scene/shape_mesh.h"
+#include "io/scene/whole_scene.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -69,6 +71,14 @@ public:
     for (const PathText* const path : {&text.obj_file, &text.vertex_shader, &text.fragment_shader})
       note_backslashes(*path);
     return result;
+  }
+
+  /// Where all textures are from.
+  TexturePaths texture_paths() const {
+    TexturePaths paths = file_materials_.texture_paths();
+    for (const auto& [file, texture] : textures_)
+      if (texture) paths.emplace(texture.get(), file.first);
+    return paths;
   }
 
 private:
@@ -275,10 +285,8 @@ private:
   }
   bool is_outside(const std::string& path) const {
     if (options_.outside == Outside::allowed) return false;
-    const fs::path real = canonical_path(path);
-    if (real == model_) return false; // a link, perhaps, but to what the user named
-    return std::mismatch(real_folder_.begin(), real_folder_.end(), real.begin(), real.end()).first !=
-           real_folder_.end();
+    // The model may be a link, but to what the user named.
+    return !is_within(path, real_folder_) && (model_.empty() || canonical_path(path) != model_);
   }
   std::shared_ptr<const Mesh> shape(const Shape& wanted) {
     for (const auto& [made, mesh] : shapes_)
@@ -292,8 +300,9 @@ private:
 
   const JsonDocument& document_;
   const SceneOptions& options_;
-  fs::path model_;
-  fs::path folder_, real_folder_;
+  std::string model_;
+  fs::path folder_;
+  std::string real_folder_;
   FaultList &faults_, &in_files_;
   MeshCounts sum_;
   Files<Mesh> meshes_;
@@ -310,6 +319,11 @@ private:
 } // namespace
 
 Scene read_scene(const std::string& path, const SceneOptions& options) {
+  TexturePaths paths;
+  return read_scene(path, options, paths);
+}
+
+Scene read_scene(const std::string& path, const SceneOptions& options, TexturePaths& paths) {
   const std::string model = is_model(path) ? canonical_path(path) : std::string();
   const JsonDocument document(path, edited_text(path, scene_text(path, options.memory), options.edits));
   FaultList faults;
@@ -331,6 +345,7 @@ Scene read_scene(const std::string& path, const SceneOptions& options) {
   faults.sort_by_place();
   faults.add(in_files);
   faults.throw_if_any();
+  paths = loader.texture_paths();
   return scene;
 }
 

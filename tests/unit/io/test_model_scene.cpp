@@ -103,7 +103,7 @@ TEST_CASE("a model that cannot be shown: one line") {
     return fault_of(folder / name, {}).substr(folder.path.string().size() + 1);
   };
   CHECK(fault("empty.obj") == "empty.obj: found an empty file, expected an OBJ file");
-  CHECK(fault("points.obj") == "points.obj: found no face, only vertices, expected faces (f)");
+  CHECK(fault("points.obj") == "points.obj: found no face, only vertices, expected at least one face (a statement f)");
   CHECK(fault("none.obj") == "none.obj: found no such file, expected an OBJ file");
   CHECK(fault("f\xff.obj").ends_with(": found a file name that is no UTF-8, expected one that a scene can hold: rename "
                                      "the file"));
