@@ -2,6 +2,7 @@
 // The same scene through OpenGL 3.3 or later, without a window.
 
 #include <refraster/image.h>
+#include <refraster/render.h>
 #include <refraster/scene.h>
 
 #include "gl/gl_names.h"

@@ -92,23 +92,11 @@ private:
     field(at, "target", camera.target, any_number);
     field(at, "up", camera.up, any_number);
     need(camera.fov_y_degrees, {0, 180, Ends::excluded}, "camera/fov_y");
-    if (camera.fit) check(*camera.fit);
     need(camera.near, {.ends = Ends::excluded}, "camera/near");
     need(camera.far, {.ends = Ends::excluded}, "camera/far");
     if (camera.far <= camera.near) fault("camera/far", text_of(camera.far), "more than near, " + text_of(camera.near));
     if (camera.target == camera.position) fault("camera/target", text_of(camera.target), "another point than position");
     if (is_zero(camera.up)) fault("camera/up", text_of(camera.up), "a direction");
-  }
-
-  void check(const CameraFit& fit) {
-    const Range above_zero{.ends = Ends::excluded};
-    need(fit.azimuth_degrees, any_number, "camera/fit/azimuth");
-    need(fit.elevation_degrees, {-90, 90}, "camera/fit/elevation");
-    need(fit.margin, {0, 0.49}, "camera/fit/margin");
-    if (fit.distance) need(*fit.distance, above_zero, "camera/fit/distance");
-    if (fit.near) need(*fit.near, above_zero, "camera/near");
-    if (fit.far) need(*fit.far, above_zero, "camera/far");
-    if (fit.target && !finite(*fit.target)) fault("camera/target", text_of(*fit.target), "finite numbers");
   }
 
   template <class Light>

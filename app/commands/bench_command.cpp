@@ -21,6 +21,7 @@
 #include "bench/workloads/built_in.h"
 #include "gl/render_gl.h"
 #include "io/file/nearest.h"
+#include "io/scene/scene_source.h"
 #include "raster/explain/explain_dark.h"
 
 #include <algorithm>
@@ -148,13 +149,13 @@ public:
     }
   }
 
-  void add(const std::string& name, const Scene& scene) {
+  void add(const std::string& name, const SceneSource& source) {
     for (const Size& size : a_.sizes)
-      if (!interrupted()) add(name, scene, size);
+      if (!interrupted()) add(name, source, size);
   }
 
-  void add(const std::string& name, Scene scene, const Size& size) {
-    place_camera(scene, size.width, size.height);
+  void add(const std::string& name, const SceneSource& source, const Size& size) {
+    const Scene scene = SceneSource(source).placed(size.width, size.height);
     SceneTask task{.name = name,
                    .scene = scene,
                    .width = size.width,
@@ -235,15 +236,14 @@ std::string csv_path(const BenchArguments& a, std::string_view name) {
 
 enum class Remarks { printed, withheld };
 
-Scene scene_of(const std::string& path, const BenchArguments& a, Remarks remarks) {
+SceneSource scene_of(const std::string& path, const BenchArguments& a, Remarks remarks) {
   NoteList notes;
   SceneOptions reading = a.reading;
   reading.notes = &notes;
-  reading.edits = a.changes.edits();
-  Scene scene = read_scene(path, reading);
+  SceneSource source = read_scene_source(path, reading, a.changes.edits());
   if (a.diagnostics.file_notes == FileNotes::refused || remarks == Remarks::printed)
     print_file_notes(notes, a.diagnostics);
-  return scene;
+  return source;
 }
 
 ExitCode run(const BenchArguments& a) {
@@ -261,7 +261,7 @@ ExitCode run(const BenchArguments& a) {
     for (const std::string& path : a.scenes) scene_of(path, a, Remarks::withheld);
   Bench bench(a);
   try {
-    if (a.scenes.empty() && a.scaling.empty()) bench.add(built_in_name, built_in_scene());
+    if (a.scenes.empty() && a.scaling.empty()) bench.add(built_in_name, {built_in_scene(), {}, {}});
     for (const std::string& path : a.scenes) {
       bench.add(path, scene_of(path, a, Remarks::printed));
       if (interrupted()) return ExitCode::interrupted;

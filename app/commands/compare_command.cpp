@@ -14,6 +14,7 @@
 #include "app/progress_line.h"
 #include "app/usage_error.h"
 #include "io/file/text.h"
+#include "io/scene/scene_source.h"
 #include "verify/compare/cluster_objects.h"
 #include "verify/compare/compare.h"
 #include "verify/compare/compare_report.h"
@@ -112,8 +113,7 @@ std::optional<SeenObjects> objects_of_scene(const CompareArguments& arguments, c
   SceneOptions reading = arguments.reading;
   reading.memory = memory;
   reading.notes = &notes;
-  Scene scene = read_scene(arguments.scene, reading);
-  place_camera(scene, found.width, found.height);
+  const Scene scene = read_scene_source(arguments.scene, reading).placed(found.width, found.height);
   return seen_objects(scene, found.width, found.height, memory);
 }
 

@@ -14,6 +14,7 @@
 #include "app/output.h"
 #include "app/progress_line.h"
 #include "app/usage_error.h"
+#include "io/scene/scene_source.h"
 #include "verify/device/read_profile.h"
 #include "verify/explain/bounds_story.h"
 #include "verify/explain/explain_pixel.h"
@@ -94,10 +95,11 @@ ExitCode run(const ExplainArguments& arguments) {
   auto line = progress_line(arguments.diagnostics, "reading " + arguments.scene);
   SceneOptions reading = arguments.reading;
   reading.notes = &notes;
-  reading.edits = arguments.changes.edits();
-  Scene scene = read_scene(arguments.scene, reading);
-  const Picture picture = asked.of(scene);
-  place_camera(scene, picture.width, picture.height);
+  SceneSource source = read_scene_source(arguments.scene, reading, arguments.changes.edits());
+  Picture picture = asked.over(source.view.picture);
+  // Floats hold linear values, unless they are said not to.
+  if (actual && actual->full_scale == 1) picture.transfer = asked.transfer.value_or(Transfer::linear);
+  const Scene scene = std::move(source).placed(picture.width, picture.height);
   line.reset(); // before anything is printed
   print_file_notes(notes, arguments.diagnostics);
   check_pixel(arguments, {picture.width, picture.height});

@@ -16,6 +16,7 @@
 #include "app/usage_error.h"
 #include "gl/gl_report.h"
 #include "gl/render_gl.h"
+#include "io/scene/scene_source.h"
 #include "raster/explain/explain_dark.h"
 
 #include <iostream>
@@ -71,13 +72,12 @@ ExitCode run(const GlArguments& a) {
     NoteList notes;
     SceneOptions reading = a.reading;
     reading.notes = &notes;
-    reading.edits = a.changes.edits();
     auto line = progress_line(a.diagnostics, "reading " + a.scene);
-    Scene scene = read_scene(a.scene, reading);
-    const Picture picture = a.picture.of(scene);
+    SceneSource source = read_scene_source(a.scene, reading, a.changes.edits());
+    const Picture picture = a.picture.over(source.view.picture);
     options.width = picture.width, options.height = picture.height;
     options.samples = picture.samples, options.transfer = picture.transfer;
-    place_camera(scene, options.width, options.height);
+    const Scene scene = std::move(source).placed(options.width, options.height);
     line.reset(); // before anything is printed
     print_file_notes(notes, a.diagnostics);
     if (options.want_ids) check_triangle_numbers(a.scene, scene, "--ids");

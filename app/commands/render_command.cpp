@@ -16,6 +16,7 @@
 #include "app/progress_line.h"
 #include "app/run_report.h"
 #include "app/usage_error.h"
+#include "io/scene/scene_source.h"
 #include "raster/explain/explain_dark.h"
 #include "raster/stopwatch.h"
 
@@ -93,8 +94,8 @@ RenderOptions options_from(const RenderArguments& arguments) {
 }
 
 /// The image that the scene says where no option does.
-void complete(RenderArguments& arguments, const Scene& scene) {
-  const Picture picture = arguments.asked.of(scene);
+void complete(RenderArguments& arguments, const Picture& of_scene) {
+  const Picture picture = arguments.asked.over(of_scene);
   arguments.size = {picture.width, picture.height}, arguments.samples = picture.samples;
   arguments.transfer = writes_floats(arguments) ? Transfer::linear : picture.transfer;
   check_crop(arguments);
@@ -106,10 +107,9 @@ Scene scene_of(RenderArguments& arguments, std::vector<std::string>& said) {
   auto line = progress_line(arguments.diagnostics, "reading " + arguments.scene);
   SceneOptions reading = arguments.reading;
   reading.notes = &notes;
-  reading.edits = arguments.changes.edits();
-  Scene scene = read_scene(arguments.scene, reading);
-  complete(arguments, scene);
-  place_camera(scene, arguments.size.width, arguments.size.height);
+  SceneSource source = read_scene_source(arguments.scene, reading, arguments.changes.edits());
+  complete(arguments, source.view.picture);
+  Scene scene = std::move(source).placed(arguments.size.width, arguments.size.height);
   line.reset(); // before anything is printed
   print_file_notes(notes, arguments.diagnostics);
   for (const Note& note : notes.notes()) said.push_back(note.text());

@@ -31,11 +31,10 @@ ExitCode run(const SceneArguments& a) {
   NoteList notes;
   SceneOptions reading = a.reading;
   reading.notes = &notes;
-  reading.edits = a.changes.edits();
   auto line = progress_line(a.diagnostics, "reading " + a.scene);
   const std::string folder =
       a.output == standard_output ? "" : std::filesystem::path(a.output).parent_path().string();
-  const WholeScene written = whole_scene(a.scene, reading, folder);
+  const WholeScene written = whole_scene(a.scene, reading, a.changes.edits(), folder);
   line.reset(); // before anything is printed
   print_file_notes(notes, a.diagnostics);
   write_text(a.output, written.text);

@@ -17,6 +17,7 @@
 #include "gl/context/driver_environment.h"
 #include "gl/render_gl.h"
 #include "io/file/sha256.h"
+#include "io/scene/scene_source.h"
 #include "raster/samples.h"
 #include "verify/device/read_profile.h"
 #include "verify/images/read_device_image.h"
@@ -165,9 +166,9 @@ ExitCode run(VerifyArguments& a) {
   SceneOptions reading = a.reading;
   reading.notes = &report.notes;
   auto line = progress_line(a.diagnostics, "reading " + a.scene);
-  reading.edits = a.changes.edits();
-  Scene scene = read_scene(a.scene, reading);
-  a.picture = a.asked.of(scene);
+  SceneSource source = read_scene_source(a.scene, reading, a.changes.edits());
+  Scene& scene = source.scene;
+  a.picture = a.asked.over(source.view.picture);
   a.judging.samples = a.picture.samples;
   check_triangle_numbers(a.scene, scene, "verify");
   report.provenance.emplace_back("scene sha256", file_sha256(a.scene));
@@ -175,10 +176,10 @@ ExitCode run(VerifyArguments& a) {
   try {
     if (a.source == Source::file) {
       image = image_from_file(a, report);
-      place_camera(scene, image.colour.width, image.colour.height);
+      place(scene, source.view, image.colour.width, image.colour.height);
     } else {
       line = progress_line(a.diagnostics, "drawing " + a.scene);
-      place_camera(scene, a.picture.width, a.picture.height);
+      place(scene, source.view, a.picture.width, a.picture.height);
       image = image_from_opengl(a, scene, report);
     }
   } catch (const NoOpenGl& error) {

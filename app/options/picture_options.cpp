@@ -1,11 +1,12 @@
 #include "app/options/picture_options.h"
 
-#include <utility>
+#include <string>
+#include <vector>
 
 namespace refraster {
 
-Picture PictureArguments::of(const Scene& scene) const {
-  Picture picture = scene.picture;
+Picture PictureArguments::over(const Picture& of_scene) const {
+  Picture picture = of_scene;
   if (size) picture.width = size->width, picture.height = size->height;
   if (samples) picture.samples = *samples;
   if (transfer) picture.transfer = *transfer;

@@ -1,10 +1,9 @@
 #pragma once
 // The size of an image, its samples and its curve: options over what the scene's "picture" says.
 
-#include <refraster/scene.h>
-
 #include "app/arguments.h"
 #include "app/options/option.h"
+#include "raster/vertex/scene_view.h"
 
 #include <optional>
 #include <string>
@@ -17,8 +16,8 @@ struct PictureArguments {
   std::optional<int> samples;
   std::optional<Transfer> transfer;
 
-  /// The image to make. Throws UsageError for more samples in all than there may be.
-  Picture of(const Scene& scene) const;
+  /// The image to make of a scene that says this. Throws UsageError for more samples in all than there may be.
+  Picture over(const Picture& of_scene) const;
 };
 
 /// --size WxH.

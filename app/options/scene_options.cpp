@@ -1,8 +1,7 @@
 #include "app/options/scene_options.h"
 
-#include "app/arguments.h"
-#include "io/file/text.h"
-#include "io/scene/scene_edits.h"
+#include <refraster/material.h>
+
 #include "shading/srgb_curve.h"
 
 #include <charconv>

@@ -1,9 +1,8 @@
 #pragma once
 // Options that change a scene before it is read: from where it is seen, and any value of its file.
 
-#include <refraster/files.h>
-
 #include "app/options/option.h"
+#include "io/scene/scene_edits.h"
 
 #include <vector>
 

@@ -27,13 +27,6 @@ namespace refraster {
 /// should not: it could show, or tell apart by what is said of them, files that are not its author's.
 enum class Outside { refused, allowed };
 
-/// A change to a scene before it is read.
-struct SceneEdit {
-  std::string pointer = {}; ///< of the value: a JSON pointer, RFC 6901, as "/scene/camera/fov_y"
-  std::string value = {};   ///< JSON. It takes the place of the value, or is added to the object; empty: nothing stays
-  std::string origin = {};  ///< names it in messages, in the place of the file: "--fov"
-};
-
 /// How a scene is read.
 struct SceneOptions {
   Outside outside = Outside::refused; ///< whether it may name files outside its folder
@@ -43,12 +36,9 @@ struct SceneOptions {
   /// has a copy, with its parameters.
   std::vector<std::shared_ptr<UserFunction>> user_functions = {};
   std::string mesh_cache = {}; ///< a folder of large meshes that were read before ; none if empty
-  std::vector<SceneEdit> edits = {}; ///< made one after the other before the scene is read
 };
 
 /// Reads a scene with every file that it names: meshes, textures, measured tables. A file named twice is loaded once.
-/// A path that ends in .obj, in any case, and holds no JSON, is a model: read as the scene that shows it, which
-/// `refraster scene` writes (docs/models.md).
 /// Throws InputError with all faults: of the scene in the order of the file, then of the files it names; and
 /// OutputError if a folder for meshes is given that lets nothing be written to it.
 Scene read_scene(const std::string& path, const SceneOptions& options = {});

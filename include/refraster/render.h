@@ -21,6 +21,9 @@ struct PixelRect {
   int height = 0; ///< rows
 };
 
+/// How radiance becomes levels: as it is, or by the curve of IEC 61966-2-1.
+enum class Transfer { linear, srgb };
+
 /// What is asked of a frame.
 struct RenderOptions {
   int width = 1280;                         ///< of the full image: 1 to 16384 pixels
@@ -54,8 +57,7 @@ public:
 
   /// Renders the scene into `frame`, whose images are used again if they are of the right size. Total: any finite or
   /// non-finite vertex, any scale. The same bits for every number of threads, tile size and crop. Pixels of a cancelled
-  /// frame are those of this one or of the one before; of AOVs, those of this one or 0. What of the scene depends on
-  /// the size of the image is placed as by place_camera().
+  /// frame are those of this one or of the one before; of AOVs, those of this one or 0.
   /// Throws std::invalid_argument, with the first fault, for options out of their ranges and for a scene in which
   /// validate() finds something that is refused, before anything is drawn; OutOfMemory, if RenderOptions::memory does
   /// not allow what the frame is known to need. What a progress function throws, or std::bad_alloc, ends the frame and
@@ -69,28 +71,6 @@ private:
 
 /// How many fragments of a precision are shaded at once, on the instruction set that this library was built for.
 int precision_lanes(Precision precision);
-
-/// Whether anything of a scene depends on the image that is made of it: a camera with a fit, or a light that moves with
-/// the camera.
-bool needs_placing(const Scene& scene);
-
-/// Places what depends on the image's size: gives a camera with a fit its position, target, up vector and planes, and
-/// lights of camera space their place in the world; neither is left then. Nothing changes in a scene without. render()
-/// does the same with a copy of a scene; whoever draws, or judges, by other means must call it first. width, height
-/// >= 1.
-///
-/// With r to the right, u up and d toward the viewer, unit vectors that azimuth and elevation give, and k the tangents
-/// of half the angles of view less the margin, the eye at (x, y, z) sees a point p if
-///
-///     |p.r - x| <= kx (z - p.d)   and   |p.u - y| <= ky (z - p.d).
-///
-/// So z >= (max(p.r + kx p.d) + max(-p.r + kx p.d)) / (2 kx) over all vertices, likewise for y, and the greater of both
-/// is as near as it gets; but no vertex is nearer than a tenth of the model's extent. x and y are so that the model's
-/// image touches two opposite margins, or is as far from the one as from the other. The near plane lies before the
-/// nearest vertex and the far plane behind the farthest, by a hundredth of their distance. Vertices that are not finite
-/// do not count. A model of a single point is seen from a distance of 1, or more where its coordinates are so large
-/// that this would be lost in rounding.
-void place_camera(Scene& scene, int width, int height);
 
 /// A single frame.
 Frame render(const Scene& scene, const RenderOptions& options);

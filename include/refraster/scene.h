@@ -8,7 +8,6 @@
 
 #include <cstddef>
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -28,33 +27,20 @@ struct LightNames {
 // A type of light declares its names and, as a fragment function does, its parameters: <refraster/fields.h>. What
 // arrives of it at a surface is in shading/light.h.
 
-/// What the position or direction of a light is relative to.
-enum class LightSpace {
-  world, ///< the scene: the light stays where it is, wherever it is seen from
-  camera ///< the camera, x to the right, y up, z toward the viewer, 0 the eye: the light moves with it
-};
-
-template <>
-struct EnumNames<LightSpace> {
-  static constexpr std::pair<LightSpace, std::string_view> names[] = {{LightSpace::world, "world"},
-                                                                      {LightSpace::camera, "camera"}};
-};
-
 /// A light that shines from one point in all directions: attenuated by 1 / (Kc + Kl d + Kq d^2), d in world units. All
 /// three 0 means no attenuation.
 struct PointLight {
-  Double3 position{0};                  ///< in its space
-  Double3 radiance{1};                  ///< linear; each channel >= 0
-  double constant = 1;                  ///< Kc >= 0
-  double linear = 0;                    ///< Kl >= 0
-  double quadratic = 0;                 ///< Kq >= 0
-  LightSpace space = LightSpace::world; ///< of the position
+  Double3 position{0};  ///< world space
+  Double3 radiance{1};  ///< linear; each channel >= 0
+  double constant = 1;  ///< Kc >= 0
+  double linear = 0;    ///< Kl >= 0
+  double quadratic = 0; ///< Kq >= 0
 
   /// Of the list.
   static constexpr LightNames names{"point_lights", "point lights", "pointLights", Need::required};
   /// Declares the parameters.
   static void fields(auto& self, auto&& field) {
-    field("position", self.position, any_number, "in the light's `space`");
+    field("position", self.position, any_number, "world space");
     field("radiance", self.radiance, Range{}, "red, green, blue");
     field("constant", self.constant, Range{}, "Kc of the attenuation 1 / (Kc + Kl d + Kq d²); all three 0: none");
     field("linear", self.linear, Range{}, "Kl");
@@ -64,31 +50,16 @@ struct PointLight {
 
 /// A light infinitely far away. Not attenuated.
 struct DirectionLight {
-  Double3 direction{0, 0, -1};          ///< in its space: where the light travels to; any length but 0
-  Double3 radiance{1};                  ///< linear; each channel >= 0
-  LightSpace space = LightSpace::world; ///< of the direction
+  Double3 direction{0, 0, -1}; ///< world space: where the light travels to; any length but 0
+  Double3 radiance{1};         ///< linear; each channel >= 0
 
   /// Of the list.
   static constexpr LightNames names{"direction_lights", "direction lights", "directionLights", Need::required};
   /// Declares the parameters.
   static void fields(auto& self, auto&& field) {
-    field("direction", self.direction, any_direction, "where the light travels to, in its `space`; not zero");
+    field("direction", self.direction, any_direction, "where the light travels to, world space; not zero");
     field("radiance", self.radiance, Range{}, "red, green, blue");
   }
-};
-
-/// From which side a camera looks at what a scene shows, where it stands as near as lets all of it be seen:
-/// place_camera() of <refraster/render.h> says how.
-struct CameraFit {
-  double azimuth_degrees = 30;         ///< about the camera's up vector, counter-clockwise seen from above; 0: from the
-                                       ///< front, +z where +y is up
-  double elevation_degrees = 20;       ///< above the plane across the up vector: -90 to 90
-  double margin = 0.05;                ///< part of the image's width and height that stays free on each side: 0 to 0.49
-  std::optional<double> distance = {}; ///< from the target, in place of the nearest one; > 0
-  /// The point in the middle of the image; by default so that what is seen is in the middle.
-  std::optional<Double3> target = {};
-  std::optional<double> near = {}; ///< in place of a plane before the nearest vertex; > 0
-  std::optional<double> far = {};  ///< in place of a plane behind the farthest vertex; > near
 };
 
 /// OpenGL's camera: right-handed, looks down its own -Z.
@@ -99,27 +70,6 @@ struct Camera {
   double fov_y_degrees = 45; ///< vertical field of view, in (0, 180)
   double near = 0.1;         ///< distance of the near plane; > 0
   double far = 100;          ///< distance of the far plane; > near
-  /// Where it is there: position, target, up, near and far follow from it, the field of view and the up vector.
-  std::optional<CameraFit> fit = {};
-};
-
-/// How radiance becomes levels: as it is, or by the curve of IEC 61966-2-1.
-enum class Transfer { linear, srgb };
-
-template <>
-struct EnumNames<Transfer> {
-  static constexpr std::pair<Transfer, std::string_view> names[] = {{Transfer::linear, "false"},
-                                                                    {Transfer::srgb, "true"}};
-};
-
-/// The image that a scene is meant to be made into: what commands take where no option says otherwise. render() does
-/// not read it.
-struct Picture {
-  int width = 1280;                      ///< pixels
-  int height = 720;                      ///< likewise
-  int samples = 1;                       ///< a pixel: 1, 2, 4, 8 or 16
-  Transfer transfer = Transfer::linear;  ///< of an 8-bit image
-  bool operator==(const Picture&) const = default; ///< of every member
 };
 
 /// Whether triangles that are seen from behind are drawn.
@@ -189,7 +139,6 @@ struct Scene {
   std::vector<PointLight> point_lights = {};         ///< light is summed in the order of light_lists and of each list
   std::vector<DirectionLight> direction_lights = {}; ///< after all point lights
   std::vector<Object> objects = {};                  ///< drawn in this order
-  Picture picture = {};                              ///< that is made where nobody asks for another
 };
 
 /// Calls visit(material) with each material that anything of a scene may be drawn with.

@@ -6,7 +6,7 @@
 #include <refraster/mesh.h>
 #include <refraster/notes.h>
 
-#include "io/scene/whole_scene.h"
+#include "io/scene/scene_source.h"
 
 #include <functional>
 #include <map>

@@ -1,5 +1,7 @@
 #include "io/scene/scene_edits.h"
 
+#include <refraster/notes.h>
+
 #include "io/file/nearest.h"
 #include "io/file/text.h"
 #include "io/json/json_writer.h"

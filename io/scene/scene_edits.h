@@ -1,8 +1,6 @@
 #pragma once
 // Changes to the text of a scene, before it is read.
 
-#include <refraster/files.h>
-
 #include "io/json/json.h"
 
 #include <string>
@@ -10,6 +8,13 @@
 #include <vector>
 
 namespace refraster {
+
+/// A change to a scene before it is read.
+struct SceneEdit {
+  std::string pointer; // of the value: a JSON pointer, RFC 6901, as "/scene/camera/fov_y"
+  std::string value;   // JSON. It takes the place of the value, or is added to the object; empty: nothing stays
+  std::string origin;  // names it in messages, in the place of the file: "--fov"
+};
 
 /// The text with one change after the other. A pointer's members that are not there are made, as the last of its keys
 /// is: whether there is such a key is seen when the scene is read. "*" stands for each element of an array. Throws

@@ -12,8 +12,8 @@
 #include "io/scene/not_a_scene.h"
 #include "io/scene/scene_edits.h"
 #include "io/scene/scene_reader.h"
+#include "io/scene/scene_source.h"
 #include "io/scene/shape_mesh.h"
-#include "io/scene/whole_scene.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -319,15 +319,18 @@ private:
 } // namespace
 
 Scene read_scene(const std::string& path, const SceneOptions& options) {
-  TexturePaths paths;
-  return read_scene(path, options, paths);
+  SceneSource source = read_scene_source(path, options);
+  const Picture& picture = source.view.picture;
+  return std::move(source).placed(picture.width, picture.height);
 }
 
-Scene read_scene(const std::string& path, const SceneOptions& options, TexturePaths& paths) {
+SceneSource read_scene_source(const std::string& path, const SceneOptions& options,
+                              const std::vector<SceneEdit>& edits) {
   const std::string model = is_model(path) ? canonical_path(path) : std::string();
-  const JsonDocument document(path, edited_text(path, scene_text(path, options.memory), options.edits));
+  const JsonDocument document(path, edited_text(path, scene_text(path, options.memory), edits));
   FaultList faults;
-  Scene scene;
+  SceneSource source;
+  Scene& scene = source.scene;
   std::vector<ObjectText> objects;
   if (document[0].kind != JsonKind::object)
     throw InputError(
@@ -335,7 +338,7 @@ Scene read_scene(const std::string& path, const SceneOptions& options, TexturePa
   for (JsonIndex i = document[0].first_child; i; i = document[i].next)
     if (document[i].key == "asset" && document[i].kind == JsonKind::object) throw gltf_is_no_scene(path);
   SceneReader top(document, 0, "", faults);
-  top.object("scene", required, "", [&](auto& keys) { scene_keys(scene, objects, options.user_functions, keys); });
+  top.object("scene", required, "", [&](auto& keys) { scene_keys(scene, source.view, objects, options.user_functions, keys); });
   top.finish();
 
   FaultList in_files;
@@ -345,8 +348,8 @@ Scene read_scene(const std::string& path, const SceneOptions& options, TexturePa
   faults.sort_by_place();
   faults.add(in_files);
   faults.throw_if_any();
-  paths = loader.texture_paths();
-  return scene;
+  source.textures = loader.texture_paths();
+  return source;
 }
 
 } // namespace refraster

@@ -22,6 +22,7 @@
 #include <refraster/scene.h>
 
 #include "io/file/limits.h"
+#include "raster/vertex/scene_view.h"
 
 #include <array>
 #include <memory>
@@ -183,12 +184,12 @@ void fit_keys(CameraFit& fit, auto&& keys) {
   if (distance > 0) fit.distance = distance;
 }
 
-void camera_keys(auto& camera, auto&& keys) {
-  keys.optional_object("fit", camera.fit, "from which side what the scene shows is looked at: then position, near and "
+void camera_keys(auto& camera, SceneView& view, auto&& keys) {
+  keys.optional_object("fit", view.fit, "from which side what the scene shows is looked at: then position, near and "
                                           "far follow from it, and target, if left out",
                        [](CameraFit& fit, auto& inner) { fit_keys(fit, inner); });
   keys("position", camera.position, any_number, "where the eye is, world space; not beside `fit`",
-       camera.fit ? otherwise("`fit`") : required);
+       view.fit ? otherwise("`fit`") : required);
   keys("target", camera.target, any_number, "the point looked at: not the position",
        otherwise("position + (0, 0, -1); with `fit` the middle of what is seen"));
   keys("up", camera.up, any_number, "up in the image: not parallel to the line of sight", defaulted);
@@ -200,16 +201,16 @@ void camera_keys(auto& camera, auto&& keys) {
        otherwise("nothing"));
   keys("mouse_sensitivity", Ignored{}, any_number, "for the lecture's interactive framework; not used",
        otherwise("nothing"));
-  keys.check(camera);
+  keys.check(camera, view);
 }
 
 template <class Light>
-void light_keys(Light& light, auto&& keys) {
+void light_keys(Light& light, LightSpace& space, auto&& keys) {
   Light::fields(light,
                 [&]<class Value>(std::string_view key, Value& value, const Range& range, std::string_view meaning) {
                   keys(key, value, range, meaning, NamedEnum<Value> ? defaulted : required);
                 });
-  keys("space", light.space, Range{},
+  keys("space", space, Range{},
        "`\"camera\"`: x to the right, y up, z toward the viewer, from the eye: the light moves with the camera",
        defaulted);
   keys.check_light(light);
@@ -297,12 +298,16 @@ void picture_keys(Picture& picture, auto&& keys) {
   keys("srgb", picture.transfer, Range{}, "whether an 8-bit image has the sRGB curve", defaulted);
 }
 
-void scene_keys(auto& scene, std::vector<ObjectText>& objects, UserFunctions user_functions, auto&& keys) {
-  keys.object("camera", required, "", [&](auto& inner) { camera_keys(scene.camera, inner); });
+void scene_keys(auto& scene, SceneView& view, std::vector<ObjectText>& objects, UserFunctions user_functions, auto&& keys) {
+  keys.object("camera", required, "", [&](auto& inner) { camera_keys(scene.camera, view, inner); });
   keys("background", scene.background, Range{}, "colour where there is no surface", defaulted);
   for_each_light_list(scene, [&]<class Light>(std::vector<Light>& lights) {
     keys.list(Light::names.key, Light::names.need == Need::required ? required : otherwise("none"),
-              limit::lights<Light>, "may be empty", lights, [](Light& light, auto& k) { light_keys(light, k); });
+              limit::lights<Light>, "may be empty", lights, [&](Light& light, auto& k) {
+                LightSpace space = LightSpace::world;
+                light_keys(light, space, k);
+                if (space == LightSpace::camera) view.moving<Light>().push_back(lights.size() - 1);
+              });
   });
   keys.list("objects", required, limit::objects, "drawn in this order; may be empty", objects,
             [&](auto& object, auto& k) {
@@ -311,7 +316,7 @@ void scene_keys(auto& scene, std::vector<ObjectText>& objects, UserFunctions use
             });
   keys.object("picture", otherwise("its keys' defaults"),
               "the image that is made where no option of the command asks for another",
-              [&](auto& inner) { picture_keys(scene.picture, inner); });
+              [&](auto& inner) { picture_keys(view.picture, inner); });
 }
 
 } // namespace refraster

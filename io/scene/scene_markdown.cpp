@@ -117,7 +117,7 @@ public:
   /// The page is about those of the library.
   void parameters(UserFunction&, Use) {}
 
-  void check(const auto&) const {}
+  void check(const auto&...) const {}
   void check_light(const auto&) const {}
 
   std::string text() const {
@@ -160,9 +160,10 @@ private:
 
 std::string scene_format_markdown() {
   Scene scene;
+  SceneView view;
   std::vector<ObjectText> objects;
   MarkdownKeys top("/scene");
-  scene_keys(scene, objects, {}, top);
+  scene_keys(scene, view, objects, {}, top);
   return top.text();
 }
 

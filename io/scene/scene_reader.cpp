@@ -190,10 +190,10 @@ void SceneReader::expect_material(std::string_view key, ObjectText& text) const 
   text.material_from = from_file ? MaterialFrom::file : MaterialFrom::scene;
 }
 
-void SceneReader::check(Camera& camera) {
+void SceneReader::check(Camera& camera, SceneView& view) {
   if (!sound_) return;
   if (is_zero(camera.up)) return fault("up", "a vector of length 0", "a direction");
-  if (camera.fit) return check_fit(camera);
+  if (view.fit) return check_fit(camera, *view.fit);
   if (!find("target")) camera.target = camera.position + Double3(0, 0, -1);
   if (camera.near >= camera.far)
     fault(find("far") ? "far" : "near", "a far plane that is not beyond the near one", "near < far");
@@ -212,8 +212,7 @@ void SceneReader::check(Camera& camera) {
     fault(find("up") ? "up" : "target", "an up vector along the line of sight", "up not parallel to target - position");
 }
 
-void SceneReader::check_fit(Camera& camera) {
-  CameraFit& fit = *camera.fit;
+void SceneReader::check_fit(const Camera& camera, CameraFit& fit) {
   if (find("position")) fault("position", "both position and fit", "one of the two");
   if (find("target")) fit.target = camera.target;
   if (find("near")) fit.near = camera.near;

@@ -102,7 +102,7 @@ public:
   void parameters(UserFunction& function, Use use);
 
   // Judged only where every key is sound by itself.
-  void check(Camera& camera);
+  void check(Camera& camera, SceneView& view);
   void check(ObjectText& text);
   template <class Light>
   void check_light(const Light& light) {
@@ -146,7 +146,7 @@ private:
   std::string path_of(std::string_view key) const;
 
   /// Of a camera that stands where its fit says; hands over to it what the camera says otherwise.
-  void check_fit(Camera& camera);
+  void check_fit(const Camera& camera, CameraFit& fit);
   void check_direction(std::string_view key, const Double3& value, const Range& range);
 
   void missing(std::string_view key, const std::string& expected);

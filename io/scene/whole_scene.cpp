@@ -7,6 +7,7 @@
 #include "io/scene/model_scene.h"
 #include "io/scene/scene_edits.h"
 #include "io/scene/scene_keys.h"
+#include "io/scene/scene_source.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -65,14 +66,13 @@ std::string indented(std::string text) {
 /// Makes the changes that a scene is written with.
 class Writer {
 public:
-  Writer(const JsonDocument& document, const Scene& scene, const TexturePaths& textures, const std::string& path,
-         const std::string& folder)
-      : document_(document), scene_(scene), textures_(textures),
+  Writer(const JsonDocument& document, const SceneSource& source, const std::string& path, const std::string& folder)
+      : document_(document), textures_(source.textures),
         from_(canonical_path(folder_or_here(fs::path(path).parent_path().string()))),
         to_(canonical_path(folder_or_here(folder))) {
     std::size_t number = 0;
     for (JsonIndex object = find(find(find(0, "scene"), "objects"), ""); object; object = document_[object].next)
-      write_object(object, "/scene/objects/" + std::to_string(number), scene_.objects[number]), ++number;
+      write_object(object, "/scene/objects/" + std::to_string(number), source.scene.objects[number]), ++number;
   }
   const std::vector<SceneEdit>& edits() const { return edits_; }
   bool names_outside() const { return names_outside_; }
@@ -96,6 +96,9 @@ private:
     if (materials)
       for (JsonIndex i = document_[materials].first_child; i; i = document_[i].next) any = any || is_from_file(i);
     if (any) write_materials(pointer, read);
+    // The default for materials of a file is none for those of a scene.
+    if (any && !find(object, "fragment_function") && !find(object, "fragment_shader_file_path"))
+      edits_.push_back({pointer + "/fragment_function", json_string(read.material.function_name()), "scene"});
     write_paths(object, pointer, any);
   }
 
@@ -152,7 +155,6 @@ private:
   }
 
   const JsonDocument& document_;
-  const Scene& scene_;
   const TexturePaths& textures_;
   fs::path from_, to_; // folders
   std::vector<SceneEdit> edits_;
@@ -161,12 +163,12 @@ private:
 
 } // namespace
 
-WholeScene whole_scene(const std::string& path, const SceneOptions& options, const std::string& folder) {
-  TexturePaths textures;
-  const Scene scene = read_scene(path, options, textures);
-  EditedText edited = edited_text(path, scene_text(path, options.memory), options.edits);
+WholeScene whole_scene(const std::string& path, const SceneOptions& options, const std::vector<SceneEdit>& edits,
+                       const std::string& folder) {
+  const SceneSource source = read_scene_source(path, options, edits);
+  EditedText edited = edited_text(path, scene_text(path, options.memory), edits);
   const JsonDocument document(path, edited);
-  const Writer writer(document, scene, textures, path, folder);
+  const Writer writer(document, source, path, folder);
   return {edited_text(path, std::move(edited.text), writer.edits()).text, writer.names_outside()};
 }
 

@@ -3,16 +3,12 @@
 
 #include <refraster/files.h>
 
-#include <map>
+#include "io/scene/scene_edits.h"
+
 #include <string>
+#include <vector>
 
 namespace refraster {
-
-/// Where textures are from: canonical paths.
-using TexturePaths = std::map<const Texture*, std::string>;
-
-/// As read_scene of <refraster/files.h>, and fills `paths` with those of all textures.
-Scene read_scene(const std::string& path, const SceneOptions& options, TexturePaths& paths);
 
 /// The text of a scene file.
 struct WholeScene {
@@ -20,10 +16,11 @@ struct WholeScene {
   bool names_outside = false; // whether it names files that lie outside its folder
 };
 
-/// The scene of a file or of a model, for a file in `folder`: with the changes of `options`, every material of an OBJ
+/// The scene of a file or of a model, for a file in `folder`: with these changes, every material of an OBJ
 /// file as a block of its own under its name, and paths relative to that folder; all else as the file has it. Materials
 /// whose names are no UTF-8, which JSON cannot hold, stay those of the file. Rendering it gives the same image. Throws
 /// InputError as read_scene does.
-WholeScene whole_scene(const std::string& path, const SceneOptions& options, const std::string& folder);
+WholeScene whole_scene(const std::string& path, const SceneOptions& options, const std::vector<SceneEdit>& edits,
+                       const std::string& folder);
 
 } // namespace refraster

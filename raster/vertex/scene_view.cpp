@@ -1,6 +1,4 @@
-// Where a camera with a fit stands: <refraster/render.h>.
-
-#include <refraster/render.h>
+#include "raster/vertex/scene_view.h"
 
 #include "math/elementary.h"
 #include "raster/vertex/transform.h"
@@ -44,10 +42,10 @@ Axes axes_of_up(const Double3& up) {
   return {Double3(1 - y.x * y.x * f, -y.x, -y.x * y.z * f), y, Double3(-y.x * y.z * f, -y.z, 1 - y.z * y.z * f)};
 }
 
-Axes axes_of(const Camera& camera) {
-  const auto [right, up, front] = axes_of_up(camera.up);
-  const double ca = cos_degrees(camera.fit->azimuth_degrees), sa = sin_degrees(camera.fit->azimuth_degrees);
-  const double ce = cos_degrees(camera.fit->elevation_degrees), se = sin_degrees(camera.fit->elevation_degrees);
+Axes axes_of(const Double3& up_of_camera, const CameraFit& fit) {
+  const auto [right, up, front] = axes_of_up(up_of_camera);
+  const double ca = cos_degrees(fit.azimuth_degrees), sa = sin_degrees(fit.azimuth_degrees);
+  const double ce = cos_degrees(fit.elevation_degrees), se = sin_degrees(fit.elevation_degrees);
   const Double3 sideways = right * ca - front * sa, outward = right * sa + front * ca;
   return {sideways, up * ce - outward * se, up * se + outward * ce};
 }
@@ -137,9 +135,8 @@ std::array<double, 2> centre_from(const Points& points, double eye) {
   return {found[0].centre(), found[1].centre()};
 }
 
-void place(const Scene& scene, Camera& camera, double aspect) {
-  const CameraFit fit = *camera.fit;
-  const Axes axes = axes_of(camera);
+void place_camera(const Scene& scene, const CameraFit& fit, double aspect, Camera& camera) {
+  const Axes axes = axes_of(camera.up, fit);
   const Points points(scene, axes);
   const double ky = tan_degrees(camera.fov_y_degrees / 2) * (1 - 2 * fit.margin), kx = ky * aspect;
 
@@ -180,32 +177,20 @@ void place(const Scene& scene, Camera& camera, double aspect) {
   constexpr double smallest = std::numeric_limits<double>::min();
   camera.near = fit.near.value_or(std::max(smallest, fit.far ? std::min(before_all, *fit.far / 2) : before_all));
   camera.far = fit.far.value_or(std::max(behind_all, 2 * camera.near));
-  camera.fit.reset();
 }
 
 } // namespace
 
-bool needs_placing(const Scene& scene) {
-  bool needs = scene.camera.fit.has_value();
-  for_each_light_list(scene, [&](const auto& lights) {
-    for (const auto& light : lights) needs = needs || light.space == LightSpace::camera;
-  });
-  return needs;
-}
-
-void place_camera(Scene& scene, int width, int height) {
-  if (!needs_placing(scene)) return;
-  if (scene.camera.fit) place(scene, scene.camera, static_cast<double>(width) / height);
-  const Double4x4 view = view_from_world(scene.camera);
+void place(Scene& scene, const SceneView& view, int width, int height) {
+  if (view.fit) place_camera(scene, *view.fit, static_cast<double>(width) / height, scene.camera);
+  const Double4x4 axes = view_from_world(scene.camera);
   const auto to_world = [&](const Double3& v) { // by the transposed rotation
-    return Double3(dot(Double3(view[0]), v), dot(Double3(view[1]), v), dot(Double3(view[2]), v));
+    return Double3(dot(Double3(axes[0]), v), dot(Double3(axes[1]), v), dot(Double3(axes[2]), v));
   };
-  for (PointLight& light : scene.point_lights)
-    if (light.space == LightSpace::camera)
-      light.position = scene.camera.position + to_world(light.position), light.space = LightSpace::world;
-  for (DirectionLight& light : scene.direction_lights)
-    if (light.space == LightSpace::camera)
-      light.direction = to_world(light.direction), light.space = LightSpace::world;
+  for (const std::size_t i : view.moving_point_lights)
+    scene.point_lights[i].position = scene.camera.position + to_world(scene.point_lights[i].position);
+  for (const std::size_t i : view.moving_direction_lights)
+    scene.direction_lights[i].direction = to_world(scene.direction_lights[i].direction);
 }
 
 } // namespace refraster
