@@ -59,9 +59,9 @@ struct PlacedVertex {
   std::int32_t y_state = 0; // 64 y + (outcode >> 6)
   double z = 0;
 
-  PlacedVertex() = default;
-  explicit PlacedVertex(const WindowVertex& v)
-      : x_sides(64 * v.x + (v.outcode & 63)), y_state(64 * v.y + (v.outcode >> 6)), z(v.z) {}
+  static PlacedVertex of(const WindowVertex& v) {
+    return {64 * v.x + (v.outcode & 63), 64 * v.y + (v.outcode >> 6), v.z};
+  }
 
   std::int32_t x() const { return x_sides >> 6; }
   std::int32_t y() const { return y_state >> 6; }

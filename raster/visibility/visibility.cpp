@@ -91,7 +91,7 @@ void TileVisibility::draw_boxed(const FrameContext& context) {
       const std::array<WindowVertex, 3> corners = window_corners(geometry, ref);
       for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t place = 3 * count + k;
-        corners_[place] = PlacedVertex(corners[k]);
+        corners_[place] = PlacedVertex::of(corners[k]);
         together[count].vertex[k] = static_cast<std::uint32_t>(place);
       }
     }
