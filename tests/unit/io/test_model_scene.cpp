@@ -4,7 +4,7 @@
 #include <refraster/render.h>
 
 #include "io/scene/model_scene.h"
-#include "io/scene/scene_edits.h"
+#include "io/scene/scene_source.h"
 #include "tests/support/files/malformed_inputs.h"
 #include "tests/support/files/png_bytes.h"
 
@@ -35,10 +35,8 @@ Frame frame_of(const Scene& scene) {
 }
 
 std::string fault_of(const std::string& path, const std::vector<SceneEdit>& edits) {
-  SceneOptions options;
-  options.edits = edits;
   try {
-    read_scene(path, options);
+    read_scene_source(path, {}, edits);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -56,13 +54,14 @@ TEST_CASE("a model is read as the scene that shows it, with its materials, textu
   for (const std::string name : {"b.obj", "my box.OBJ", "quo\"ted.Obj"}) {
     CAPTURE(name);
     write_box(folder, name);
-    const Scene scene = read_scene(folder / name);
-    REQUIRE(scene.camera.fit);
-    CHECK(scene.camera.fit->azimuth_degrees == 30);
-    CHECK(scene.camera.fit->elevation_degrees == 20);
-    CHECK(scene.camera.fit->margin == 0.05);
-    CHECK(scene.picture == Picture{1280, 720, 8, Transfer::srgb});
-    for (const DirectionLight& light : scene.direction_lights) CHECK(light.space == LightSpace::camera);
+    SceneSource source = read_scene_source(folder / name, {});
+    REQUIRE(source.view.fit);
+    CHECK(source.view.fit->azimuth_degrees == 30);
+    CHECK(source.view.fit->elevation_degrees == 20);
+    CHECK(source.view.fit->margin == 0.05);
+    CHECK(source.view.picture == Picture{1280, 720, 8, Transfer::srgb});
+    CHECK(source.view.moving_direction_lights.size() == source.scene.direction_lights.size());
+    const Scene scene = std::move(source).placed(96, 64);
     REQUIRE(scene.objects.size() == 1);
     const Object& object = scene.objects[0];
     CHECK(object.two_sided == TwoSided::yes);
@@ -75,7 +74,11 @@ TEST_CASE("a model is read as the scene that shows it, with its materials, textu
 
     // The scene in its own file is the same scene.
     write_files(folder.path, {{"s.json", model_scene_text(name)}});
-    CHECK(frame_of(read_scene(folder / "s.json")).radiance.values == frame_of(scene).radiance.values);
+    const Scene again = read_scene_source(folder / "s.json", {}).placed(96, 64);
+    CHECK(frame_of(again).radiance.values == frame_of(scene).radiance.values);
+    // By itself a scene is placed for the image that it says.
+    CHECK(read_scene(folder / name).camera.position ==
+          read_scene_source(folder / name, {}).placed(1280, 720).camera.position);
   }
 }
 
@@ -167,15 +170,15 @@ TEST_CASE("a camera with a fit stands nowhere by itself") {
   const std::string fit = "{\"azimuth\": -90}";
   CHECK(fault_of(path, {{"/scene/camera/fit", fit, "o"}}).find("position: found both position and fit") !=
         std::string::npos);
-  SceneOptions options;
-  options.edits = {{"/scene/camera", "{\"fit\": " + fit + ", \"target\": [1, 2, 3], \"near\": 2}", "o"}};
-  const Camera camera = read_scene(path, options).camera;
-  REQUIRE(camera.fit);
-  CHECK(camera.fit->azimuth_degrees == -90);
-  CHECK(camera.fit->elevation_degrees == 20);
-  CHECK(camera.fit->target == Double3(1, 2, 3));
-  CHECK(camera.fit->near == 2);
-  CHECK_FALSE(camera.fit->far);
+  const std::optional<CameraFit> read =
+      read_scene_source(path, {}, {{"/scene/camera", "{\"fit\": " + fit + ", \"target\": [1, 2, 3], \"near\": 2}", "o"}})
+          .view.fit;
+  REQUIRE(read);
+  CHECK(read->azimuth_degrees == -90);
+  CHECK(read->elevation_degrees == 20);
+  CHECK(read->target == Double3(1, 2, 3));
+  CHECK(read->near == 2);
+  CHECK_FALSE(read->far);
   for (const auto& [value, expected] :
        {std::pair{"{\"elevation\": 91}", "elevation: found 91, expected a number from -90 to 90"},
         {"{\"margin\": 0.5}", "margin: found 0.5, expected a number from 0 to 0.49"},

@@ -5,6 +5,7 @@
 
 #include "io/scene/example_scene.h"
 #include "io/scene/not_a_scene.h"
+#include "io/scene/scene_source.h"
 #include "raster/explain/explain_dark.h"
 #include "tests/support/files/malformed_inputs.h"
 
@@ -44,10 +45,9 @@ std::string scene_in(const std::string& advice) {
 
 /// Whether the scene shows a surface, and none that is nearly black.
 bool shows_something(const std::string& path) {
-  Scene scene = read_scene(path);
   RenderOptions options;
   options.width = 120, options.height = 90;
-  place_camera(scene, options.width, options.height);
+  const Scene scene = read_scene_source(path, {}).placed(options.width, options.height);
   const Frame frame = render(scene, options);
   return frame.counts.shaded > 500 &&
          explain_dark_image(scene, options, {frame.rgb8, frame.radiance}, frame.counts.shaded).empty();

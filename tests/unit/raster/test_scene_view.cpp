@@ -1,6 +1,6 @@
 // Where a camera with a fit stands, and lights that move with it.
 
-#include <refraster/render.h>
+#include "raster/vertex/scene_view.h"
 
 #include "math/vec.h"
 #include "raster/vertex/transform.h"
@@ -27,14 +27,22 @@ std::shared_ptr<Mesh> mesh_of(const std::vector<Float3>& points) {
   return mesh;
 }
 
-Scene scene_of(const std::vector<Float3>& points, const CameraFit& fit) {
+/// A scene, and from where it is seen.
+struct Viewed {
   Scene scene;
-  scene.camera.fit = fit;
-  Object object;
-  object.mesh = mesh_of(points);
-  scene.objects.push_back(object);
-  return scene;
-}
+  SceneView view;
+
+  Viewed(const std::vector<Float3>& points, const CameraFit& fit) {
+    view.fit = fit;
+    scene.objects.emplace_back().mesh = mesh_of(points);
+  }
+  Camera camera(int width, int height) const { return placed(width, height).camera; }
+  Scene placed(int width, int height) const {
+    Scene copy = scene;
+    place(copy, view, width, height);
+    return copy;
+  }
+};
 
 /// What an image of the scene's vertices spans, 1 being its edges; and how far rounding may move that.
 struct Seen {
@@ -98,16 +106,16 @@ TEST_CASE("a camera with a fit sees every vertex, as near as it may stand, and i
   for (std::uint64_t seed = 0; seed < 2000; ++seed) {
     CAPTURE(seed);
     Random random(seed);
-    Scene scene = scene_of(random_points(random), random_fit(random));
-    scene.camera.fov_y_degrees = random.uniform(5, 150);
-    scene.camera.up = Double3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
-    Object& object = scene.objects.front();
+    const std::vector<Float3> points = random_points(random);
+    const CameraFit fit = random_fit(random);
+    Viewed viewed(points, fit);
+    viewed.scene.camera.fov_y_degrees = random.uniform(5, 150);
+    viewed.scene.camera.up = Double3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+    Object& object = viewed.scene.objects.front();
     object.rotate_degrees = Double3(random.uniform(0, 360), random.uniform(0, 360), 0);
     object.scale = Double3(random.uniform(-3, 3), random.uniform(-3, 3), 1);
     const int width = 1 + random.below(2000), height = 1 + random.below(2000);
-    const CameraFit fit = *scene.camera.fit;
-    place_camera(scene, width, height);
-    REQUIRE_FALSE(scene.camera.fit);
+    const Scene scene = viewed.placed(width, height);
     CHECK(validate(scene).empty());
 
     const Seen seen = seen_by(scene, static_cast<double>(width) / height);
@@ -131,52 +139,43 @@ TEST_CASE("a camera with a fit sees a square from its front as near as the sides
   // tan(45 degrees) = 1: at a margin of 0 the square of half side 1 is seen from a distance of 1, above depth 0.
   CameraFit fit;
   fit.azimuth_degrees = fit.elevation_degrees = fit.margin = 0;
-  Scene scene = scene_of({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, fit);
-  scene.camera.fov_y_degrees = 90;
-  Scene wide = scene, high = scene, free = scene, right = scene, above = scene, z_up = scene;
-  place_camera(wide, 200, 100);
-  CHECK(length(wide.camera.position - Double3(0, 0, 1)) < 1e-15);
-  CHECK(length(wide.camera.target) < 1e-15);
-  CHECK(wide.camera.near == doctest::Approx(0.99));
-  CHECK(wide.camera.far == doctest::Approx(1.01));
-  place_camera(high, 100, 200);
-  CHECK(high.camera.position.z == doctest::Approx(2));
-  free.camera.fit->margin = 0.25;
-  place_camera(free, 100, 100);
-  CHECK(free.camera.position.z == doctest::Approx(2));
-  right.camera.fit->azimuth_degrees = 90;
-  place_camera(right, 100, 100); // along the square: 1 in front of it, and 1 above its nearest edge
-  CHECK(right.camera.position.x == doctest::Approx(2));
-  above.camera.fit->elevation_degrees = 90;
-  place_camera(above, 100, 100);
-  CHECK(above.camera.position.y == doctest::Approx(2));
-  CHECK(dot(above.camera.up, Double3(0, 0, -1)) == doctest::Approx(1));
-  z_up.camera.up = Double3(0, 0, 2);
-  place_camera(z_up, 100, 100); // whose front is -y
-  CHECK(z_up.camera.position.y == doctest::Approx(-2));
-  CHECK(dot(z_up.camera.up, Double3(0, 0, 1)) == doctest::Approx(1));
+  Viewed square({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, fit);
+  square.scene.camera.fov_y_degrees = 90;
+  const Camera wide = square.camera(200, 100);
+  CHECK(length(wide.position - Double3(0, 0, 1)) < 1e-15);
+  CHECK(length(wide.target) < 1e-15);
+  CHECK(wide.near == doctest::Approx(0.99));
+  CHECK(wide.far == doctest::Approx(1.01));
+  CHECK(square.camera(100, 200).position.z == doctest::Approx(2));
+  Viewed free = square, right = square, above = square, z_up = square;
+  free.view.fit->margin = 0.25;
+  CHECK(free.camera(100, 100).position.z == doctest::Approx(2));
+  right.view.fit->azimuth_degrees = 90; // along the square: 1 in front of it, and 1 above its nearest edge
+  CHECK(right.camera(100, 100).position.x == doctest::Approx(2));
+  above.view.fit->elevation_degrees = 90;
+  CHECK(above.camera(100, 100).position.y == doctest::Approx(2));
+  CHECK(dot(above.camera(100, 100).up, Double3(0, 0, -1)) == doctest::Approx(1));
+  z_up.scene.camera.up = Double3(0, 0, 2); // whose front is -y
+  CHECK(z_up.camera(100, 100).position.y == doctest::Approx(-2));
+  CHECK(dot(z_up.camera(100, 100).up, Double3(0, 0, 1)) == doctest::Approx(1));
 }
 
 TEST_CASE("a target stays in the middle of the image, and a distance is what was asked for") {
   CameraFit fit;
   fit.target = Double3(5, 0, 0);
-  Scene scene = scene_of({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, fit);
-  Scene far = scene, inside = scene, planes = scene;
-  place_camera(scene, 640, 480);
+  const Viewed viewed({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, fit);
+  const Scene scene = viewed.placed(640, 480);
   CHECK(length(scene.camera.target - Double3(5, 0, 0)) < 1e-14);
-  const Seen seen = seen_by(scene, 640.0 / 480);
-  CHECK(seen.left == doctest::Approx(-0.9));
-  far.camera.fit->distance = 100;
-  place_camera(far, 640, 480);
-  CHECK(length(far.camera.position - far.camera.target) == doctest::Approx(100));
-  CHECK(validate(far).empty());
-  inside.camera.fit->target.reset(), inside.camera.fit->distance = 0.01; // in the midst of the square
-  place_camera(inside, 640, 480);
-  CHECK(validate(inside).empty());
-  planes.camera.fit->near = 1, planes.camera.fit->far = 2;
-  place_camera(planes, 640, 480);
-  CHECK(planes.camera.near == 1);
-  CHECK(planes.camera.far == 2);
+  CHECK(seen_by(scene, 640.0 / 480).left == doctest::Approx(-0.9));
+  Viewed far = viewed, inside = viewed, planes = viewed;
+  far.view.fit->distance = 100;
+  CHECK(length(far.camera(640, 480).position - far.camera(640, 480).target) == doctest::Approx(100));
+  CHECK(validate(far.placed(640, 480)).empty());
+  inside.view.fit->target.reset(), inside.view.fit->distance = 0.01; // in the midst of the square
+  CHECK(validate(inside.placed(640, 480)).empty());
+  planes.view.fit->near = 1, planes.view.fit->far = 2;
+  CHECK(planes.camera(640, 480).near == 1);
+  CHECK(planes.camera(640, 480).far == 2);
 }
 
 TEST_CASE("models of no extent, of any size and of no vertices are seen from a camera that can be drawn with") {
@@ -195,8 +194,7 @@ TEST_CASE("models of no extent, of any size and of no vertices are seen from a c
     CAPTURE(i);
     CameraFit fit;
     fit.azimuth_degrees = fit.elevation_degrees = 0;
-    Scene scene = scene_of(models[i], fit);
-    place_camera(scene, 640, 480);
+    const Scene scene = Viewed(models[i], fit).placed(640, 480);
     for (const SceneFault& fault : validate(scene)) CHECK(fault.effect == SceneFault::Effect::drawn);
     CHECK(length(scene.camera.position - scene.camera.target) > 0);
     for (const Float3& point : models[i]) {
@@ -209,41 +207,26 @@ TEST_CASE("models of no extent, of any size and of no vertices are seen from a c
   }
 }
 
-TEST_CASE("lights of camera space keep their place in the image, wherever the camera is") {
-  Scene scene = scene_of({{-1, -1, 0}, {1, 1, 1}}, {});
-  scene.direction_lights = {{Double3(1, 2, -3), Double3(1), LightSpace::camera}, {Double3(0, -1, 0), Double3(1)}};
+TEST_CASE("lights of camera space keep their place in the image, wherever the camera is; others stay") {
+  Viewed viewed({{-1, -1, 0}, {1, 1, 1}}, {});
+  viewed.scene.direction_lights = {{Double3(0, -1, 0), Double3(1)}, {Double3(1, 2, -3), Double3(1)}};
+  viewed.view.moving_direction_lights = {1};
   PointLight lamp;
-  lamp.position = Double3(0.5, -1, -2), lamp.space = LightSpace::camera;
-  scene.point_lights = {lamp};
-  CHECK(needs_placing(scene));
-  place_camera(scene, 300, 200);
-  CHECK_FALSE(needs_placing(scene));
-  const Double4x4 view = view_from_world(scene.camera);
-  CHECK(length(Double3(view * Double4(scene.direction_lights[0].direction, 0)) - Double3(1, 2, -3)) < 1e-14);
-  CHECK(scene.direction_lights[1].direction == Double3(0, -1, 0));
-  CHECK(length(Double3(view * Double4(scene.point_lights[0].position, 1)) - lamp.position) < 1e-13);
-  const Scene placed = scene;
-  place_camera(scene, 1, 900);
-  CHECK(scene.camera.position == placed.camera.position);
-}
-
-TEST_CASE("render places what its image asks for, in a scene of its own") {
-  Scene scene = scene_of({{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}, {});
-  auto mesh = std::make_shared<Mesh>(*scene.objects[0].mesh);
-  mesh->triangles = {{0, 1, 2}};
-  scene.objects[0].mesh = mesh;
-  scene.direction_lights = {{Double3(0, 0, -1), Double3(1), LightSpace::camera}};
-  RenderOptions options;
-  options.width = 60, options.height = 40, options.threads = 1;
-  Scene placed = scene;
-  place_camera(placed, 60, 40);
-  const Frame frame = render(scene, options);
-  CHECK(frame.counts.shaded > 100);
-  CHECK(frame.rgb8.values == render(placed, options).rgb8.values);
-  CHECK(scene.camera.fit);
-
-  scene.camera.fit->margin = 0.5;
-  CHECK_THROWS_AS(render(scene, options), std::invalid_argument);
+  lamp.position = Double3(0.5, -1, -2);
+  viewed.scene.point_lights = {lamp};
+  viewed.view.moving_point_lights = {0};
+  for (const double azimuth : {-70.0, 10.0}) {
+    viewed.view.fit->azimuth_degrees = azimuth;
+    const Scene scene = viewed.placed(300, 200);
+    const Double4x4 view = view_from_world(scene.camera);
+    CHECK(scene.direction_lights[0].direction == Double3(0, -1, 0));
+    CHECK(length(Double3(view * Double4(scene.direction_lights[1].direction, 0)) - Double3(1, 2, -3)) < 1e-14);
+    CHECK(length(Double3(view * Double4(scene.point_lights[0].position, 1)) - lamp.position) < 1e-13);
+  }
+  // Also beside a camera that stands where it says.
+  viewed.view.fit.reset();
+  viewed.scene.camera.target = Double3(1, 0, 0);
+  CHECK(length(viewed.placed(9, 9).point_lights[0].position - Double3(2, -1, 0.5)) < 1e-15);
 }
 
 } // namespace refraster::test
