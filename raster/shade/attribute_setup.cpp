@@ -75,13 +75,15 @@ template <class Real>
       t.row[static_cast<std::size_t>(max_uv_row + c)][3] = Real(0);
       continue;
     }
-    const auto uv = uv_component(mesh, {indices[corner[0]], indices[corner[1]], indices[corner[2]]}, c).value;
+    const auto uv = uv_component(mesh, {indices[corner[0]], indices[corner[1]], indices[corner[2]]}, c,
+                                 repeats_of(context, ref.object, ref.triangle))
+                        .value;
     row = {static_cast<Real>(uv[0]), static_cast<Real>(uv[1] - uv[0]), static_cast<Real>(uv[2] - uv[0]),
            static_cast<Real>(std::min({uv[0], uv[1], uv[2]}))};
     t.row[static_cast<std::size_t>(max_uv_row + c)][3] = static_cast<Real>(std::max({uv[0], uv[1], uv[2]}));
   }
   static_assert(attribute_rows == uv_row + 2 + 3, "a frame is to know whether there is another attribute");
-  if (context.has_vertex_colours) [[unlikely]]
+  if (context.uses.vertex_colours) [[unlikely]]
     for_each_further_attribute(mesh, context.geometry.transforms[ref.object],
                                {indices[corner[0]], indices[corner[1]], indices[corner[2]]},
                                [&](int row, const auto& value) {
@@ -193,7 +195,7 @@ void set_up_attributes(const FrameContext& context, std::span<const VisibleTrian
       set_attributes<Real>(context, ref, corner, {weights[0][i], weights[1][i], weights[2][i]}, t);
     }
   }
-  if (context.any_two_sided) [[unlikely]]
+  if (context.uses.two_sided) [[unlikely]]
     turn_normals(context, triangles, setups);
 }
 
@@ -207,7 +209,8 @@ std::array<double, 2> whole_repeats(const FrameContext& context, std::uint32_t n
   const Mesh& mesh = *context.scene.objects[ref.object].mesh;
   const auto& vertices = mesh.triangles[ref.triangle];
   if (!has_uvs(mesh, vertices)) return {};
-  return {uv_component(mesh, vertices, 0).whole, uv_component(mesh, vertices, 1).whole};
+  const Repeats repeats = repeats_of(context, ref.object, ref.triangle);
+  return {uv_component(mesh, vertices, 0, repeats).whole, uv_component(mesh, vertices, 1, repeats).whole};
 }
 
 Double3 face_normal(const FrameContext& context, std::uint32_t number) {
@@ -230,7 +233,7 @@ Double3 face_normal(const FrameContext& context, std::uint32_t number) {
   };
   const Double3 normal =
       context.geometry.transforms[ref.object].world_from_normal * Double3(minor(1, 2), minor(2, 0), minor(0, 1));
-  return context.any_two_sided && is_turned(context, ref, number) ? -normal : normal;
+  return context.uses.two_sided && is_turned(context, ref, number) ? -normal : normal;
 }
 
 } // namespace refraster

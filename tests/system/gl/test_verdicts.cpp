@@ -166,8 +166,8 @@ TEST_CASE("a ground seen edge on through llvmpipe without its shortcuts has leve
   ground.position = {0, -1, 0};
   ground.scale = {20, 1, 20};
   ground.rotate_degrees = Double3(0);
-  ground.material.texture = std::make_shared<const Texture>(stripes);
-  ground.material.texture_filter = TextureFilter::trilinear;
+  ground.material.diffuse_map.texture = std::make_shared<const Texture>(stripes);
+  ground.material.diffuse_map.filter = TextureFilter::trilinear;
   for (const auto& [width, height] : {std::pair(32, 32), std::pair(32, 33), std::pair(33, 35)}) {
     check_scene("stripes", scene, width, height, entered("llvmpipe-precise"));
   }

@@ -60,9 +60,9 @@ TEST_CASE("the lecture's own file loads unchanged") {
   CHECK(phong.ka == Double3(0.05));
   CHECK(phong.glossiness == 8);
   CHECK(phong.specular_gate == SpecularGate::open);
-  CHECK(cube.material.texture_filter == TextureFilter::bilinear);
-  REQUIRE(cube.material.texture);
-  CHECK(cube.material.texture->levels.size() == 1);
+  CHECK(cube.material.diffuse_map.filter == TextureFilter::bilinear);
+  REQUIRE(cube.material.diffuse_map.texture);
+  CHECK(cube.material.diffuse_map.texture->levels.size() == 1);
 }
 
 TEST_CASE("vectors are strings or arrays") {
@@ -144,7 +144,7 @@ TEST_CASE("choices are read by their names") {
           .objects[0];
   CHECK(object.cull == Cull::back);
   CHECK(object.name == "ball");
-  CHECK(object.material.texture_filter == TextureFilter::nearest);
+  CHECK(object.material.diffuse_map.filter == TextureFilter::nearest);
   CHECK(std::get<Phong>(object.material.fragment_function).specular_gate == SpecularGate::cut_below_horizon);
 }
 
@@ -204,11 +204,11 @@ TEST_CASE("a file that is used twice is loaded once, however its path is written
   const std::vector<Object> objects = read_scene(folder / "s.json").objects;
   CHECK(objects[0].mesh == objects[1].mesh);
   CHECK(objects[0].mesh == objects[2].mesh);
-  CHECK(objects[0].material.texture == objects[1].material.texture);
-  CHECK(objects[0].material.texture != objects[2].material.texture);
+  CHECK(objects[0].material.diffuse_map.texture == objects[1].material.diffuse_map.texture);
+  CHECK(objects[0].material.diffuse_map.texture != objects[2].material.diffuse_map.texture);
   // Mip levels are there where anyone asks for them.
-  CHECK(objects[0].material.texture->levels.size() == 2);
-  CHECK(objects[2].material.texture->levels.size() == 1);
+  CHECK(objects[0].material.diffuse_map.texture->levels.size() == 2);
+  CHECK(objects[2].material.diffuse_map.texture->levels.size() == 1);
 }
 
 TEST_CASE("faults beyond the first hundred are counted") {
