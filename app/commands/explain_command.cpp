@@ -120,7 +120,7 @@ Command explain_command() {
   return {.name = "explain",
           .meaning = "Tell how a pixel comes about, from its triangles to its terms",
           .groups = {{"Scene",
-                      {scene_argument(a.scene), outside_option(a.reading.outside), cache_option(a.reading.mesh_cache)}},
+                      {scene_argument(a.scene), outside_option(a.reading.outside), exposure_option(a.reading.exposure_stops), cache_option(a.reading.mesh_cache)}},
                      {"Pixel",
                       {number_option("X", a.x, places, "column, from the left").required().by_default(""),
                        number_option("Y", a.y, places, "row, from the top").required().by_default(""),

@@ -236,7 +236,7 @@ Command verify_command() {
              parsed_option("--size", "WxH", a.size, size_from,
                            "WIDTHxHEIGHT, each 1 to " + std::to_string(largest_side),
                            "pixels that OpenGL draws; an image file has its own"),
-             outside_option(a.reading.outside), cache_option(a.reading.mesh_cache)}},
+             outside_option(a.reading.outside), exposure_option(a.reading.exposure_stops), cache_option(a.reading.mesh_cache)}},
            {"Image",
             {file_option("--ids", "FILE", a.image.ids,
                          "what the device shows in each pixel: object and triangle, as gl --ids writes them"),

@@ -11,6 +11,7 @@
 #include "io/scene/not_a_scene.h"
 #include "io/scene/scene_reader.h"
 #include "io/scene/shape_mesh.h"
+#include "scene/exposure.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -251,6 +252,9 @@ private:
                            std::string(key) + ' ' + in_quotes(path.given),
                            "not read: the fragment function " + std::string(material.function_name()) + why});
     };
+    if (material.emissive != Double3(0) && (measured || material.user_function))
+      options_.notes->add({document_.file(), 0, "emissive of " + in_quotes(material.function_name()),
+                           "not used: only phong and blinn_phong have light of their own"});
     if (!measured) note("brdf_file_path", text.brdf_file, " uses no measured table");
     for (std::size_t i = 0; i < texture_slots.size(); ++i) {
       const TextureSlot& slot = texture_slots[i];
@@ -332,6 +336,7 @@ Scene read_scene(const std::string& path, const SceneOptions& options) {
   faults.sort_by_place();
   faults.add(in_files);
   faults.throw_if_any();
+  expose(scene, options.exposure_stops);
   return scene;
 }
 

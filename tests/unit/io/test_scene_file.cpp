@@ -148,6 +148,56 @@ TEST_CASE("choices are read by their names") {
   CHECK(std::get<Phong>(object.material.fragment_function).specular_gate == SpecularGate::cut_below_horizon);
 }
 
+TEST_CASE("a texture is a path, or an object with all that can be said of it") {
+  const TemporaryFolder folder;
+  const auto read = [&](const std::string& keys) {
+    write_files(folder.path, {{"s.json", scene_with("\"glossiness\": 8}", "\"glossiness\": 8, " + keys + "}")},
+                              {"a.png", png_bytes(2, 2, 1, 8, {0, 188, 255, 20})},
+                              {"b.png", grey_pixel}});
+    return read_scene(folder / "s.json").objects[0].material;
+  };
+  const auto refused = [&](const std::string& keys) {
+    try {
+      read(keys);
+    } catch (const InputError& error) {
+      const InputFault& fault = error.faults().at(0);
+      return fault.json_path + ": " + fault.found + ", " + fault.expected;
+    }
+    return std::string();
+  };
+  const Material plain = read("\"diffuse_map\": \"a.png\", \"specular_map\": {\"path\": \"b.png\"}");
+  CHECK(plain.diffuse_map.texture->full_scale == 255);
+  CHECK_FALSE(plain.diffuse_map.is_placed());
+  CHECK(plain.specular_map.texture->levels[0].width == 2);
+  CHECK_FALSE(plain.emissive_map.texture);
+  CHECK(plain.emissive == Double3(0));
+  const Material full = read("\"diffuse_map\": {\"path\": \"a.png\", \"filter\": \"trilinear\", \"wrap\": \"clamp\", "
+                             "\"scale\": [2, -3], \"offset\": \"0.5 1\", \"color_space\": \"srgb\"}, "
+                             "\"emissive_map\": \"a.png\"");
+  const TextureMap& map = full.diffuse_map;
+  CHECK(map.filter == TextureFilter::trilinear);
+  CHECK(map.wrap == TextureWrap::clamp);
+  CHECK(map.scale == Double2(2, -3));
+  CHECK(map.offset == Double2(0.5, 1));
+  CHECK(map.texture->full_scale == 1);
+  REQUIRE(map.texture->levels.size() == 2);
+  // IEC 61966-2-1, by hand: 188 is ((188 / 255 + 0.055) / 1.055)^2.4 = 0.5029; 20 is ((20 / 255 + 0.055) / 1.055)^2.4.
+  CHECK(static_cast<double>(map.texture->levels[0].rgb[9]) == doctest::Approx(0.502886458));
+  CHECK(static_cast<double>(map.texture->levels[0].rgb[3]) == doctest::Approx(0.006995410));
+  CHECK(full.emissive_map.texture != map.texture); // as stored
+  CHECK(full.emissive_map.texture->full_scale == 255);
+  CHECK(full.emissive == Double3(1)); // beside a map
+  CHECK(read("\"emissive_map\": \"a.png\", \"emissive\": \"0.5 0 0\"").emissive == Double3(0.5, 0, 0));
+  const std::string at = "/scene/objects/0/material/";
+  CHECK(refused("\"diffuse_map\": \"a.png\", \"texture_file_path\": \"b.png\"") ==
+        at + "diffuse_map: diffuse_map beside texture_file_path, one of the two");
+  CHECK(refused("\"specular_map\": 3") == at + "specular_map: 3, the path of a file, or an object with one");
+  CHECK(refused("\"specular_map\": {}").starts_with(at + "specular_map/path: "));
+  CHECK(refused("\"specular_map\": {\"path\": \"a.png\", \"scale\": [1]}").starts_with(at + "specular_map/scale: "));
+  CHECK(refused("\"specular_map\": {\"path\": \"a.png\", \"wrap\": \"mirror\"}") ==
+        at + "specular_map/wrap: \"mirror\", \"repeat\" or \"clamp\"");
+}
+
 TEST_CASE("shapes are made with their parameters, and equal ones once") {
   const std::string sphere = "{\"sphere\": {\"segments\": 8, \"rings\": 4}}";
   CHECK(scene(sphere, sphere).objects[0].mesh->triangles.size() == 2 * 8 * 3);
