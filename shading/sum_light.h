@@ -53,7 +53,7 @@ struct PacketBatch {
   std::uint32_t first_fragment = 0;
   std::array<PacketSurface<T>, capacity> surface;
   std::array<Rgb<T>, capacity> sum;
-  std::array<MaskOf<T>, capacity> in_use;    // lanes that hold a fragment
+  std::array<MaskOf<T>, capacity> in_use;     // lanes that hold a fragment
   std::array<FragmentMaps<T>, capacity> maps; // set, and read, only with Maps::yes
 
   template <Maps has_maps, class Body>
@@ -91,9 +91,8 @@ void sum_light(const LightSpans& lights, const Function& function, PacketBatch<T
     }
   };
   std::apply([&](const auto&... list) { (add(list), ...); }, lights);
-  batch.template for_each<Maps::no>(counts, [](Rgb<T>& sum, const Fragment<T>&, const UndefinedTally<T>& tally) {
-    sum = finite(sum, tally);
-  });
+  batch.template for_each<Maps::no>(
+      counts, [](Rgb<T>& sum, const Fragment<T>&, const UndefinedTally<T>& tally) { sum = finite(sum, tally); });
 }
 
 /// The same for lanes: one piece of code, without a call.
@@ -108,8 +107,7 @@ void with_maps(const Material& material, auto&& visit) {
   std::visit(
       [&]<class Function>(const Function& function) {
         if constexpr (std::is_base_of_v<PhongParameters, Function>)
-          if (material.has_fragment_maps())
-            return visit(std::integral_constant<Maps, Maps::yes>{}, function);
+          if (material.has_fragment_maps()) return visit(std::integral_constant<Maps, Maps::yes>{}, function);
         visit(std::integral_constant<Maps, Maps::no>{}, function);
       },
       material.fragment_function);

@@ -61,9 +61,7 @@ Scene with_textures(Scene scene) {
 }
 
 bool has_textures(const Scene& scene) {
-  return any_material(scene, [](const Material& material) {
-    return shows_texture(material) && is_textured(material);
-  });
+  return any_material(scene, [](const Material& material) { return shows_texture(material) && is_textured(material); });
 }
 
 bool shows_textures(const Scene& scene) {

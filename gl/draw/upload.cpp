@@ -92,7 +92,8 @@ GLuint upload_texture(const GlApi& gl, const TextureMap& map) {
     const auto place = static_cast<GLint>(level);
     if (texture.full_scale != 255 && texture.full_scale != 65535)
       add_float_level(gl, place, texture.levels[level], texture.full_scale);
-    else if (texture.full_scale > 255) add_level<GLushort>(gl, place, texture.levels[level], GL_RGB16, GL_UNSIGNED_SHORT);
+    else if (texture.full_scale > 255)
+      add_level<GLushort>(gl, place, texture.levels[level], GL_RGB16, GL_UNSIGNED_SHORT);
     else add_level<GLubyte>(gl, place, texture.levels[level], GL_RGB8, GL_UNSIGNED_BYTE);
   }
   const GLenum beyond = map.wrap == TextureWrap::repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;

@@ -236,15 +236,15 @@ struct Material {
 
 /// A texture that a material may have. Where there is none, or no texture coordinates, it is white.
 struct TextureSlot {
-  TextureMap Material::*map = nullptr;       ///< the member that holds it
-  Double3 Material::*multiplied = nullptr;   ///< the member that it multiplies, if the material itself has that
-  std::string_view name = {};                ///< in faults and, in capitals, in our GLSL
-  std::string_view key = {};                 ///< in a scene file: a path, or an object with all that a TextureMap has
-  std::string_view file_key = {};            ///< the short form of it, its image; empty: there is none
-  std::string_view filter_key = {};          ///< beside that its filter; the member's value if left out
-  std::string_view sampler = {};             ///< the uniform
-  std::string_view place = {};               ///< the uniform of its scale and offset, in this order
-  std::string_view meaning = {};             ///< of the image, for the documentation
+  TextureMap Material::*map = nullptr;     ///< the member that holds it
+  Double3 Material::*multiplied = nullptr; ///< the member that it multiplies, if the material itself has that
+  std::string_view name = {};              ///< in faults and, in capitals, in our GLSL
+  std::string_view key = {};               ///< in a scene file: a path, or an object with all that a TextureMap has
+  std::string_view file_key = {};          ///< the short form of it, its image; empty: there is none
+  std::string_view filter_key = {};        ///< beside that its filter; the member's value if left out
+  std::string_view sampler = {};           ///< the uniform
+  std::string_view place = {};             ///< the uniform of its scale and offset, in this order
+  std::string_view meaning = {};           ///< of the image, for the documentation
 };
 
 /// Every texture that a material may have. Scene files and their documentation, loading, checks and OpenGL's texture
@@ -252,10 +252,24 @@ struct TextureSlot {
 inline constexpr std::array texture_slots{
     TextureSlot{&Material::diffuse_map, nullptr, "texture", "diffuse_map", "texture_file_path", "texture_filter", "tex",
                 "texPlace", "a `.png`, `.jpg`, `.tga` or `.bmp` image; not loaded for `merl`"},
-    TextureSlot{&Material::specular_map, nullptr, "specular_map", "specular_map", {}, {}, "specularTex",
-                "specularTexPlace", "multiplies `ks`; for `phong` and `blinn_phong`"},
-    TextureSlot{&Material::emissive_map, &Material::emissive, "emissive_map", "emissive_map", {}, {}, "emissiveTex",
-                "emissiveTexPlace", "multiplies `emissive`; for `phong` and `blinn_phong`"}};
+    TextureSlot{&Material::specular_map,
+                nullptr,
+                "specular_map",
+                "specular_map",
+                {},
+                {},
+                "specularTex",
+                "specularTexPlace",
+                "multiplies `ks`; for `phong` and `blinn_phong`"},
+    TextureSlot{&Material::emissive_map,
+                &Material::emissive,
+                "emissive_map",
+                "emissive_map",
+                {},
+                {},
+                "emissiveTex",
+                "emissiveTexPlace",
+                "multiplies `emissive`; for `phong` and `blinn_phong`"}};
 
 /// Calls visit(map) with each texture that the material has.
 void for_each_texture(auto& material, auto&& visit) {

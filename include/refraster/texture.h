@@ -67,8 +67,8 @@ void build_mip_levels(Texture& texture);
 /// texture of more levels than one.
 void decode_srgb(Texture& texture);
 
-/// A texture as a material has it: an image, and how it is read. Its colour at the texture coordinates (u, v) is that of
-/// the image at (u, v) * scale + offset.
+/// A texture as a material has it: an image, and how it is read. Its colour at the texture coordinates (u, v) is that
+/// of the image at (u, v) * scale + offset.
 struct TextureMap {
   std::shared_ptr<const Texture> texture = {};    ///< null: white
   TextureFilter filter = TextureFilter::bilinear; ///< trilinear wants a texture with all its levels

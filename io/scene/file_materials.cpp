@@ -134,11 +134,11 @@ TextureMap FileMaterials::map(const MeshTexture& described, ColourSpace colour_s
   if (found.path.empty()) return result;
   const auto [entry, is_new] = textures_.try_emplace({canonical_path(found.path), colour_space});
   if (is_new) try {
-    entry->second = material_texture(found.path, colour_space, MipLevels::all, memory_, notes_);
-  } catch (const InputError& error) {
-    note(
-        {found.path, 0, error.faults().front().found, "drawn without it: expected " + error.faults().front().expected});
-  }
+      entry->second = material_texture(found.path, colour_space, MipLevels::all, memory_, notes_);
+    } catch (const InputError& error) {
+      note({found.path, 0, error.faults().front().found,
+            "drawn without it: expected " + error.faults().front().expected});
+    }
   result.texture = entry->second;
   return result;
 }

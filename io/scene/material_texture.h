@@ -13,8 +13,8 @@ namespace refraster {
 /// Whether a texture has all its smaller levels, for a trilinear filter.
 enum class MipLevels { none, all };
 
-/// Reads an image, decodes what is sRGB, and makes the levels that are wanted: in this order, so that means are those of
-/// light. Throws InputError. Notes go nowhere if `notes` is null.
+/// Reads an image, decodes what is sRGB, and makes the levels that are wanted: in this order, so that means are those
+/// of light. Throws InputError. Notes go nowhere if `notes` is null.
 std::shared_ptr<const Texture> material_texture(const std::string& path, ColourSpace colour_space, MipLevels levels,
                                                 const MemoryBudget& memory, NoteList* notes);
 

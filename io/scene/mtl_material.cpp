@@ -59,8 +59,7 @@ void note_what_is_not_shown(const MeshMaterial& material, NoteList& notes) {
   if (!material.ambient_map.path.empty() && material.ambient_map.path != material.diffuse_map.path)
     note("map_Ka", "read without map_Ka: ambient light is coloured by map_Kd");
   for (const MeshTexture* const map : {&material.diffuse_map, &material.specular_map, &material.emissive_map})
-    if (map->channel != 0 && map->channel != 'm')
-      note("-imfchan", "read without -imfchan: a colour has all channels");
+    if (map->channel != 0 && map->channel != 'm') note("-imfchan", "read without -imfchan: a colour has all channels");
   const auto unshown = [&](const MeshTexture& map, const char* what) {
     if (!map.path.empty()) note(what, "read, but not shown yet");
   };

@@ -133,7 +133,7 @@ void map_keys(auto& text, auto&& keys) {
   keys("scale", text.map.scale, any_number, "texture coordinates u and v are multiplied by it,", defaulted);
   keys("offset", text.map.offset, any_number, "and this is added", defaulted);
   keys("color_space", text.colour_space, Range{},
-       "what its numbers mean: values, or values by the curve of sRGB, which are decoded before anything is made of them",
+       "what its numbers mean: values, or values by the curve of sRGB, decoded before anything is made of them",
        defaulted);
 }
 

@@ -38,7 +38,8 @@ bool read_words(std::string_view text, const Range& range, Vector& value) {
   for (std::size_t begin = text.find_first_not_of(blanks); begin != std::string_view::npos;) {
     const std::size_t end = std::min(text.find_first_of(blanks, begin), text.size());
     double number = 0;
-    if (count == Vector::length() || read_number(text.substr(begin, end - begin), number) != NumberText::good) return false;
+    if (count == Vector::length() || read_number(text.substr(begin, end - begin), number) != NumberText::good)
+      return false;
     if (!range.contains(number)) return false;
     read[count++] = number;
     begin = text.find_first_not_of(blanks, end);

@@ -95,8 +95,7 @@ template <class Real>
                                });
 }
 
-LargeEdges large_edges(const Vertices& vertices, const auto& vertex,
-                       const std::array<std::uint8_t, 3>& corner) {
+LargeEdges large_edges(const Vertices& vertices, const auto& vertex, const std::array<std::uint8_t, 3>& corner) {
   std::array<WindowVertex, 3> v;
   for (std::size_t k = 0; k < 3; ++k) v[k] = vertices.window[vertex[corner[k]]];
   return {set_up_snapped(v).value().edge}; // in order already: corners keep their places
@@ -166,7 +165,8 @@ template <class Real>
       if ((state(0) | state(1) | state(2)) & outcode::unsnapped) [[unlikely]] {
         const ProjectiveTriangle& projective = context.bins.projective_triangle(number);
         t.projective = &uncommon.projective.emplace_back(projective);
-        set_attributes<Real>(context, vertices, ref, corners, projective.corner, {1, 1, 1}, t); // its edge functions bring their weights
+        set_attributes<Real>(context, vertices, ref, corners, projective.corner, {1, 1, 1},
+                             t); // its edge functions bring their weights
         continue;
       }
       const auto corner_at = [&](std::size_t k) { return static_cast<std::uint8_t>(set_up.corner[k].submitted[lane]); };
@@ -222,7 +222,9 @@ template <class Real>
 void set_up_attributes(const FrameContext& context, std::span<const VisibleTriangle> triangles,
                        std::span<AttributeSetup<Real>> setups, UncommonEdges& uncommon) {
   if (context.geometry.all_stored()) [[likely]] {
-    const auto in_geometry = [&](std::size_t i) -> const auto& { return triangles[i].ref.vertex; };
+    const auto in_geometry = [&](std::size_t i) -> const auto& {
+      return triangles[i].ref.vertex;
+    };
     set_up_from<Real>(context.geometry, in_geometry, context, triangles, setups, uncommon);
   } else {
     set_up_on_demand<Real>(context, triangles, setups, uncommon);

@@ -96,8 +96,7 @@ PacketSurface<T> packet_surface(const FrameContext& context, const Material& mat
   tally.note(Undefined::eye_at_surface, dot(surface.to_eye, surface.to_eye) <= T(0));
   const bool shows_texture = base.texture && data.may_have_texture_coordinates();
   if (!shows_texture) surface.texture = Rgb<T>(T(1));
-  else if (!context.uses.placed_textures) [[likely]]
-    surface.texture = texture_colour(base, data, at, tally);
+  else if (!context.uses.placed_textures) [[likely]] surface.texture = texture_colour(base, data, at, tally);
   else surface.texture = texture_colour(base, data, at, tally, SamplePlaced{});
   if (context.uses.vertex_colours) [[unlikely]]
     surface.texture = surface.texture * vertex_colour(context, data, at);
@@ -105,7 +104,8 @@ PacketSurface<T> packet_surface(const FrameContext& context, const Material& mat
 }
 
 /// What further textures of a material say of the same fragments: of one with has_fragment_maps(). Of coordinates that
-/// are not finite each texture counts. Out of line: few materials have them.
+/// are not finite each texture counts. Out of line: few materials have them. Interpolates once more, by the same
+/// operations: to a bounds number, whose symbols are those of the first time, these are the same numbers.
 template <class Data, class T = typename Data::Number, class Read = SamplePlaced>
 [[gnu::noinline]] FragmentMaps<T> fragment_maps(const Material& material, const Data& data,
                                                 const UndefinedTally<T>& tally, const Read& read = {}) {

@@ -120,9 +120,7 @@ private:
                 interpolate(context, material, PacketData<T, Triangles::one>(packet), tally, surface);
               else interpolate(context, material, PacketData<T, Triangles::many>(packet), tally, surface);
             },
-            [&](const auto& tally) {
-              return fragment_maps(material, PacketData<T, Triangles::many>(packet), tally);
-            });
+            [&](const auto& tally) { return fragment_maps(material, PacketData<T, Triangles::many>(packet), tally); });
       });
     } else {
       for_each_sample(context, group, tile, [&](const SampleData<T>& data, std::uint32_t number) {

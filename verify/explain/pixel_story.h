@@ -156,7 +156,7 @@ struct FragmentStory {
   std::optional<Double2> uv; // as interpolated, not wrapped
   std::optional<TextureStory> texture;
   std::optional<Double3> vertex_colour; // of the mesh, interpolated
-  Double3 texture_colour{1}; // t: the texture's times the vertices'; white without
+  Double3 texture_colour{1};            // t: the texture's times the vertices'; white without
   std::optional<TextureStory> specular_map, emissive_map;
   std::optional<Double3> specular_colour; // of specular_map, which multiplies ks
   std::optional<Double3> emission;        // light of its own, where the material has any
@@ -166,8 +166,8 @@ struct FragmentStory {
   bool user_function = false; // the formula is not known here: its lights were told apart by asking for them one by one
   Double3 ambient{0};
   std::vector<LightStory> lights; // in the order of the sum
-  Double3 radiance{0};            // ambient, emission and all lights, summed in this order: what the frame has, bit for bit
-  UndefinedCounts undefined;      // all that was met, the lights' too
+  Double3 radiance{0};       // ambient, emission and all lights, summed in this order: what the frame has, bit for bit
+  UndefinedCounts undefined; // all that was met, the lights' too
   ExactTerms exact;
 };
 

@@ -111,8 +111,7 @@ bool PixelColours::has_mip_levels(const Steps& steps) const {
     if (const std::optional<Covering> first = seen(steps, 0, t)) {
       const Material& material = material_of_covering(*first);
       const TextureMap& map = material.diffuse_map;
-      if (map.texture && steps.texture_filter.value_or(map.filter) == TextureFilter::trilinear)
-        return true;
+      if (map.texture && steps.texture_filter.value_or(map.filter) == TextureFilter::trilinear) return true;
     }
   return false;
 }

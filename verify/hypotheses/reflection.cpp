@@ -188,8 +188,8 @@ Rgb<double> user_colour(const Scene& scene, const UserFunction& function, const 
 
 Rgb<double> colour_of(const Scene& scene, const Material& material, const Prepared& prepared, const Surface& surface,
                       const Steps& steps, const Nudge& nudge) {
-  const Fragment<double> at{surface.position, surface.normal,  surface.to_eye,
-                            surface.texture,  nullptr,         surface.maps ? &*surface.maps : nullptr};
+  const Fragment<double> at{surface.position, surface.normal, surface.to_eye,
+                            surface.texture,  nullptr,        surface.maps ? &*surface.maps : nullptr};
   if (material.user_function) return user_colour(scene, *material.user_function, at, steps);
   const bool exchanged = steps.lobe == Lobe::exchanged;
   if (const Phong* const phong = std::get_if<Phong>(&material.fragment_function))

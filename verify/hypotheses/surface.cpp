@@ -173,9 +173,8 @@ Rgb<double> texture_colour(const FrameContext& context, const SampleData<double>
       steps.texture_use == TextureUse::missing)
     return Rgb<double>(1);
   const TextureFilter filter = steps.texture_filter.value_or(material.diffuse_map.filter);
-  const Texture& texture =
-      filter == TextureFilter::trilinear ? prepared.with_mip_levels(*material.diffuse_map.texture)
-                                         : *material.diffuse_map.texture;
+  const Texture& texture = filter == TextureFilter::trilinear ? prepared.with_mip_levels(*material.diffuse_map.texture)
+                                                              : *material.diffuse_map.texture;
   const TexturePoint point = texture_point(context, data, at, material.diffuse_map, steps, nudge);
   Rgb<double> colour =
       sample_wrapped(texture, filter, point, material.diffuse_map.wrap, steps.texture_wrap) + nudge.texel;
@@ -222,8 +221,7 @@ Surface surface_at(const FrameContext& context, const SampleData<double>& data, 
   const bool away = steps.normal_side == NormalSide::toward_eye && dot(normal, way) < 0;
   surface.normal = steps.normal_side == NormalSide::reversed || away ? -normal : normal;
   surface.unit = steps.normal_length == NormalLength::unit && steps.eye != Eye::not_normalised;
-  surface.texture =
-      texture_colour(context, data, at, prepared, steps, nudge) * vertex_colour(context, data, at);
+  surface.texture = texture_colour(context, data, at, prepared, steps, nudge) * vertex_colour(context, data, at);
   if (const Material& material = material_of(context.scene.objects[object], data.triangle());
       material.has_fragment_maps()) {
     UndefinedCounts uncounted;

@@ -112,7 +112,8 @@ std::shared_ptr<const Texture> random_texture(Random& random, TextureFilter filt
   return texture;
 }
 
-/// Those beside the diffuse one, and where they all are placed. From a generator of its own, which the other only seeds.
+/// Those beside the diffuse one, and where they all are placed. From a generator of its own, which the other only
+/// seeds.
 void add_further_textures(const Random& random, Material& material) {
   Random peek = random, own(static_cast<std::uint64_t>(peek.below(1 << 30)));
   for (const TextureSlot& slot : texture_slots) {

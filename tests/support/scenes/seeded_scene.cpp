@@ -220,7 +220,8 @@ Material random_material(Random& random) {
   material.fragment_function = random_function(random);
   material.diffuse_map.filter = any_of<TextureFilter>(random);
   if (!one_in(random, 3)) material.diffuse_map.texture = random_texture(random, material.diffuse_map.filter);
-  Random peek = random, own(static_cast<std::uint64_t>(peek.below(1 << 30))); // no other number is drawn for what follows
+  // No other number is drawn for what follows.
+  Random peek = random, own(static_cast<std::uint64_t>(peek.below(1 << 30)));
   for (const TextureSlot& slot : texture_slots) {
     TextureMap& map = material.*slot.map;
     const bool is_base = slot.map == &Material::diffuse_map;

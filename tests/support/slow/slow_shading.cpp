@@ -57,8 +57,12 @@ Vec trilinear(const Texture& texture, const Place& at, TextureWrap wrap) {
 Vec texture_colour(const TextureMap& map, const Seen& seen) {
   if (!map.texture || !seen.has_uv) return {1, 1, 1};
   const Real a = real(map.scale.x), b = real(map.scale.y);
-  const Place at{seen.u * a + real(map.offset.x), seen.v * b + real(map.offset.y), seen.u_right * a, seen.v_right * b,
-                 seen.u_down * a,                 seen.v_down * b};
+  const Place at{seen.u * a + real(map.offset.x),
+                 seen.v * b + real(map.offset.y),
+                 seen.u_right * a,
+                 seen.v_right * b,
+                 seen.u_down * a,
+                 seen.v_down * b};
   const Texture& texture = *map.texture;
   const TextureLevel& image = texture.levels[0];
   const Real scale = 1 / real(texture.full_scale);
@@ -203,8 +207,10 @@ concept HasFormula = requires(const Function& function, const Lit& at) {
 } // namespace
 
 Lit lit(const Scene& scene, const Seen& seen) {
-  return {seen.normal, unit(vec(scene.camera.position) - seen.position),
-          texture_colour(seen.material->diffuse_map, seen) * seen.colour, lights_at(scene, seen.position),
+  return {seen.normal,
+          unit(vec(scene.camera.position) - seen.position),
+          texture_colour(seen.material->diffuse_map, seen) * seen.colour,
+          lights_at(scene, seen.position),
           texture_colour(seen.material->specular_map, seen),
           vec(seen.material->emissive) * texture_colour(seen.material->emissive_map, seen)};
 }

@@ -70,8 +70,8 @@ void write_texture(JsonWriter& json, const Material& material) {
       for (const TextureLevel& level : material.diffuse_map.texture->levels) {
         std::vector<std::uint8_t> values;
         for (const float value : level.rgb)
-          values.push_back(
-              static_cast<std::uint8_t>(std::lround(static_cast<double>(value) * 255 / material.diffuse_map.texture->full_scale)));
+          values.push_back(static_cast<std::uint8_t>(
+              std::lround(static_cast<double>(value) * 255 / material.diffuse_map.texture->full_scale)));
         json.object([&] {
           json.member("width", level.width);
           json.member("height", level.height);

@@ -77,8 +77,8 @@ TEST_CASE("light of its own is emissive times its map, with no light and once wi
       const Frame frame = drawn(scene, precision);
       for (int y = 0; y < side; ++y)
         for (int x = 0; x < side; ++x) {
-          // A whole number over 255, which is not a binary fraction, is rounded once, and once to float; fast divides by
-          // multiplying, which is one rounding more.
+          // A whole number over 255, which is not a binary fraction, is rounded once, and once to float; fast divides
+          // by multiplying, which is one rounding more.
           const auto is_near = [&](int c, double expected) {
             return std::abs(static_cast<double>(frame.radiance.at(x, y)[c]) - expected) <= 3 * 0x1p-24 * expected;
           };
@@ -159,10 +159,10 @@ TEST_CASE("a clamped texture does not repeat, however far it is from the origin"
 }
 
 TEST_CASE("a picture with sRGB textures and sRGB output has the bytes of the texture where the light is 1") {
-  // Every byte: 256 texels under ambient light of 1. Decoded in double and rounded to float, u = 2^-24, a value y is off
-  // by y u at most, and `float` and `fast` make a few more roundings of it: encoded, by the curve's slope times that,
-  // which is y's at most 12.92 times, where y <= 0.0031308, and less than 1 beyond 0.05. 255 times either is far below
-  // the 0.5 that would make another byte of it. `fast` has an error of its own for the power: docs/precision.md.
+  // Every byte: 256 texels under ambient light of 1. Decoded in double and rounded to float, u = 2^-24, a value y is
+  // off by y u at most, and `float` and `fast` make a few more roundings of it: encoded, by the curve's slope times
+  // that, which is y's at most 12.92 times, where y <= 0.0031308, and less than 1 beyond 0.05. 255 times either is far
+  // below the 0.5 that would make another byte of it. `fast` has an error of its own for the power: docs/precision.md.
   Texture all;
   TextureLevel level{16, 16, {}};
   for (int i = 0; i < 256; ++i)
