@@ -208,7 +208,9 @@ Command render_command() {
       .name = "render",
       .meaning = "Make the image of a scene",
       .groups =
-          {{"Scene", {scene_argument(a.scene), outside_option(a.reading.outside), cache_option(a.reading.mesh_cache)}},
+          {{"Scene",
+            {scene_argument(a.scene), outside_option(a.reading.outside), exposure_option(a.reading.exposure_stops),
+             cache_option(a.reading.mesh_cache)}},
            {"Image",
             {file_option("-o,--output", "FILE", a.output,
                          "image to write: " + writable_extensions({rgb8_image}) + " (8 bit), " +
