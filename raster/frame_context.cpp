@@ -1,7 +1,8 @@
 #include "raster/frame_context.h"
 
+#include "raster/parallel.h"
+
 #include <algorithm>
-#include <omp.h>
 
 namespace refraster {
 
@@ -10,7 +11,7 @@ PixelRect rendered_region(const RenderOptions& options) {
 }
 
 int thread_count(const RenderOptions& options) {
-  return options.threads > 0 ? options.threads : omp_get_num_procs();
+  return thread_count(options.threads);
 }
 
 bool has_two_sided(const Scene& scene) {
