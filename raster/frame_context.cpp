@@ -1,8 +1,7 @@
 #include "raster/frame_context.h"
 
-#include "raster/parallel.h"
-
 #include <algorithm>
+#include <omp.h>
 
 namespace refraster {
 
@@ -11,7 +10,7 @@ PixelRect rendered_region(const RenderOptions& options) {
 }
 
 int thread_count(const RenderOptions& options) {
-  return thread_count(options.threads);
+  return options.threads > 0 ? options.threads : omp_get_num_procs();
 }
 
 bool has_two_sided(const Scene& scene) {

@@ -7,10 +7,6 @@
 
 namespace refraster {
 
-int thread_count(int asked) {
-  return asked > 0 ? asked : omp_get_num_procs();
-}
-
 void parallel_for(int threads, std::size_t count, const std::function<void(std::size_t index, int thread)>& body) {
   // Indices are given out here and not by `omp for`, out of which no exception may come.
   std::atomic<std::size_t> next{0};

@@ -6,9 +6,6 @@
 
 namespace refraster {
 
-/// So many, or where `asked` is 0 as many as this process has processors.
-int thread_count(int asked);
-
 /// Calls body(index, thread) once for each index in [0, count). Threads take the next index, in rising order, when they
 /// are done with one; 0 <= thread < threads names who called, so that each may have scratch memory of its own. What
 /// `body` throws ends the loop as soon as the other threads are done with their index, and is thrown from here: the

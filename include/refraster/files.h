@@ -126,7 +126,7 @@ void write_merl(const std::string& path, const MerlTable& table);
 /// An image as it is stored.
 struct ImageFile {
   Image<float> values;               ///< 1 to 4 channels or, of an EXR file, as many as it has; row 0 at the top
-  int bits = 8;                      ///< of a channel: 8, 16 or 32 (float; in NumPy's arrays also whole numbers)
+  int bits = 8;                      ///< of a channel: 8, 16 or 32 (float)
   double full_scale = 255;           ///< the value that means 1: 255, 65535, or 1 for float
   std::vector<std::string> channels; ///< names, as R G B A, or Y for one channel
   bool names_channels = false;       ///< whether the file says them (EXR), or they follow from their number
@@ -136,7 +136,7 @@ struct ImageFile {
 };
 
 /// Reads any of the formats of io/image/image_formats.h: PNG, JPEG, TGA, BMP (8 or 16 bits), Radiance HDR, PFM, OpenEXR
-/// (float), NumPy's arrays (any of these). What it is, is seen from its content; docs/image-formats.md says what is read of each. Values are as
+/// (float). What it is, is seen from its content; docs/image-formats.md says what is read of each. Values are as
 /// stored: no gamma, no colour profile and no EXIF orientation is applied. Throws InputError. The size it declares is
 /// checked against the limits (io/file/limits.h), and against the size of the file, before any memory is taken.
 ImageFile read_image(const std::string& path, const MemoryBudget& memory = {});
@@ -145,31 +145,12 @@ ImageFile read_image(const std::string& path, const MemoryBudget& memory = {});
 /// grey, alpha is dropped. Else as read_image; its notes go to `notes`, if not null.
 Texture read_texture(const std::string& path, const MemoryBudget& memory = {}, NoteList* notes = nullptr);
 
-/// What a file says that its colours are encoded by; no value depends on it.
-enum class StatedCurve {
-  none, ///< nothing: shown as they are, as OpenGL's default framebuffer shows them
-  srgb  ///< IEC 61966-2-1: a PNG's chunk sRGB
-};
+/// Writes whole numbers of 8 bits, with no colour profile, in the format that the path's extension says, in any case:
+/// `.png`, 1 channel (grey) or 3 (RGB). Throws OutputError; InputError for another extension or number of channels.
+void write_image(const std::string& path, const Image<std::uint8_t>& image);
 
-/// How an image is written.
-struct WriteOptions {
-  StatedCurve curve = StatedCurve::none; ///< stated by `.png`; the other formats have no place for it
-  int jpeg_quality = 95;                 ///< 1 to 100; above 90 colours have the resolution of the image
-  int threads = 0;                       ///< 0: as many as the machine has. The file is the same for any number
-};
-
-/// Writes whole numbers of 8 or 16 bits, with no colour profile, in the format that the path's extension says, in any
-/// case: `.png`, 1 (grey), 2 (grey, alpha), 3 (RGB) or 4 channels (RGB, alpha, straight); `.jpg`, 8 bits and 3 channels:
-/// lossy; `.npy`, any channels. Throws OutputError; InputError for another extension or number of channels.
-void write_image(const std::string& path, const Image<std::uint8_t>& image, const WriteOptions& options = {});
-/// The same.
-void write_image(const std::string& path, const Image<std::uint16_t>& image, const WriteOptions& options = {});
-/// The same of 32 bits, as numbers of objects are: `.npy`.
-void write_image(const std::string& path, const Image<std::uint32_t>& image, const WriteOptions& options = {});
-
-/// Writes float values likewise: `.hdr` (3 channels, 8-bit mantissas: lossy), `.pfm` (1 or 3 channels), `.exr` and
-/// `.npy` (any channels, 32-bit float). `channels` names those of a file that has names; by default R G B, or Y for a
-/// single one.
+/// Writes float values likewise: `.hdr` (3 channels, 8-bit mantissas: lossy), `.pfm` (1 or 3 channels), `.exr` (any
+/// channels, 32-bit float). `channels` names those of a file that has names; by default R G B, or Y for a single one.
 void write_image(const std::string& path, const Image<float>& image, std::vector<std::string> channels = {});
 
 } // namespace refraster

@@ -95,6 +95,10 @@ const ImageFormat& format_to_write(const std::string& path, const ImageContent& 
 
 } // namespace
 
+void write_image(const std::string& path, const Image<std::uint8_t>& image) {
+  write_image(path, image, WriteOptions{});
+}
+
 void write_image(const std::string& path, const Image<std::uint8_t>& image, const WriteOptions& options) {
   format_to_write(path, {ImageValues::uint8, image.channels}).write_uint8(path, image, options);
 }

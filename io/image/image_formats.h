@@ -5,6 +5,7 @@
 // file's name in CMakeLists.txt. Tests (tests/unit/io/test_image_formats.cpp) name what else it needs.
 
 #include "io/image/image_reading.h"
+#include "io/image/image_write.h"
 
 #include <algorithm>
 #include <array>

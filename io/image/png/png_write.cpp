@@ -3,6 +3,7 @@
 #include "io/file/atomic_file.h"
 #include "io/image/image_formats.h"
 #include "io/image/png/png_filter.h"
+#include "raster/frame_context.h"
 #include "raster/parallel.h"
 
 #include <zlib.h>
@@ -147,7 +148,7 @@ template <class Value>
 std::string file_of(const Image<Value>& image, const WriteOptions& options, const PngPacking& packing) {
   FilteredRows<Value> rows(image);
   const std::size_t strips = rows.strips();
-  const int threads = thread_count(options.threads);
+  const int threads = thread_count({.threads = options.threads});
   parallel_for(threads, strips, [&](std::size_t i, int) { rows.filter(i); });
   std::vector<PackedStrip> packed(strips);
   parallel_for(threads, strips, [&](std::size_t i, int) {

@@ -4,6 +4,7 @@
 #include <refraster/notes.h>
 
 #include "io/file/input_file.h"
+#include "io/image/image_write.h"
 #include "tests/support/files/malformed_inputs.h"
 #include "tests/support/files/npy_bytes.h"
 
