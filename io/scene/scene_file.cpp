@@ -78,8 +78,7 @@ public:
   TextureFiles texture_files() const {
     TextureFiles files = file_materials_.texture_files();
     for (const auto& [file, texture] : textures_)
-      if (texture)
-        files.emplace(texture.get(), TextureFile{file.first, value_named<ColourSpace>(file.second).value()});
+      if (texture) files.emplace(texture.get(), TextureFile{file.first, value_named<ColourSpace>(file.second).value()});
     return files;
   }
 
@@ -350,7 +349,8 @@ SceneSource read_scene_source(const std::string& path, const SceneOptions& optio
   for (JsonIndex i = document[0].first_child; i; i = document[i].next)
     if (document[i].key == "asset" && document[i].kind == JsonKind::object) throw gltf_is_no_scene(path);
   SceneReader top(document, 0, "", faults);
-  top.object("scene", required, "", [&](auto& keys) { scene_keys(scene, source.view, objects, options.user_functions, keys); });
+  top.object("scene", required, "",
+             [&](auto& keys) { scene_keys(scene, source.view, objects, options.user_functions, keys); });
   top.finish();
 
   FaultList in_files;

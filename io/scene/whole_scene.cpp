@@ -34,9 +34,8 @@ public:
   void parameters(M& function, Use use) {
     if (use == Use::other) return;
     function = std::get<M>(material_.fragment_function);
-    M::fields(function, [&](std::string_view key, const auto& value, const Range&, std::string_view) {
-      member(key, value);
-    });
+    M::fields(function,
+              [&](std::string_view key, const auto& value, const Range&, std::string_view) { member(key, value); });
   }
   void parameters(UserFunction&, Use) {}
 

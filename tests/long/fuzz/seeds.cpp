@@ -133,7 +133,7 @@ void add_images(Seeds& seeds) {
   int number = 0;
   for (const test::ImageClause& clause : test::all_image_clauses()) {
     const ImageFormat* const format = format_with_signature(clause.bytes);
-    seeds.add(format && format->values == ImageValues::floats ? "float_image" : "image",
+    seeds.add(format && format->values == StoredValues::floats ? "float_image" : "image",
               "clause_" + std::to_string(number++), clause.bytes);
   }
   for (int channels = 1; channels <= 4; ++channels)
@@ -151,8 +151,8 @@ void add_images(Seeds& seeds) {
     for (const ImageFormat& format : image_formats) {
       if (!format.writes.contains(channels)) continue;
       const std::string name = "own_" + std::to_string(channels) + "." + std::string(format.extensions[0]);
-      if (format.values == ImageValues::integers) write_image(seeds.path_of("image", name), integers);
-      else write_image(seeds.path_of("float_image", name), floats);
+      if (can_write(format, {ImageValues::uint8, channels})) write_image(seeds.path_of("image", name), integers);
+      if (can_write(format, {ImageValues::floats, channels})) write_image(seeds.path_of("float_image", name), floats);
     }
   }
 }
