@@ -53,6 +53,10 @@ std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const Float3> po
 /// The same for one polygon of any size, however long it takes.
 std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const Float3> polygon);
 
+/// Whether triangulate makes a polygon the fan of its first corner, told without its lists: false for one of more than
+/// eight corners, and where it is not plain to see.
+bool is_fan(std::span<const Float3> polygon);
+
 /// Along a polygon's normal, and twice its area long.
 Double3 area_vector(std::span<const Float3> polygon);
 

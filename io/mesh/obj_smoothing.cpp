@@ -156,7 +156,7 @@ private:
 
 SharedNormals shared_by_crease(const ObjFaces& faces, std::span<const FaceNormal> normals, std::size_t vertices,
                                double crease_degrees, std::uint64_t& steps_left) {
-  const std::vector<ObjCorner>& corners = faces.corners;
+  const RawVector<ObjCorner>& corners = faces.corners;
   // The corners of each vertex, by a counting sort.
   std::vector<std::uint32_t> begin(vertices + 1);
   for (const ObjCorner& corner : corners)
