@@ -79,10 +79,13 @@ std::uint64_t image_bytes(const RenderOptions& options, const PixelRect& region)
 // A vertex in Geometry.
 constexpr std::uint64_t vertex_bytes = sizeof(PlacedVertex) + sizeof(double) + sizeof(WorldVertex);
 
-std::uint64_t vertices_of(const Scene& scene) {
-  std::uint64_t count = 0;
-  for (const Object& object : scene.objects) count += object.mesh->positions.size();
-  return count;
+// Each thread's copy of the largest mesh that is on demand.
+std::uint64_t bytes_on_demand(const FrameContext& context) {
+  std::uint64_t most = 0;
+  for (std::uint32_t o = 0; o < context.scene.objects.size(); ++o)
+    if (context.geometry.storage_of(o) == Storage::on_demand)
+      most = std::max<std::uint64_t>(most, context.scene.objects[o].mesh->positions.size());
+  return most * sizeof(PlacedVertex) * static_cast<std::uint64_t>(context.threads);
 }
 
 std::uint64_t bytes_of(const Frame& frame) {
@@ -152,8 +155,10 @@ void render_frame(const Scene& scene, const RenderOptions& options, Geometry& ge
   frame.counts.pixels = static_cast<std::uint64_t>(region.width) * static_cast<std::uint64_t>(region.height);
 
   Stopwatch stage;
-  need_more(options.memory, vertex_bytes * vertices_of(scene), vertex_bytes * geometry.window.size(), "the vertices");
-  transform(context, geometry);
+  lay_out(context, geometry);
+  need_more(options.memory, vertex_bytes * geometry.first_vertex.back() + bytes_on_demand(context),
+            vertex_bytes * geometry.window.size(), "the vertices");
+  transform_stored(context, geometry);
   frame.seconds.transform = stage.lap();
   bin_triangles(context, geometry, bins, frame.counts);
   frame.seconds.bin = stage.lap();

@@ -59,10 +59,11 @@ template <class Real>
 
 // Everything but the edge functions. weight: of the corners, in their order.
 template <class Real>
-[[gnu::always_inline]] inline void set_attributes(const FrameContext& context, const TriangleRef& ref,
+[[gnu::always_inline]] inline void set_attributes(const FrameContext& context, const Vertices& vertices,
+                                                  const TriangleRef& ref, const auto& vertex,
                                                   const std::array<std::uint8_t, 3>& corner,
                                                   const std::array<double, 3>& weight, AttributeSetup<Real>& t) {
-  const auto world = [&](std::size_t k) { return &context.geometry.world[ref.vertex[corner[k]]]; };
+  const auto world = [&](std::size_t k) { return &vertices.world[vertex[corner[k]]]; };
   set_rows<Real>({world(0), world(1), world(2)}, weight, t);
 
   const Mesh& mesh = *context.scene.objects[ref.object].mesh;
@@ -92,9 +93,10 @@ template <class Real>
                                });
 }
 
-LargeEdges large_edges(const Geometry& geometry, const TriangleRef& ref, const std::array<std::uint8_t, 3>& corner) {
+LargeEdges large_edges(const Vertices& vertices, const auto& vertex,
+                       const std::array<std::uint8_t, 3>& corner) {
   std::array<WindowVertex, 3> v;
-  for (std::size_t k = 0; k < 3; ++k) v[k] = geometry.window[ref.vertex[corner[k]]];
+  for (std::size_t k = 0; k < 3; ++k) v[k] = vertices.window[vertex[corner[k]]];
   return {set_up_snapped(v).value().edge}; // in order already: corners keep their places
 }
 
@@ -109,6 +111,88 @@ template <class Real>
           Real& value = setups[i].row[static_cast<std::size_t>(r)][column];
           value = -value;
         }
+}
+
+// vertices_of(i): the three of triangles[i] in `vertices`.
+template <class Real>
+[[gnu::always_inline]] inline void set_up_from(const Vertices& vertices, auto&& vertices_of,
+                                               const FrameContext& context, std::span<const VisibleTriangle> triangles,
+                                               std::span<AttributeSetup<Real>> setups, UncommonEdges& uncommon) {
+  using Row = Native<double>;
+  constexpr int lanes = NumberTraits<Row>::lanes;
+  constexpr std::size_t ahead = 32; // vertices come from far: asked for long before they are needed
+  const std::size_t count = triangles.size();
+  for (std::size_t begin = 0; begin < count; begin += lanes) {
+    const std::size_t here = std::min(count - begin, std::size_t{lanes});
+    for (std::size_t i = begin + ahead; i < std::min(begin + ahead + lanes, count); ++i)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t vertex = vertices_of(i)[k];
+        __builtin_prefetch(&vertices.world[vertex]);
+        __builtin_prefetch(&vertices.window.placed[vertex]);
+        __builtin_prefetch(&vertices.window.inverse_w[vertex]);
+      }
+    const auto vertex = [&](int lane, std::size_t k) {
+      return vertices_of(begin + std::min(static_cast<std::size_t>(lane), here - 1))[k];
+    };
+    std::array<CornerLanes<lanes>, 3> placed;
+    std::array<Row, 3> inverse_w;
+    for (std::size_t k = 0; k < 3; ++k) {
+      placed[k] = gather_corners<lanes>(
+          [&](int lane) -> const PlacedVertex& { return vertices.window.placed[vertex(lane, k)]; });
+      std::array<double, lanes> of;
+      for (int lane = 0; lane < lanes; ++lane)
+        of[static_cast<std::size_t>(lane)] = vertices.window.inverse_w[vertex(lane, k)];
+      inverse_w[k] = load_lanes<Row>(of.data());
+    }
+    const AttributeSetupLanes<lanes> set_up = attribute_setup_lanes<lanes>(placed, inverse_w);
+    std::array<std::array<double, lanes>, 3> weights;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Row least(min_weight<Real>);
+      weights[k] = listed(max(set_up.corner[k].weight, least));
+    }
+
+    for (std::size_t i = 0; i < here; ++i) {
+      const auto lane = static_cast<int>(i);
+      const TriangleRef& ref = triangles[begin + i].ref;
+      const std::uint32_t number = triangles[begin + i].number;
+      const auto& corners = vertices_of(begin + i);
+      AttributeSetup<Real>& t = setups[begin + i];
+      t.object = ref.object;
+      t.number = number;
+      t.large = nullptr, t.projective = nullptr;
+      const auto state = [&](std::size_t k) { return vertices.window.placed[corners[k]].outcode(); };
+      if ((state(0) | state(1) | state(2)) & outcode::unsnapped) [[unlikely]] {
+        const ProjectiveTriangle& projective = context.bins.projective_triangle(number);
+        t.projective = &uncommon.projective.emplace_back(projective);
+        set_attributes<Real>(context, vertices, ref, corners, projective.corner, {1, 1, 1}, t); // its edge functions bring their weights
+        continue;
+      }
+      const auto corner_at = [&](std::size_t k) { return static_cast<std::uint8_t>(set_up.corner[k].submitted[lane]); };
+      const std::array<std::uint8_t, 3> corner{corner_at(0), corner_at(1), corner_at(2)};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto& edge = set_up.corner[k];
+        t.edge[k] = {edge.a[lane], edge.b[lane], edge.c[lane]};
+      }
+      if (!set_up.wraps[lane]) t.large = &uncommon.large.emplace_back(large_edges(vertices, corners, corner));
+      set_attributes<Real>(context, vertices, ref, corners, corner, {weights[0][i], weights[1][i], weights[2][i]}, t);
+    }
+  }
+}
+
+/// The same of a frame that does not store all vertices: those of these triangles are made or copied first.
+template <class Real>
+[[gnu::noinline]] void set_up_on_demand(const FrameContext& context, std::span<const VisibleTriangle> triangles,
+                                        std::span<AttributeSetup<Real>> setups, UncommonEdges& uncommon) {
+  std::vector<TriangleRef> refs;
+  refs.reserve(triangles.size());
+  for (const VisibleTriangle& triangle : triangles) refs.push_back(triangle.ref);
+  Vertices vertices;
+  gather_vertices(context.geometry, refs, vertices);
+  const auto gathered = [](std::size_t i) {
+    const auto first = static_cast<std::uint32_t>(3 * i);
+    return std::array{first, first + 1, first + 2};
+  };
+  set_up_from<Real>(vertices, gathered, context, triangles, setups, uncommon);
 }
 
 } // namespace
@@ -135,63 +219,11 @@ bool is_turned(const FrameContext& context, const TriangleRef& ref, std::uint32_
 template <class Real>
 void set_up_attributes(const FrameContext& context, std::span<const VisibleTriangle> triangles,
                        std::span<AttributeSetup<Real>> setups, UncommonEdges& uncommon) {
-  const Geometry& geometry = context.geometry;
-  using Row = Native<double>;
-  constexpr int lanes = NumberTraits<Row>::lanes;
-  constexpr std::size_t ahead = 32; // vertices come from far: asked for long before they are needed
-  const std::size_t count = triangles.size();
-  for (std::size_t begin = 0; begin < count; begin += lanes) {
-    const std::size_t here = std::min(count - begin, std::size_t{lanes});
-    for (std::size_t i = begin + ahead; i < std::min(begin + ahead + lanes, count); ++i)
-      for (const std::uint32_t vertex : triangles[i].ref.vertex) {
-        __builtin_prefetch(&geometry.world[vertex]);
-        __builtin_prefetch(&geometry.window.placed[vertex]);
-        __builtin_prefetch(&geometry.window.inverse_w[vertex]);
-      }
-    const auto vertex = [&](int lane, std::size_t k) {
-      return triangles[begin + std::min(static_cast<std::size_t>(lane), here - 1)].ref.vertex[k];
-    };
-    std::array<CornerLanes<lanes>, 3> placed;
-    std::array<Row, 3> inverse_w;
-    for (std::size_t k = 0; k < 3; ++k) {
-      placed[k] = gather_corners<lanes>(
-          [&](int lane) -> const PlacedVertex& { return geometry.window.placed[vertex(lane, k)]; });
-      std::array<double, lanes> of;
-      for (int lane = 0; lane < lanes; ++lane)
-        of[static_cast<std::size_t>(lane)] = geometry.window.inverse_w[vertex(lane, k)];
-      inverse_w[k] = load_lanes<Row>(of.data());
-    }
-    const AttributeSetupLanes<lanes> set_up = attribute_setup_lanes<lanes>(placed, inverse_w);
-    std::array<std::array<double, lanes>, 3> weights;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Row least(min_weight<Real>);
-      weights[k] = listed(max(set_up.corner[k].weight, least));
-    }
-
-    for (std::size_t i = 0; i < here; ++i) {
-      const auto lane = static_cast<int>(i);
-      const TriangleRef& ref = triangles[begin + i].ref;
-      const std::uint32_t number = triangles[begin + i].number;
-      AttributeSetup<Real>& t = setups[begin + i];
-      t.object = ref.object;
-      t.number = number;
-      t.large = nullptr, t.projective = nullptr;
-      const auto state = [&](std::size_t k) { return geometry.window.placed[ref.vertex[k]].outcode(); };
-      if ((state(0) | state(1) | state(2)) & outcode::unsnapped) [[unlikely]] {
-        const ProjectiveTriangle& projective = context.bins.projective_triangle(number);
-        t.projective = &uncommon.projective.emplace_back(projective);
-        set_attributes<Real>(context, ref, projective.corner, {1, 1, 1}, t); // its edge functions bring their weights
-        continue;
-      }
-      const auto corner_at = [&](std::size_t k) { return static_cast<std::uint8_t>(set_up.corner[k].submitted[lane]); };
-      const std::array<std::uint8_t, 3> corner{corner_at(0), corner_at(1), corner_at(2)};
-      for (std::size_t k = 0; k < 3; ++k) {
-        const auto& edge = set_up.corner[k];
-        t.edge[k] = {edge.a[lane], edge.b[lane], edge.c[lane]};
-      }
-      if (!set_up.wraps[lane]) t.large = &uncommon.large.emplace_back(large_edges(geometry, ref, corner));
-      set_attributes<Real>(context, ref, corner, {weights[0][i], weights[1][i], weights[2][i]}, t);
-    }
+  if (context.geometry.all_stored()) [[likely]] {
+    const auto in_geometry = [&](std::size_t i) -> const auto& { return triangles[i].ref.vertex; };
+    set_up_from<Real>(context.geometry, in_geometry, context, triangles, setups, uncommon);
+  } else {
+    set_up_on_demand<Real>(context, triangles, setups, uncommon);
   }
   if (context.any_two_sided) [[unlikely]]
     turn_normals(context, triangles, setups);

@@ -205,8 +205,8 @@ private:
   SampleCorners<T> corners(const std::array<WindowVertex, 3>& window) {
     SampleCorners<T> result;
     const Mesh& mesh = *context_.scene.objects[ref_.object].mesh;
-    std::array<WorldVertex, 3> world;
-    for (std::size_t k = 0; k < 3; ++k) world[k] = context_.geometry.world[ref_.vertex[corner_[k]]];
+    const std::array<WorldVertex, 3> submitted = world_corners(context_.geometry, ref_);
+    const std::array<WorldVertex, 3> world{submitted[corner_[0]], submitted[corner_[1]], submitted[corner_[2]]};
     const double scale = normal_factor_ = normal_scale(world[0], world[1], world[2]);
     for (std::size_t k = 0; k < 3; ++k) {
       result.position[k] = as<T>(world[k].position);

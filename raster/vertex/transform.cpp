@@ -4,6 +4,7 @@
 #include "math/precisions.h"
 #include "raster/lanes.h"
 #include "raster/parallel.h"
+#include "raster/vertex/outside.h"
 #include "raster/vertex/vertex_stage.h"
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <span>
 #include <utility>
 
 namespace refraster {
@@ -149,10 +151,10 @@ struct VertexStage {
   }
 
   // As many vertices as T has lanes.
-  void run(const Float3* positions, const Float3* normals, PlacedVertex* placed, double* inverse_w,
-           WorldVertex* world) const {
-    const Vec3<T> p(component<T>(positions, 0), component<T>(positions, 1), component<T>(positions, 2));
-    const Vec3<T> n(component<T>(normals, 0), component<T>(normals, 1), component<T>(normals, 2));
+  static Vec3<T> read(const Float3* at) { return {component<T>(at, 0), component<T>(at, 1), component<T>(at, 2)}; }
+
+  // What becomes of them in the window, with 1 / w where inverse_w is not null.
+  void place(const Vec3<T>& p, PlacedVertex* placed, double* inverse_w) const {
     const auto clip = [&](int row) { return homogeneous(matrices.clip_from_object, row, p); };
     const WindowLanes<T> v = window_lanes(Vec4<T>(clip(0), clip(1), clip(2), clip(3)), width, height);
     // The integers of PlacedVertex, two in the bits of one double.
@@ -161,8 +163,11 @@ struct VertexStage {
     const LaneBits<T> y_state = whole_bits(v.y * T(64.0) + v.not_finite + v.unsnapped * T(2.0)) << 32;
     store_pairs(reinterpret_cast<double*>(placed), sizeof *placed / sizeof(double), from_bits<T>(x_sides | y_state),
                 v.z);
-    store_lanes(inverse_w, v.inverse_w);
+    if (inverse_w) store_lanes(inverse_w, v.inverse_w);
+  }
 
+  // The same in the world.
+  void to_world(const Vec3<T>& p, const Vec3<T>& n, WorldVertex* world) const {
     const T far(0x1p1022); // the difference of two that lie farther would overflow
     const auto position = [&](int row) { return min(max(homogeneous(matrices.world_from_object, row, p), -far), far); };
     const auto normal = [&](int row) { return linear(matrices.world_from_normal, row, n); };
@@ -174,60 +179,175 @@ struct VertexStage {
   }
 };
 
-// Vertices [begin, end) of an object's mesh.
-void transform_vertices(const Mesh& mesh, const ObjectTransform& matrices, int width, int height, std::size_t begin,
-                        std::size_t end, std::size_t first, Geometry& geometry) {
-  using Row = Native<double>;
-  constexpr std::size_t lanes = NumberTraits<Row>::lanes;
-  const auto run = [&](const auto& stage, std::size_t v) {
-    stage.run(&mesh.positions[v], &mesh.normals[v], &geometry.window.placed[first + v],
-              &geometry.window.inverse_w[first + v], &geometry.world[first + v]);
-  };
+using Row = Native<double>;
+constexpr std::size_t lanes = NumberTraits<Row>::lanes;
+
+// Calls run(stage, index) so that all of [begin, end) are gone through: registers of them, then one by one.
+void for_vertices(const ObjectTransform& matrices, int width, int height, std::size_t begin, std::size_t end,
+                  auto&& run) {
   std::size_t v = begin;
   for (; v + lanes <= end; v += lanes) run(VertexStage<Row>{matrices, width, height}, v);
   for (; v < end; ++v) run(VertexStage<double>{matrices, width, height}, v);
 }
 
-} // namespace
+// Vertices [begin, end) of an object's mesh become vertices `first` onward.
+void transform_vertices(const Mesh& mesh, const ObjectTransform& matrices, int width, int height, std::size_t begin,
+                        std::size_t end, std::size_t first, Vertices& vertices) {
+  for_vertices(matrices, width, height, begin, end, [&](const auto& stage, std::size_t v) {
+    const auto p = stage.read(&mesh.positions[v]), n = stage.read(&mesh.normals[v]);
+    stage.place(p, &vertices.window.placed[first + v], &vertices.window.inverse_w[first + v]);
+    stage.to_world(p, n, &vertices.world[first + v]);
+  });
+}
 
-void transform(const FrameInput& input, Geometry& geometry) {
+// Those of the mesh that stand in a list become vertices `first` onward.
+void transform_some(const Mesh& mesh, const ObjectTransform& matrices, int width, int height,
+                    std::span<const std::uint32_t> list, std::size_t first, Vertices& vertices) {
+  std::array<Float3, lanes> positions, normals;
+  for_vertices(matrices, width, height, 0, list.size(), [&]<class T>(const VertexStage<T>& stage, std::size_t i) {
+    for (std::size_t lane = 0; lane < std::size_t{NumberTraits<T>::lanes}; ++lane)
+      positions[lane] = mesh.positions[list[i + lane]], normals[lane] = mesh.normals[list[i + lane]];
+    const auto p = stage.read(positions.data()), n = stage.read(normals.data());
+    stage.place(p, &vertices.window.placed[first + i], &vertices.window.inverse_w[first + i]);
+    stage.to_world(p, n, &vertices.world[first + i]);
+  });
+}
+
+// Matrices, and where triangles begin.
+void place_objects(const FrameInput& input, Geometry& geometry) {
   const Scene& scene = input.scene;
-  const int width = input.options.width, height = input.options.height;
-  const Double4x4 view_projection = clip_from_world(scene.camera, static_cast<double>(width) / height);
+  geometry.scene = &scene;
+  geometry.width = input.options.width, geometry.height = input.options.height;
+  const Double4x4 view_projection =
+      clip_from_world(scene.camera, static_cast<double>(geometry.width) / geometry.height);
   geometry.transforms.clear();
-  geometry.first_vertex.assign(1, 0);
   geometry.first_triangle.assign(1, 0);
   for (const Object& object : scene.objects) {
-    assert(object.mesh->positions.size() <= INT32_MAX - geometry.first_vertex.back());
     assert(object.mesh->triangles.size() <= INT32_MAX - geometry.first_triangle.back());
     geometry.transforms.push_back(object_transform(object, view_projection));
-    geometry.first_vertex.push_back(geometry.first_vertex.back() +
-                                    static_cast<std::uint32_t>(object.mesh->positions.size()));
     geometry.first_triangle.push_back(geometry.first_triangle.back() +
                                       static_cast<std::uint32_t>(object.mesh->triangles.size()));
   }
+}
+
+// Where vertices begin.
+void number_vertices(Geometry& geometry) {
+  geometry.first_vertex.assign(1, 0);
+  for (std::uint32_t o = 0; o < geometry.scene->objects.size(); ++o) {
+    const std::size_t count =
+        geometry.storage_of(o) == Storage::stored ? geometry.scene->objects[o].mesh->positions.size() : 0;
+    assert(count <= INT32_MAX - geometry.first_vertex.back());
+    geometry.first_vertex.push_back(geometry.first_vertex.back() + static_cast<std::uint32_t>(count));
+  }
+}
+
+} // namespace
+
+void lay_out(const FrameInput& input, Geometry& geometry, const StorageLimits& limits) {
+  place_objects(input, geometry);
+  const std::vector<Object>& objects = geometry.scene->objects;
+  std::vector<Storage>& storage = geometry.storage;
+  storage.assign(objects.size(), Storage::stored);
+  find_outside(input, geometry.transforms, storage);
+  std::size_t vertices = 0;
+  for (std::size_t o = 0; o < objects.size(); ++o)
+    if (storage[o] == Storage::stored) vertices += objects[o].mesh->positions.size();
+  if (vertices > limits.stored)
+    for (std::size_t o = 0; o < objects.size(); ++o)
+      if (storage[o] == Storage::stored && objects[o].mesh->positions.size() <= limits.on_demand)
+        storage[o] = Storage::on_demand;
+  if (std::all_of(storage.begin(), storage.end(), [](Storage of) { return of == Storage::stored; })) storage.clear();
+  number_vertices(geometry);
+}
+
+void transform(const FrameInput& input, Geometry& geometry) {
+  place_objects(input, geometry);
+  geometry.storage.clear();
+  number_vertices(geometry);
+  transform_stored(input, geometry);
+}
+
+void transform_stored(const FrameInput& input, Geometry& geometry) {
   const std::size_t vertices = geometry.first_vertex.back();
-  geometry.window.resize_uninitialized(vertices);
-  geometry.world.resize_uninitialized(vertices);
+  geometry.resize_uninitialized(vertices);
+  const std::vector<Object>& objects = geometry.scene->objects;
   // Pieces of all vertices, whatever the objects are: there may be thousands of these, or one.
   constexpr std::size_t piece = 2048;
   parallel_for(input.threads, (vertices + piece - 1) / piece, [&](std::size_t index, int) {
     const std::size_t begin = index * piece, end = std::min(vertices, begin + piece);
     const auto after = std::upper_bound(geometry.first_vertex.begin(), geometry.first_vertex.end(), begin);
     for (auto o = static_cast<std::size_t>(after - geometry.first_vertex.begin()) - 1;
-         o < scene.objects.size() && geometry.first_vertex[o] < end; ++o) {
+         o < objects.size() && geometry.first_vertex[o] < end; ++o) {
       const std::size_t first = geometry.first_vertex[o], last = geometry.first_vertex[o + 1];
-      transform_vertices(*scene.objects[o].mesh, geometry.transforms[o], width, height, std::max(begin, first) - first,
-                         std::min(end, last) - first, first, geometry);
+      if (first == last) continue; // none is stored of it
+      transform_vertices(*objects[o].mesh, geometry.transforms[o], geometry.width, geometry.height,
+                         std::max(begin, first) - first, std::min(end, last) - first, first, geometry);
     }
   });
+}
+
+void place_vertices(const Geometry& geometry, std::uint32_t object, Buffer<PlacedVertex>& placed) {
+  const Mesh& mesh = *geometry.scene->objects[object].mesh;
+  placed.resize_uninitialized(mesh.positions.size());
+  for_vertices(geometry.transforms[object], geometry.width, geometry.height, 0, mesh.positions.size(),
+               [&](const auto& stage, std::size_t v) {
+                 stage.place(stage.read(&mesh.positions[v]), &placed[v], nullptr);
+               });
+}
+
+std::array<WindowVertex, 3> window_corners_on_demand(const Geometry& geometry, const TriangleRef& ref) {
+  const Mesh& mesh = *geometry.scene->objects[ref.object].mesh;
+  const VertexStage<double> stage{geometry.transforms[ref.object], geometry.width, geometry.height};
+  std::array<WindowVertex, 3> corners;
+  for (std::size_t k = 0; k < 3; ++k) {
+    PlacedVertex placed;
+    double inverse_w = 0;
+    stage.place(stage.read(&mesh.positions[ref.vertex[k]]), &placed, &inverse_w);
+    corners[k] = {placed.x(), placed.y(), placed.z, inverse_w, placed.outcode()};
+  }
+  return corners;
+}
+
+std::array<WorldVertex, 3> world_corners(const Geometry& geometry, const TriangleRef& ref) {
+  std::array<WorldVertex, 3> corners;
+  const bool stored = geometry.storage_of(ref.object) == Storage::stored;
+  const Mesh& mesh = *geometry.scene->objects[ref.object].mesh;
+  const VertexStage<double> stage{geometry.transforms[ref.object], geometry.width, geometry.height};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::uint32_t v = ref.vertex[k];
+    if (stored) corners[k] = geometry.world[v];
+    else stage.to_world(stage.read(&mesh.positions[v]), stage.read(&mesh.normals[v]), &corners[k]);
+  }
+  return corners;
+}
+
+void gather_vertices(const Geometry& geometry, std::span<const TriangleRef> triangles, Vertices& vertices) {
+  vertices.resize_uninitialized(3 * triangles.size());
+  std::array<std::uint32_t, 192> list; // of the mesh; triangles of an object follow one another
+  for (std::size_t i = 0; i < triangles.size();) {
+    const std::size_t first = 3 * i;
+    const std::uint32_t object = triangles[i].object;
+    std::size_t listed = 0;
+    for (; i < triangles.size() && triangles[i].object == object && listed < list.size(); ++i)
+      for (const std::uint32_t vertex : triangles[i].vertex) list[listed++] = vertex;
+    if (geometry.storage_of(object) != Storage::stored) {
+      transform_some(*geometry.scene->objects[object].mesh, geometry.transforms[object], geometry.width,
+                     geometry.height, {list.data(), listed}, first, vertices);
+      continue;
+    }
+    for (std::size_t k = 0; k < listed; ++k) {
+      vertices.window.placed[first + k] = geometry.window.placed[list[k]];
+      vertices.window.inverse_w[first + k] = geometry.window.inverse_w[list[k]];
+      vertices.world[first + k] = geometry.world[list[k]];
+    }
+  }
 }
 
 void TriangleFinder::find(std::uint32_t triangle) {
   const auto after = std::upper_bound(geometry_.first_triangle.begin(), geometry_.first_triangle.end(), triangle);
   object_ = static_cast<std::uint32_t>(after - geometry_.first_triangle.begin()) - 1;
   first_ = geometry_.first_triangle[object_], last_ = geometry_.first_triangle[object_ + 1];
-  first_vertex_ = geometry_.first_vertex[object_];
+  first_vertex_ = geometry_.storage_of(object_) == Storage::stored ? geometry_.first_vertex[object_] : 0;
   triangles_ = scene_.objects[object_].mesh->triangles.data();
 }
 

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace refraster {
@@ -58,6 +59,10 @@ struct PlacedVertex {
   std::int32_t y_state = 0; // 64 y + (outcode >> 6)
   double z = 0;
 
+  static PlacedVertex of(const WindowVertex& v) {
+    return {64 * v.x + (v.outcode & 63), 64 * v.y + (v.outcode >> 6), v.z};
+  }
+
   std::int32_t x() const { return x_sides >> 6; }
   std::int32_t y() const { return y_state >> 6; }
   std::uint8_t outcode() const { return static_cast<std::uint8_t>((x_sides & 63) | (y_state & 3) << 6); }
@@ -87,26 +92,70 @@ struct WorldVertex {
 
 Double4 clip_position(const ObjectTransform& transform, const Float3& position);
 
-/// Every object's vertices, one after the other, and where each object's vertices and triangles begin.
-struct Geometry {
-  std::vector<ObjectTransform> transforms;
-  std::vector<std::uint32_t> first_vertex;   // objects + 1 entries
-  std::vector<std::uint32_t> first_triangle; // objects + 1 entries
+/// Vertices as both see them.
+struct Vertices {
   WindowVertices window;
   Buffer<WorldVertex> world;
 
-  std::uint32_t triangles() const { return first_triangle.back(); }
+  void resize_uninitialized(std::size_t size) {
+    window.resize_uninitialized(size);
+    world.resize_uninitialized(size);
+  }
 };
 
-/// Transforms each unique vertex once. The scene may have up to 2^31 - 1 vertices and as many triangles in all
-/// (assert). `geometry` may be that of another frame: its memory is used again.
+/// What a frame keeps of an object's vertices.
+enum class Storage : std::uint8_t {
+  stored,    // all of them, transformed once
+  on_demand, // none: binning transforms them, an object at a time, and shading those of triangles that are seen
+  outside    // none: the object lies outside the view, and is not drawn
+};
+
+/// Vertices of the objects that are stored, one object's after the other's, and where each object's vertices and
+/// triangles begin.
+struct Geometry : Vertices {
+  std::vector<ObjectTransform> transforms;
+  std::vector<std::uint32_t> first_vertex;   // objects + 1 entries; of stored ones
+  std::vector<std::uint32_t> first_triangle; // objects + 1 entries; of all
+  std::vector<Storage> storage = {};         // of each object; empty where all are stored
+  // What the vertices of others are made from. The scene outlives the frame.
+  const Scene* scene = nullptr;
+  int width = 0, height = 0;
+
+  std::uint32_t triangles() const { return first_triangle.back(); }
+  bool all_stored() const { return storage.empty(); }
+  Storage storage_of(std::uint32_t object) const { return all_stored() ? Storage::stored : storage[object]; }
+};
+
+/// Transforms each unique vertex once and stores all. The scene may have up to 2^31 - 1 vertices and as many triangles
+/// in all (assert). `geometry` may be that of another frame: its memory is used again.
 void transform(const FrameInput& input, Geometry& geometry);
+
+/// From how many vertices on they are not stored.
+struct StorageLimits {
+  /// In all, 144 MiB. A frame of more has several vertices for each of its pixels, most of which no sample needs.
+  std::size_t stored = std::size_t{1} << 21;
+  /// Of an object on demand: a thread bins it as a whole, so that larger ones would be work for one thread alone.
+  std::size_t on_demand = std::size_t{1} << 20;
+};
+
+/// The same in two steps, for what only draws. First matrices, and what is to be stored: nothing of objects that lie
+/// outside the view as a whole (raster/vertex/outside.h); and where the others have more than `limits.stored` vertices
+/// in all, nothing of those objects that have at most `limits.on_demand`.
+void lay_out(const FrameInput& input, Geometry& geometry, const StorageLimits& limits = {});
+/// Then the vertices of those that are stored.
+void transform_stored(const FrameInput& input, Geometry& geometry);
+
+/// Vertices of an object's whole mesh in the window: what binning needs of one that is on demand.
+void place_vertices(const Geometry& geometry, std::uint32_t object, Buffer<PlacedVertex>& placed);
 
 /// A triangle by its number in the frame: object, corner indices into Geometry's arrays and into the mesh.
 struct TriangleRef {
   std::uint32_t object = 0, triangle = 0; // triangle: in the object's mesh
-  std::uint32_t vertex[3] = {};           // in Geometry::window and ::world
+  std::uint32_t vertex[3] = {};           // in Geometry::window and ::world; in the mesh of an object on demand
 };
+
+/// Corner k of triangles[i] becomes vertex 3 i + k, stored or not.
+void gather_vertices(const Geometry& geometry, std::span<const TriangleRef> triangles, Vertices& vertices);
 
 /// Finds triangles by their numbers, in any order: quickest where neighbours are of one object.
 class TriangleFinder {
@@ -131,9 +180,15 @@ private:
   const std::array<std::uint32_t, 3>* triangles_ = nullptr;
 };
 
-/// Its corners on the lattice.
+/// Its corners in the window, stored or not.
+std::array<WindowVertex, 3> window_corners_on_demand(const Geometry& geometry, const TriangleRef& ref);
 inline std::array<WindowVertex, 3> window_corners(const Geometry& geometry, const TriangleRef& ref) {
+  if (geometry.storage_of(ref.object) != Storage::stored) [[unlikely]]
+    return window_corners_on_demand(geometry, ref);
   return {geometry.window[ref.vertex[0]], geometry.window[ref.vertex[1]], geometry.window[ref.vertex[2]]};
 }
+
+/// Its corners in the world, stored or not.
+std::array<WorldVertex, 3> world_corners(const Geometry& geometry, const TriangleRef& ref);
 
 } // namespace refraster

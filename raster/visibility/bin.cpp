@@ -81,6 +81,42 @@ struct BoxLanes {
   LaneSet empty() const { return set_where((left > right) | (top > bottom)); }
 };
 
+// Consecutive triangles [begin, end) of the frame, of one object.
+struct RunPart {
+  std::uint32_t object, begin, end;
+};
+
+// The triangles of the frame in runs of about the same number, in their order; none of objects outside the view. What
+// is on demand is in one run as a whole, since its vertices are transformed for the run alone.
+std::vector<std::vector<RunPart>> runs_of(const Geometry& geometry, int threads) {
+  const auto& first = geometry.first_triangle;
+  const auto objects = static_cast<std::uint32_t>(first.size() - 1);
+  std::uint64_t triangles = 0;
+  for (std::uint32_t o = 0; o < objects; ++o)
+    if (geometry.storage_of(o) != Storage::outside) triangles += first[o + 1] - first[o];
+
+  // A few for each thread, since some take longer than others.
+  constexpr std::uint32_t min_run = 4096, runs_of_thread = 4;
+  const std::size_t max_runs = threads == 1 ? 1 : static_cast<std::size_t>(threads) * runs_of_thread;
+  const std::size_t count = std::clamp<std::size_t>(triangles / min_run, 1, max_runs);
+  std::vector<std::vector<RunPart>> runs(count);
+  std::size_t run = 0;
+  std::uint64_t listed = 0;
+  for (std::uint32_t o = 0; o < objects; ++o) {
+    const Storage storage = geometry.storage_of(o);
+    if (storage == Storage::outside) continue;
+    for (std::uint32_t begin = first[o]; begin < first[o + 1];) {
+      while (listed >= triangles * (run + 1) / count) ++run;
+      const std::uint64_t room = triangles * (run + 1) / count - listed, rest = first[o + 1] - begin;
+      const auto taken = static_cast<std::uint32_t>(storage == Storage::on_demand ? rest : std::min(room, rest));
+      runs[run].push_back({o, begin, begin + taken});
+      begin += taken;
+      listed += taken;
+    }
+  }
+  return runs;
+}
+
 class Binner {
 public:
   Binner(const FrameInput& input, const Geometry& geometry, const TileGrid& grid)
@@ -102,33 +138,37 @@ public:
     FrameCounts& counts;
   };
 
-  // Triangles [begin, end) of the frame.
-  void bin(std::uint32_t begin, std::uint32_t end, const Output& output) const {
-    const auto& first = geometry_.first_triangle;
-    const auto after = std::upper_bound(first.begin(), first.end(), begin);
-    for (auto o = static_cast<std::uint32_t>(after - first.begin()) - 1; o < scene_.objects.size() && first[o] < end;
-         ++o) {
-      const std::uint32_t last = std::min(end, first[o + 1]);
-      const Mesh& mesh = *scene_.objects[o].mesh;
-      const std::uint32_t from = std::max(begin, first[o]);
-      if (!indices_within(std::span(mesh.triangles).subspan(from - first[o], last - from), mesh.positions.size()))
-        refuse_indices(scene_);
-      for (std::uint32_t number = from; number < last; number += lanes)
-        bin_register({o, number, number - first[o], std::min<std::uint32_t>(last - number, lanes)}, output);
+  // A run's triangles of one object: [begin, end) of the frame. `placed` is memory of this thread.
+  void bin(const RunPart& part, Buffer<PlacedVertex>& placed, const Output& output) const {
+    const Mesh& mesh = *scene_.objects[part.object].mesh;
+    const std::uint32_t first = geometry_.first_triangle[part.object];
+    if (!indices_within(std::span(mesh.triangles).subspan(part.begin - first, part.end - part.begin),
+                        mesh.positions.size()))
+      refuse_indices(scene_);
+    const PlacedVertex* vertices = nullptr;
+    if (geometry_.storage_of(part.object) == Storage::on_demand) {
+      place_vertices(geometry_, part.object, placed);
+      vertices = placed.data();
+    } else {
+      vertices = geometry_.window.placed.data() + geometry_.first_vertex[part.object];
     }
+    for (std::uint32_t number = part.begin; number < part.end; number += lanes)
+      bin_register(
+          {part.object, number, number - first, std::min<std::uint32_t>(part.end - number, lanes), vertices}, output);
   }
 
 private:
-  // Consecutive triangles of one object, no more than a register holds.
+  // Consecutive triangles of one object, no more than a register holds, and the vertices of its mesh.
   struct Batch {
     std::uint32_t object, number, in_mesh, count;
+    const PlacedVertex* vertices;
   };
   struct Window {
     CornerLanes<lanes> corner[3];
   };
 
   Window window_of(const Batch& batch) const {
-    const PlacedVertex* const vertices = &geometry_.window.placed[geometry_.first_vertex[batch.object]];
+    const PlacedVertex* const vertices = batch.vertices;
     const auto* triangles = &scene_.objects[batch.object].mesh->triangles[batch.in_mesh];
     std::array<std::array<std::uint32_t, 3>, lanes> repeated;
     if (batch.count < lanes) { // lanes to spare repeat the last one
@@ -260,7 +300,7 @@ private:
         samples.covered = covered & 15u << 4 * lane;
         add_samples(samples, batch, output);
       } else {
-        add_box(number, {left[k], top[k], right[k], bottom[k]}, z_min[k], output.lists);
+        add_box(batch, lane, {left[k], top[k], right[k], bottom[k]}, z_min[k], output.lists);
       }
     });
   }
@@ -268,9 +308,20 @@ private:
   struct Box {
     int left, top, right, bottom; // pixels of the grid
   };
+  // On the lattice.
+  std::array<WindowVertex, 3> corners_of(const Batch& batch, int lane) const {
+    std::array<WindowVertex, 3> corners;
+    const auto& triangle = scene_.objects[batch.object].mesh->triangles[batch.in_mesh + static_cast<std::uint32_t>(lane)];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const PlacedVertex& v = batch.vertices[triangle[k]];
+      corners[k] = {v.x(), v.y(), v.z, 0, v.outcode()};
+    }
+    return corners;
+  }
   // Lists a triangle with each tile that it may touch. Where the bounding box holds many tiles, its edge functions rule
   // out those beside a long thin triangle.
-  void add_box(std::uint32_t number, const Box& box, double z_min, TileLists::Run& lists) const {
+  void add_box(const Batch& batch, int lane, const Box& box, double z_min, TileLists::Run& lists) const {
+    const std::uint32_t number = batch.number + static_cast<std::uint32_t>(lane);
     const int left = box.left >> tile_shift_, right = box.right >> tile_shift_;
     const int top = box.top >> tile_shift_, bottom = box.bottom >> tile_shift_;
     const auto add = [&](int column, int row) {
@@ -281,8 +332,7 @@ private:
     };
     if (left == right && top == bottom) return add(left, top);
     const bool many = (right - left) * (bottom - top) >= 2;
-    const auto set_up =
-        many ? set_up_snapped(window_corners(geometry_, TriangleFinder(scene_, geometry_).at(number))) : std::nullopt;
+    const auto set_up = many ? set_up_snapped(corners_of(batch, lane)) : std::nullopt;
     for (int row = top; row <= bottom; ++row)
       for (int column = left; column <= right; ++column)
         if (!many || edges_touch(set_up->edge, index(column, row))) add(column, row);
@@ -337,21 +387,21 @@ void bin_triangles(const FrameInput& input, const Geometry& geometry, Bins& bins
   const TileGrid grid = tile_grid(input);
   const Binner binner(input, geometry, grid);
   const int threads = input.threads;
-  const std::uint32_t triangles = geometry.triangles();
-  counts.triangles = triangles;
+  counts.triangles = geometry.triangles();
 
-  // A few runs of consecutive triangles for each thread, since some take longer than others.
-  constexpr std::uint32_t min_run = 4096, runs_of_thread = 4;
-  const std::size_t max_runs = threads == 1 ? 1 : static_cast<std::size_t>(threads) * runs_of_thread;
-  const std::size_t runs = std::clamp<std::size_t>(triangles / min_run, 1, max_runs);
-  const auto run_begin = [&](std::size_t run) {
-    return static_cast<std::uint32_t>(static_cast<std::uint64_t>(triangles) * run / runs);
-  };
+  for (std::uint32_t o = 0; o < input.scene.objects.size(); ++o)
+    if (geometry.storage_of(o) == Storage::outside)
+      counts.outside += geometry.first_triangle[o + 1] - geometry.first_triangle[o];
+  const std::vector<std::vector<RunPart>> parts = runs_of(geometry, threads);
+  const std::size_t runs = parts.size();
   std::vector<std::vector<NumberedProjective>> projective(runs);
   std::vector<FrameCounts> run_counts(runs);
+  std::vector<Buffer<PlacedVertex>> placed(static_cast<std::size_t>(threads));
   bins.lists.reset(runs, grid.tiles());
-  parallel_for(threads, runs, [&](std::size_t run, int) {
-    binner.bin(run_begin(run), run_begin(run + 1), {bins.lists.run(run), projective[run], run_counts[run]});
+  parallel_for(threads, runs, [&](std::size_t run, int thread) {
+    for (const RunPart& part : parts[run])
+      binner.bin(part, placed[static_cast<std::size_t>(thread)],
+                 {bins.lists.run(run), projective[run], run_counts[run]});
   });
 
   bins.projective.clear();

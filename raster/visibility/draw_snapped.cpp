@@ -36,13 +36,13 @@ struct RowWalk {
 
 } // namespace
 
-[[gnu::flatten]] double SnappedRasterizer::draw(std::span<const PlacedTriangle> triangles, const Geometry& geometry,
+[[gnu::flatten]] double SnappedRasterizer::draw(std::span<const PlacedTriangle> triangles, const PlacedVertex* vertices,
                                                 const PixelRect& tile, std::span<const SamplePosition> samples,
                                                 DepthTile& depths) {
   const std::size_t count = triangles.size();
   const auto corner = [&](std::size_t k) {
     return gather_corners<lanes>([&](int lane) -> const PlacedVertex& {
-      return geometry.window.placed[triangles[std::min(static_cast<std::size_t>(lane), count - 1)].vertex[k]];
+      return vertices[triangles[std::min(static_cast<std::size_t>(lane), count - 1)].vertex[k]];
     });
   };
   const CornerLanes<lanes> v0 = corner(0), v1 = corner(1), v2 = corner(2);

@@ -15,7 +15,7 @@ namespace refraster {
 
 /// Where a triangle comes from, and the slot it has among those that the tile may see.
 struct PlacedTriangle {
-  std::uint32_t vertex[3]; // in Geometry::window
+  std::uint32_t vertex[3]; // in the list of vertices
   std::int32_t slot;
 };
 
@@ -25,7 +25,7 @@ public:
 
   /// Draws as many triangles as a register holds, or fewer: all have area. Returns how many pixels they cover, at most
   /// and about.
-  double draw(std::span<const PlacedTriangle> triangles, const Geometry& geometry, const PixelRect& tile,
+  double draw(std::span<const PlacedTriangle> triangles, const PlacedVertex* vertices, const PixelRect& tile,
               std::span<const SamplePosition> samples, DepthTile& depths);
 
 private:

@@ -71,8 +71,11 @@ void TileVisibility::draw_boxed(const FrameContext& context) {
   const double enough = 0.875 * tile_.width * tile_.height;
   double drawn = 0, waiting = 0; // pixels: covered, about; in the boxes of triangles that wait
   TriangleFinder finder(context.scene, context.geometry);
+  const Geometry& geometry = context.geometry;
+  const bool stored = geometry.all_stored();
+  const PlacedVertex* const vertices = stored ? geometry.window.placed.data() : corners_.data();
   const auto draw_together = [&] {
-    drawn += rasterizer_.draw({together.data(), count}, context.geometry, tile_, samples_, depths_);
+    drawn += rasterizer_.draw({together.data(), count}, vertices, tile_, samples_, depths_);
     count = 0;
     waiting = 0;
     if (drawn < enough) return;
@@ -83,7 +86,16 @@ void TileVisibility::draw_boxed(const FrameContext& context) {
     const TileEntry& entry = boxed.entry;
     if (depths_.is_occluded(entry.left(), entry.top(), entry.right(), entry.bottom(), entry.z)) continue;
     const TriangleRef ref = finder.at(entry.triangle);
-    together[count++] = {{ref.vertex[0], ref.vertex[1], ref.vertex[2]}, boxed.slot};
+    together[count] = {{ref.vertex[0], ref.vertex[1], ref.vertex[2]}, boxed.slot};
+    if (!stored) [[unlikely]] { // then those that are drawn together are listed anew
+      const std::array<WindowVertex, 3> corners = window_corners(geometry, ref);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t place = 3 * count + k;
+        corners_[place] = PlacedVertex::of(corners[k]);
+        together[count].vertex[k] = static_cast<std::uint32_t>(place);
+      }
+    }
+    ++count;
     waiting += (entry.right() - entry.left() + 1) * (entry.bottom() - entry.top() + 1);
     if (count == together.size() || waiting >= enough) draw_together();
   }

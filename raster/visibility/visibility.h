@@ -4,6 +4,7 @@
 #include "raster/visibility/bin.h"
 #include "raster/visibility/draw_snapped.h"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -46,6 +47,7 @@ private:
 
   DepthTile depths_;
   SnappedRasterizer rasterizer_;
+  std::array<PlacedVertex, 3 * SnappedRasterizer::lanes> corners_; // of triangles drawn together, where not all are stored
   std::vector<std::uint32_t> triangles_;
   std::vector<Boxed> boxed_, sorted_;
   PixelRect tile_;

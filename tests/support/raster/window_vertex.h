@@ -15,15 +15,10 @@ inline WindowVertex window_vertex(const Double4& clip, int width, int height) {
           static_cast<std::uint8_t>(v.sides + outcode::not_finite * v.not_finite + outcode::unsnapped * v.unsnapped)};
 }
 
-/// As PlacedVertex documents it.
-inline PlacedVertex placed_vertex(const WindowVertex& v) {
-  return {v.x * 64 + (v.outcode & 63), v.y * 64 + (v.outcode >> 6), v.z};
-}
-
 inline void store(std::span<const WindowVertex> vertices, WindowVertices& stored) {
   stored.resize_uninitialized(vertices.size());
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    stored.placed[i] = placed_vertex(vertices[i]);
+    stored.placed[i] = PlacedVertex::of(vertices[i]);
     stored.inverse_w[i] = vertices[i].inverse_w;
   }
 }

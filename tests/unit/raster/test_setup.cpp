@@ -49,7 +49,7 @@ std::array<CornerLanes<lanes>, 3> in_lanes(const std::array<Corners, lanes>& tri
   std::array<CornerLanes<lanes>, 3> result;
   for (std::size_t k = 0; k < 3; ++k) {
     std::array<PlacedVertex, lanes> placed;
-    for (std::size_t lane = 0; lane < lanes; ++lane) placed[lane] = placed_vertex(triangles[lane][k]);
+    for (std::size_t lane = 0; lane < lanes; ++lane) placed[lane] = PlacedVertex::of(triangles[lane][k]);
     result[k] =
         gather_corners<lanes>([&](int lane) -> const PlacedVertex& { return placed[static_cast<std::size_t>(lane)]; });
   }
