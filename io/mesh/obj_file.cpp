@@ -6,6 +6,7 @@
 #include "io/mesh/obj/weld.h"
 #include "io/mesh/obj_faces.h"
 #include "io/mesh/obj_numbers.h"
+#include "math/large_memory.h"
 #include "raster/parallel.h"
 
 #include <algorithm>
@@ -72,9 +73,9 @@ void note_rounding(const std::string& path, const ObjText& obj, NoteList& notes)
 void add_points(const ObjText& obj, const RawVector<TripleIndex::Triple>& vertices, int threads, Mesh& mesh) {
   const auto has_vt = [](const TripleIndex::Triple& vertex) { return vertex[1] >= 0; };
   const auto textured = std::partition_point(vertices.begin(), vertices.end(), has_vt) - vertices.begin();
-  mesh.positions.resize(vertices.size());
-  mesh.normals.resize(vertices.size());
-  mesh.uvs.resize(static_cast<std::size_t>(textured));
+  resize_in_large_pages(mesh.positions, vertices.size());
+  resize_in_large_pages(mesh.normals, vertices.size());
+  resize_in_large_pages(mesh.uvs, static_cast<std::size_t>(textured));
   constexpr std::size_t block = 1 << 14; // vertices that a thread takes at a time
   parallel_for(threads, (vertices.size() + block - 1) / block, [&](std::size_t b, int) {
     for (std::size_t i = b * block; i < std::min((b + 1) * block, vertices.size()); ++i) {
@@ -120,7 +121,7 @@ Mesh mesh_of_obj(const std::string& path, std::string text, const ObjOptions& op
   drop_what_is_missing(obj);
   note_rounding(path, obj, notes);
   std::uint64_t steps_left = max_steps;
-  if (!add_missing_normals(obj, options.normals, steps_left))
+  if (!add_missing_normals(obj, options.normals, threads, steps_left))
     throw InputError(InputFault{path, 0, 0, "", "edges that so many faces share that smoothing takes too long",
                                 "smoothing groups, or normals (vn)"});
 

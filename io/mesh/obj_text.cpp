@@ -22,11 +22,6 @@ constexpr const char* obj_text = "an OBJ file: text in ASCII or UTF-8";
 /// Nothing less is worth to be read by a thread of its own.
 constexpr std::size_t min_chunk_bytes = std::size_t{1} << 16;
 
-/// What lies before a chunk.
-struct Before {
-  std::size_t v = 0, vt = 0, vn = 0, corners = 0, faces = 0, lines = 0;
-};
-
 /// Of a text without faults and faces, what there is.
 std::string what_instead_of_faces(const ObjChunk& whole) {
   std::string found;
@@ -43,7 +38,10 @@ std::string what_instead_of_faces(const ObjChunk& whole) {
 /// Throws InputError with all that is wrong.
 [[noreturn]] void throw_faults(const std::string& file, ObjLines& lines) {
   ObjFaults faults(file, lines);
-  ObjChunk whole;
+  ObjText obj;
+  const ObjCounts room = count_chunk(lines.text(), 0, lines.text().size());
+  make_room(room, obj);
+  ObjChunk whole(obj, {}, room);
   read_chunk(lines.text(), 0, lines.text().size(), &faults, whole);
   faults.finish(whole, whole.face_ends.empty() ? what_instead_of_faces(whole) : "");
   assert(false);
@@ -52,16 +50,15 @@ std::string what_instead_of_faces(const ObjChunk& whole) {
 
 class Joiner {
 public:
-  Joiner(std::vector<ObjChunk>& chunks, ObjText& obj) : chunks_(chunks), obj_(obj), before_(chunks.size() + 1) {
+  Joiner(std::vector<ObjChunk>& chunks, ObjText& obj)
+      : chunks_(chunks), obj_(obj), before_(chunks.size() + 1), lines_before_(chunks.size()) {
+    std::size_t lines = 0;
     for (std::size_t i = 0; i < chunks.size(); ++i) {
       const ObjChunk& chunk = chunks[i];
-      const Before& here = before_[i];
-      before_[i + 1] = {here.v + chunk.v.size(),
-                        here.vt + chunk.vt.size(),
-                        here.vn + chunk.vn.size(),
-                        here.corners + chunk.corners.size(),
-                        here.faces + chunk.face_ends.size(),
-                        here.lines + chunk.lines};
+      before_[i + 1] = before_[i];
+      before_[i + 1] += chunk.counts();
+      lines_before_[i] = lines;
+      lines += chunk.lines;
       obj.has_not_finite = obj.has_not_finite || chunk.has_not_finite;
       obj.has_mixed_corners = obj.has_mixed_corners || chunk.has_mixed_corners;
       has_not_finite_v_ = has_not_finite_v_ || chunk.has_not_finite_v;
@@ -70,46 +67,50 @@ public:
 
   /// False if an index points nowhere, or to a v that is not finite.
   bool join(int threads) {
-    const Before& all = before_.back();
-    obj_.v.resize(all.v), obj_.vt.resize(all.vt), obj_.vn.resize(all.vn);
-    obj_.faces.corners.resize(all.corners), obj_.faces.begin.resize(all.faces + 1);
-    obj_.faces.begin[0] = 0;
-    // Before what they are made of is given back, chunk by chunk.
+    const ObjCounts& all = before_.back();
     join_moved();
     join_statements();
-    for (const ObjChunk& chunk : chunks_)
-      if (!chunk.colours.empty()) obj_.colours.assign(all.v, Float3(-1.0f));
+    for (std::size_t i = 0; i < chunks_.size(); ++i) close_gap(chunks_[i], before_[i]);
+    make_room(all, obj_); // no less than that
+    if (std::any_of(chunks_.begin(), chunks_.end(), [](const ObjChunk& chunk) { return !chunk.colours.empty(); }))
+      obj_.colours.assign(all.v, Float3(-1.0f));
     std::atomic<bool> sound = true;
     parallel_for(threads, chunks_.size(), [&](std::size_t i, int) {
-      if (!join_lists(chunks_[i], before_[i])) sound = false;
-      chunks_[i] = {};
+      if (!resolve(chunks_[i], before_[i])) sound = false;
     });
     return sound && !(has_not_finite_v_ && uses_not_finite_v());
   }
 
 private:
-  bool join_lists(const ObjChunk& chunk, const Before& before) {
-    const auto place = [](const auto& from, auto& to, std::size_t at) {
-      std::copy(from.begin(), from.end(), to.begin() + static_cast<std::ptrdiff_t>(at));
+  /// Where there was more room than the chunks before needed.
+  void close_gap(const ObjChunk& chunk, const ObjCounts& before) {
+    const auto move = [](const auto& part, auto* to) {
+      if (part.begin() != to) std::copy(part.begin(), part.end(), to);
     };
-    place(chunk.v, obj_.v, before.v);
-    place(chunk.vt, obj_.vt, before.vt);
-    place(chunk.vn, obj_.vn, before.vn);
-    place(chunk.colours, obj_.colours, before.v);
-    for (std::size_t f = 0; f < chunk.face_ends.size(); ++f)
-      obj_.faces.begin[before.faces + f + 1] = static_cast<std::uint32_t>(before.corners) + chunk.face_ends[f];
-    const auto v = static_cast<std::int32_t>(obj_.v.size()), vt = static_cast<std::int32_t>(obj_.vt.size()),
-               vn = static_cast<std::int32_t>(obj_.vn.size());
+    move(chunk.v, obj_.v.data() + before.v);
+    move(chunk.vt, obj_.vt.data() + before.vt);
+    move(chunk.vn, obj_.vn.data() + before.vn);
+    move(chunk.corners, obj_.faces.corners.data() + before.corners);
+    move(chunk.face_ends, obj_.faces.begin.data() + before.faces + 1);
+  }
+
+  bool resolve(const ObjChunk& chunk, const ObjCounts& before) {
+    std::copy(chunk.colours.begin(), chunk.colours.end(),
+              obj_.colours.begin() + static_cast<std::ptrdiff_t>(chunk.colours.empty() ? 0 : before.v));
+    if (before.corners > 0)
+      for (std::size_t f = 0; f < chunk.face_ends.size(); ++f)
+        obj_.faces.begin[before.faces + f + 1] += static_cast<std::uint32_t>(before.corners);
     bool sound = true;
-    const auto resolve = [&](std::int32_t& index, std::size_t given_before, std::int32_t size) {
+    const auto resolve = [&](std::int32_t& index, std::size_t given_before, std::size_t size) {
       if (index == -1) return;
       if (index < 0) index += static_cast<std::int32_t>(given_before) - relative_index;
-      sound = sound && index >= 0 && index < size;
+      sound = sound && index >= 0 && index < static_cast<std::int32_t>(size);
     };
-    ObjCorner* to = obj_.faces.corners.data() + before.corners;
-    for (ObjCorner corner : chunk.corners) {
-      resolve(corner.v, before.v, v), resolve(corner.vt, before.vt, vt), resolve(corner.vn, before.vn, vn);
-      *to++ = corner;
+    ObjCorner* const corners = obj_.faces.corners.data() + before.corners;
+    for (std::size_t i = 0; i < chunk.corners.size(); ++i) {
+      resolve(corners[i].v, before.v, obj_.v.size());
+      resolve(corners[i].vt, before.vt, obj_.vt.size());
+      resolve(corners[i].vn, before.vn, obj_.vn.size());
     }
     return sound;
   }
@@ -127,7 +128,7 @@ private:
       const auto first = static_cast<std::int32_t>(before_[i].v);
       if (chunk.v.empty()) continue;
       if (last)
-        if (const float by = moved_by(chunk.first_v, chunk.v.front(), *last); by > 0) obj_.moved.push_back({first, by});
+        if (const float by = moved_by(chunk.first_v, chunk.v[0], *last); by > 0) obj_.moved.push_back({first, by});
       for (const MovedVertex& moved : chunk.moved) obj_.moved.push_back({first + moved.v, moved.by});
       last = &chunk.v.back();
     }
@@ -140,7 +141,7 @@ private:
     for (std::size_t i = 0; i < chunks_.size(); ++i)
       for (const ObjStatement& statement : chunks_[i].statements) {
         const std::size_t face = before_[i].faces + statement.face;
-        const auto line = static_cast<int>(before_[i].lines + statement.line);
+        const auto line = static_cast<int>(lines_before_[i] + statement.line);
         switch (statement.kind) {
         case ObjStatement::Kind::library:
           obj_.material_libraries.push_back({std::string(statement.name), line});
@@ -175,7 +176,8 @@ private:
 
   std::vector<ObjChunk>& chunks_;
   ObjText& obj_;
-  std::vector<Before> before_; // each chunk; and the end
+  std::vector<ObjCounts> before_; // of each chunk, what lies before it; then what there is
+  std::vector<std::size_t> lines_before_;
   bool has_not_finite_v_ = false;
   std::map<std::string, std::int32_t> names_; // of materials
 };
@@ -199,8 +201,21 @@ ObjText parse_obj(const std::string& file, std::string text, NoteList& notes, co
       work.chunk_bytes > 0 ? work.chunk_bytes
                            : std::max(min_chunk_bytes, lines.text().size() / (4 * static_cast<std::size_t>(threads)));
   const std::vector<std::size_t> begin = lines.chunks_of(bytes);
-  std::vector<ObjChunk> chunks(begin.size() - 1);
-  parallel_for(threads, chunks.size(),
+  const std::size_t count = begin.size() - 1;
+  std::vector<ObjCounts> rooms(count);
+  parallel_for(threads, count,
+               [&](std::size_t i, int) { rooms[i] = count_chunk(lines.text(), begin[i], begin[i + 1]); });
+  ObjCounts room;
+  for (const ObjCounts& of_chunk : rooms) room += of_chunk;
+  ObjText result;
+  make_room(room, result);
+  std::vector<ObjChunk> chunks;
+  ObjCounts before;
+  for (const ObjCounts& of_chunk : rooms) {
+    chunks.emplace_back(result, before, of_chunk);
+    before += of_chunk;
+  }
+  parallel_for(threads, count,
                [&](std::size_t i, int) { read_chunk(lines.text(), begin[i], begin[i + 1], nullptr, chunks[i]); });
 
   std::size_t faces = 0;
@@ -212,7 +227,6 @@ ObjText parse_obj(const std::string& file, std::string text, NoteList& notes, co
     found.add(chunk.notes);
     for (ObjStatement& statement : chunk.statements) statement.line += lines.joints_before(statement.where);
   }
-  ObjText result;
   if (is_faulty || faces == 0 || !Joiner(chunks, result).join(threads)) throw_faults(file, lines);
   found.append_to(notes, file, [&](std::string_view part) { return lines.place_of(part).line; });
   return result;

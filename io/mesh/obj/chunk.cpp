@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cstring>
 #include <limits>
 
 namespace refraster {
@@ -60,7 +61,7 @@ private:
   }
 
   template <glm::length_t N>
-  const char* usual_numbers(const char* at, ObjList which, RawVector<glm::vec<N, float, glm::defaultp>>& list,
+  const char* usual_numbers(const char* at, ObjList which, Part<glm::vec<N, float, glm::defaultp>>& list,
                             std::size_t least, std::size_t most) {
     Numbers numbers{};
     std::size_t count = 0;
@@ -85,10 +86,10 @@ private:
 
   /// All corners of one form, v, v/vt, v//vn or v/vt/vn.
   const char* usual_face(const char* at) {
-    RawVector<ObjCorner>& corners = chunk_.corners;
+    Part<ObjCorner>& corners = chunk_.corners;
     const std::size_t first = corners.size();
     const auto unusual = [&]() -> const char* {
-      corners.resize(first);
+      corners.shrink_to(first);
       return nullptr;
     };
     for (;;) {
@@ -180,7 +181,7 @@ private:
 
   /// Coordinates. Numbers beyond those that a point of the list has are checked, but not used.
   template <glm::length_t N>
-  void numbers(ObjList which, RawVector<glm::vec<N, float, glm::defaultp>>& list, std::string_view rest,
+  void numbers(ObjList which, Part<glm::vec<N, float, glm::defaultp>>& list, std::string_view rest,
                std::string_view all, std::size_t least, std::size_t most) {
     Numbers numbers{};
     std::size_t count = 0;
@@ -212,7 +213,7 @@ private:
 
   /// The first `count` of `numbers` were given; what others there are is 0.
   template <glm::length_t N>
-  void add_point(ObjList which, RawVector<glm::vec<N, float, glm::defaultp>>& list, const Numbers& numbers,
+  void add_point(ObjList which, Part<glm::vec<N, float, glm::defaultp>>& list, const Numbers& numbers,
                  std::size_t count) {
     if (which == ObjList::v && (count == 6 || count == 7)) {
       chunk_.colours.resize(list.size(), no_colour);
@@ -325,6 +326,41 @@ private:
 };
 
 } // namespace
+
+ObjChunk::ObjChunk(ObjText& obj, const ObjCounts& before, const ObjCounts& room)
+    : v(obj.v.data() + before.v, room.v), vn(obj.vn.data() + before.vn, room.vn),
+      vt(obj.vt.data() + before.vt, room.vt), corners(obj.faces.corners.data() + before.corners, room.corners),
+      face_ends(obj.faces.begin.data() + before.faces + 1, room.faces) {}
+
+void make_room(const ObjCounts& counts, ObjText& obj) {
+  obj.v.resize(counts.v), obj.vt.resize(counts.vt), obj.vn.resize(counts.vn);
+  obj.faces.corners.resize(counts.corners);
+  obj.faces.begin.resize(counts.faces + 1);
+  obj.faces.begin[0] = 0;
+}
+
+ObjCounts count_chunk(std::string_view text, std::size_t begin, std::size_t end) {
+  ObjCounts counts;
+  const char* at = text.data() + begin;
+  const char* const stop = text.data() + end;
+  while (at < stop) {
+    while (at < stop && is_blank(*at)) ++at;
+    if (at == stop) break;
+    if (*at == 'v') {
+      ++(at[1] == 'n' ? counts.vn : at[1] == 't' ? counts.vt : counts.v);
+    } else if (*at == 'f') {
+      ++counts.faces;
+      for (bool was_blank = false; at < stop && *at != '\n'; ++at) {
+        counts.corners += was_blank && !is_blank(*at);
+        was_blank = is_blank(*at);
+      }
+    }
+    const void* const line_end = std::memchr(at, '\n', static_cast<std::size_t>(stop - at));
+    if (!line_end) break;
+    at = static_cast<const char*>(line_end) + 1;
+  }
+  return counts;
+}
 
 void read_chunk(std::string_view text, std::size_t begin, std::size_t end, ObjFaults* faults, ObjChunk& chunk) {
   ChunkReader(text, faults, chunk).run(begin, end);

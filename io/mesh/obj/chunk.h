@@ -1,10 +1,10 @@
 #pragma once
 // A part of an OBJ file's text, whole lines of it, read by itself: parts are read in parallel, and joined in obj_text.cpp.
 
-#include "io/mesh/obj/raw_vector.h"
 #include "io/mesh/obj_notes.h"
 #include "io/mesh/obj_text.h"
 
+#include <cassert>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -29,13 +29,55 @@ struct ObjStatement {
 /// it, less this: until the points before the chunk are counted. Fewer than 2^29 points have room in a file.
 inline constexpr std::int32_t relative_index = -(1 << 30), max_back = 1 << 29;
 
+/// How many there are of each thing, or at least how many of them there is room for.
+struct ObjCounts {
+  std::size_t v = 0, vt = 0, vn = 0, corners = 0, faces = 0;
+
+  ObjCounts& operator+=(const ObjCounts& other) {
+    v += other.v, vt += other.vt, vn += other.vn, corners += other.corners, faces += other.faces;
+    return *this;
+  }
+  bool operator==(const ObjCounts&) const = default;
+};
+
+/// A part of a list that is filled from its begin on.
+template <class T>
+class Part {
+public:
+  Part() = default;
+  Part(T* begin, std::size_t room) : begin_(begin), room_(room) {}
+
+  std::size_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+  const T& operator[](std::size_t i) const { return begin_[i]; }
+  T* begin() const { return begin_; }
+  T* end() const { return begin_ + size_; }
+  const T& back() const { return begin_[size_ - 1]; }
+  /// There is room for what count_chunk has seen; what it might not have seen is left out.
+  void push_back(const T& value) {
+    assert(size_ < room_);
+    if (size_ < room_) begin_[size_++] = value;
+  }
+  void shrink_to(std::size_t size) { size_ = size; }
+
+private:
+  T* begin_ = nullptr;
+  std::size_t size_ = 0, room_ = 0;
+};
+
 /// What stands in a chunk. Indices and faces are counted from the chunk's first.
 struct ObjChunk {
-  RawVector<Float3> v, vn;
-  RawVector<Float2> vt;
-  RawVector<ObjCorner> corners;       // -1: not given; or from 0, not yet known to be there; or see relative_index
-  RawVector<std::uint32_t> face_ends; // of each face, the corner behind its last
-  std::vector<Float3> colours;        // as ObjText has them
+  ObjChunk() = default;
+  /// Writes behind so many points and faces of lists that have room for the chunk.
+  ObjChunk(ObjText& obj, const ObjCounts& before, const ObjCounts& room);
+
+  ObjCounts counts() const { return {v.size(), vt.size(), vn.size(), corners.size(), face_ends.size()}; }
+
+  Part<Float3> v, vn;
+  Part<Float2> vt;
+  Part<ObjCorner> corners;       // -1: not given; or from 0, not yet known to be there; or see relative_index
+  Part<std::uint32_t> face_ends; // of each face, the corner behind its last
+  std::vector<Float3> colours;   // as ObjText has them
   std::vector<MovedVertex> moved;
   std::vector<ObjStatement> statements;
   ObjNotes notes;
@@ -46,6 +88,13 @@ struct ObjChunk {
   bool has_mixed_corners = false;
   bool is_faulty = false; // then nothing else of it is of use
 };
+
+/// What text[begin, end), which is whole lines, has room for: never less than read_chunk finds in it, and just that
+/// where there is no comment behind a face.
+ObjCounts count_chunk(std::string_view text, std::size_t begin, std::size_t end);
+
+/// Makes room for so much. What is in the lists is lost.
+void make_room(const ObjCounts& counts, ObjText& obj);
 
 /// Hears of what is wrong with the text, and of indices while it is read: for messages.
 class ObjFaults;

@@ -1,6 +1,7 @@
 #include "io/mesh/obj/weld.h"
 
 #include "io/mesh/obj_faces.h"
+#include "math/large_memory.h"
 #include "raster/parallel.h"
 
 #include <algorithm>
@@ -15,7 +16,9 @@ namespace {
 /// into a hash table, so that no file takes more than steps in proportion to its size.
 class VertexIndex {
 public:
-  VertexIndex(std::size_t points, std::size_t corners) : first_(points, -1), corners_(corners) {}
+  VertexIndex(std::size_t points, std::size_t corners) : first_(points, -1), corners_(corners) {
+    next_.reserve(corners / 4), vertices_.reserve(corners / 4); // more only where most faces share none
+  }
 
   std::uint32_t operator()(const ObjCorner& corner) {
     std::int32_t& first = first_[static_cast<std::size_t>(corner.v)];
@@ -44,7 +47,7 @@ public:
 
 private:
   static constexpr int max_chain = 32;
-  std::vector<std::int32_t> first_; // of each v, its last vertex; -1: none so far
+  RawVector<std::int32_t> first_;   // of each v, its last vertex; -1: none so far
   RawVector<std::int32_t> next_;    // of each vertex, the one of its v before it
   RawVector<TripleIndex::Triple> vertices_;
   std::size_t corners_;
@@ -119,7 +122,7 @@ WeldedFaces weld(const std::string& path, const ObjText& obj, int threads, std::
   const RawVector<ObjCorner>& corners = obj.faces.corners;
   WeldedFaces welded;
   VertexIndex index(obj.v.size(), corners.size());
-  welded.triangles.resize(corners.size() - 2 * obj.faces.count());
+  resize_in_large_pages(welded.triangles, corners.size() - 2 * obj.faces.count());
   // Each face has 3 corners at least, so that this is so where all have 3.
   if (corners.size() == 3 * obj.faces.count()) {
     for (std::size_t i = 0; i < welded.triangles.size(); ++i)
