@@ -2,8 +2,8 @@
 
 #include "io/file/input_file.h"
 #include "io/file/limits.h"
-#include "io/mesh/obj_colours.h"
 #include "io/mesh/obj/weld.h"
+#include "io/mesh/obj_colours.h"
 #include "io/mesh/obj_faces.h"
 #include "io/mesh/obj_numbers.h"
 #include "math/large_memory.h"

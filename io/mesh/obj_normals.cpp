@@ -31,9 +31,8 @@ void find_normals(const ObjText& obj, std::size_t first, std::size_t last, RawVe
     batch.load();
     const auto found = face_normal(batch.points(), batch.roundings());
     for (int lane = 0; lane < batch.count(); ++lane)
-      normals[batch.face(lane)] = {{found.n.x[lane], found.n.y[lane], found.n.z[lane]},
-                                   found.error[lane],
-                                   found.arithmetic_error[lane]};
+      normals[batch.face(lane)] = {
+          {found.n.x[lane], found.n.y[lane], found.n.z[lane]}, found.error[lane], found.arithmetic_error[lane]};
     batch.clear();
   };
   std::vector<Double3> polygon;

@@ -67,8 +67,8 @@ private:
 /// Joins the corners of a vertex. Those of different vertices may be joined at the same time.
 class Creases {
 public:
-  Creases(const ObjFaces& faces, const FacesOfCorners& face_of, std::span<const FaceNormal> normals, double crease_degrees,
-          Sets& sets)
+  Creases(const ObjFaces& faces, const FacesOfCorners& face_of, std::span<const FaceNormal> normals,
+          double crease_degrees, Sets& sets)
       : faces_(faces), face_of_(face_of), normals_(normals), min_cosine_(cos_degrees(crease_degrees)), sets_(sets) {}
 
   /// `corners`: of one vertex, in the order of the file. False if steps run out.

@@ -116,9 +116,8 @@ private:
   }
 
   bool uses_not_finite_v() const {
-    return std::any_of(obj_.faces.corners.begin(), obj_.faces.corners.end(), [&](const ObjCorner& corner) {
-      return !is_finite(obj_.v[static_cast<std::size_t>(corner.v)]);
-    });
+    return std::any_of(obj_.faces.corners.begin(), obj_.faces.corners.end(),
+                       [&](const ObjCorner& corner) { return !is_finite(obj_.v[static_cast<std::size_t>(corner.v)]); });
   }
 
   void join_moved() {
@@ -154,8 +153,7 @@ private:
           obj_.smoothing.resize(face, group);
           group = smoothing_off;
           if (statement.smoothing.second > 0)
-            group =
-                groups.try_emplace(statement.smoothing, static_cast<std::int32_t>(groups.size()) + 1).first->second;
+            group = groups.try_emplace(statement.smoothing, static_cast<std::int32_t>(groups.size()) + 1).first->second;
         }
       }
     if (obj_.has_smoothing) obj_.smoothing.resize(before_.back().faces, group);

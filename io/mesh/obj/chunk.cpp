@@ -21,7 +21,8 @@ using Numbers = std::array<float, max_numbers>;
 
 class ChunkReader {
 public:
-  ChunkReader(std::string_view text, ObjFaults* faults, ObjChunk& chunk) : text_(text), faults_(faults), chunk_(chunk) {}
+  ChunkReader(std::string_view text, ObjFaults* faults, ObjChunk& chunk)
+      : text_(text), faults_(faults), chunk_(chunk) {}
 
   void run(std::size_t begin, std::size_t end) {
     const char* at = text_.data() + begin;
@@ -123,8 +124,8 @@ private:
   /// False if the value can be no index.
   bool from_zero_of(long long value, ObjList list, std::int32_t& from_zero) const {
     if (value == 0 || value < -max_back || value > std::numeric_limits<std::int32_t>::max()) return false;
-    from_zero = static_cast<std::int32_t>(value > 0 ? value - 1
-                                                    : static_cast<long long>(count(list)) + value + relative_index);
+    from_zero =
+        static_cast<std::int32_t>(value > 0 ? value - 1 : static_cast<long long>(count(list)) + value + relative_index);
     return true;
   }
 

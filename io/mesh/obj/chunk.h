@@ -1,5 +1,6 @@
 #pragma once
-// A part of an OBJ file's text, whole lines of it, read by itself: parts are read in parallel, and joined in obj_text.cpp.
+// A part of an OBJ file's text, whole lines of it, read by itself: parts are read in parallel, and joined in
+// obj_text.cpp.
 
 #include "io/mesh/obj_notes.h"
 #include "io/mesh/obj_text.h"

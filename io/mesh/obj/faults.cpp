@@ -29,8 +29,7 @@ void ObjFaults::finish(const ObjChunk& whole, const std::string& instead) {
     if (index.value > static_cast<long long>(given)) no_such_index(index.word, index.list, given);
     else if (index.list == ObjList::v) use(index.value - 1);
   }
-  if (!instead.empty() && faults_.empty())
-    faults_.add({file_, 0, 0, "", instead, "at least one face (a statement f)"});
+  if (!instead.empty() && faults_.empty()) faults_.add({file_, 0, 0, "", instead, "at least one face (a statement f)"});
   faults_.sort_by_place();
   faults_.throw_if_any();
 }

@@ -1,6 +1,6 @@
 #pragma once
-// The normal of a polygon and the angles at its corners, in numbers of one polygon, or of several side by side: each has
-// the same bits as alone.
+// The normal of a polygon and the angles at its corners, in numbers of one polygon, or of several side by side: each
+// has the same bits as alone.
 
 #include "math/elementary.h"
 #include "math/vec.h"
@@ -39,7 +39,7 @@ Vec3<T> area_vector(std::span<const Vec3<T>> polygon) {
 template <class T>
 struct FaceNormalOf {
   Vec3<T> n; // unit; 0 where it has no area beyond what rounding may have made of one
-  T error; // how far n may be from the normal of the file's polygon, whose coordinates were rounded; 0 where n is
+  T error;   // how far n may be from the normal of the file's polygon, whose coordinates were rounded; 0 where n is
   T arithmetic_error; // how far n may be from the normal of the polygon as it is; likewise
 };
 

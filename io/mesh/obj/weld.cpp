@@ -47,8 +47,8 @@ public:
 
 private:
   static constexpr int max_chain = 32;
-  RawVector<std::int32_t> first_;   // of each v, its last vertex; -1: none so far
-  RawVector<std::int32_t> next_;    // of each vertex, the one of its v before it
+  RawVector<std::int32_t> first_; // of each v, its last vertex; -1: none so far
+  RawVector<std::int32_t> next_;  // of each vertex, the one of its v before it
   RawVector<TripleIndex::Triple> vertices_;
   std::size_t corners_;
   std::unique_ptr<TripleIndex> others_;
@@ -66,7 +66,7 @@ void cut(const std::string& path, const ObjText& obj, const RawVector<std::uint3
          std::uint64_t& steps_left, std::vector<std::array<std::uint32_t, 3>>& triangles) {
   const ObjFaces& faces = obj.faces;
   constexpr std::size_t block = 4096; // faces that a thread takes at a time
-  std::vector<std::size_t> others; // that are no fans: they share steps_left, one after the other
+  std::vector<std::size_t> others;    // that are no fans: they share steps_left, one after the other
   std::mutex of_others;
   const auto polygon_of = [&](std::size_t f, std::vector<Float3>& polygon) {
     polygon.clear();
@@ -98,7 +98,8 @@ void cut(const std::string& path, const ObjText& obj, const RawVector<std::uint3
     if (parts.empty()) throw too_intricate(path, f, polygon.size());
     const std::uint32_t first = faces.begin[f];
     for (std::size_t i = 0; i < parts.size(); ++i)
-      triangles[first - 2 * f + i] = {names[first + parts[i][0]], names[first + parts[i][1]], names[first + parts[i][2]]};
+      triangles[first - 2 * f + i] = {names[first + parts[i][0]], names[first + parts[i][1]],
+                                      names[first + parts[i][2]]};
   }
 }
 
