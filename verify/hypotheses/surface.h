@@ -3,6 +3,7 @@
 
 #include "math/vec.h"
 #include "raster/shade/sample_data.h"
+#include "shading/fragment.h"
 #include "verify/hypotheses/prepared.h"
 #include "verify/hypotheses/steps.h"
 
