@@ -1,5 +1,6 @@
 #include "app/options/shared_options.h"
 
+#include "app/arguments.h"
 #include "app/memory_limit.h"
 
 namespace refraster {
