@@ -8,7 +8,7 @@
 #include "io/mesh/mesh_cache.h"
 #include "io/mesh/mesh_normals.h"
 #include "io/scene/file_materials.h"
-#include "io/scene/model_scene.h"
+#include "io/scene/model/model_scene.h"
 #include "io/scene/not_a_scene.h"
 #include "io/scene/scene_edits.h"
 #include "io/scene/scene_reader.h"
@@ -338,7 +338,8 @@ SceneSource read_scene_source(const std::string& path, const SceneOptions& optio
   for (JsonIndex i = document[0].first_child; i; i = document[i].next)
     if (document[i].key == "asset" && document[i].kind == JsonKind::object) throw gltf_is_no_scene(path);
   SceneReader top(document, 0, "", faults);
-  top.object("scene", required, "", [&](auto& keys) { scene_keys(scene, source.view, objects, options.user_functions, keys); });
+  top.object("scene", required, "",
+             [&](auto& keys) { scene_keys(scene, source.view, objects, options.user_functions, keys); });
   top.finish();
 
   FaultList in_files;

@@ -1,10 +1,10 @@
-#include "io/scene/whole_scene.h"
+#include "io/scene/model/whole_scene.h"
 
 #include "io/file/input_file.h"
 #include "io/file/text.h"
 #include "io/json/json.h"
 #include "io/json/json_writer.h"
-#include "io/scene/model_scene.h"
+#include "io/scene/model/model_scene.h"
 #include "io/scene/scene_edits.h"
 #include "io/scene/scene_keys.h"
 #include "io/scene/scene_source.h"
@@ -30,9 +30,8 @@ public:
   void parameters(M& function, Use use) {
     if (use == Use::other) return;
     function = std::get<M>(material_.fragment_function);
-    M::fields(function, [&](std::string_view key, const auto& value, const Range&, std::string_view) {
-      member(key, value);
-    });
+    M::fields(function,
+              [&](std::string_view key, const auto& value, const Range&, std::string_view) { member(key, value); });
   }
   void parameters(UserFunction&, Use) {}
 
