@@ -220,7 +220,7 @@ TEST_CASE("what is wrong is named, with what was meant and what there is") {
   CHECK(said_of({"merl", "sinth"}) ==
         "refraster: merl: found \"sinth\", expected one of info, synth; did you mean synth?");
   CHECK(said_of({"merl"}) == "refraster: merl: found nothing, expected one of info, synth");
-  CHECK(said_of({"render"}) == "refraster: render: found nothing, expected SCENE (scene file; docs/scene-format.md)");
+  CHECK(said_of({"render"}) == "refraster: render: found nothing, expected SCENE (scene file or OBJ model; docs/scene-format.md)");
   CHECK(said_of({"compare", "a.png"}).starts_with("refraster: compare: found nothing, expected B ("));
   CHECK(said_of({"render", "ball.json", "more"}) ==
         "refraster: render: found \"more\", expected no argument but SCENE");
