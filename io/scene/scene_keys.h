@@ -11,7 +11,8 @@
 //                                                                    objects; declare(item, keys) has those of each
 //   keys.shape("mesh", shape, "meaning")                             one of the shapes below
 //   keys.normals("normals", normals, "meaning")                      a word, or an object with an angle
-//   keys.map("diffuse_map", text, "meaning", short_form) a path, or an object with one
+//   keys.map("diffuse_map", text, "meaning", short_form, multiplied)
+//                                                                    a path, or an object with one
 //   keys.material("material", text, "meaning", declare)              the same, or a word
 //   keys.materials("materials", text, "meaning", declare)            of each name of a material the same
 //   keys.check(value)                                                what a single key cannot show
@@ -265,18 +266,16 @@ void material_keys(auto& text, auto&& keys) {
   for (std::size_t i = 0; i < texture_slots.size(); ++i) {
     const TextureSlot& slot = texture_slots[i];
     if (slot.file_key.empty()) {
-      keys.map(slot.key, text.maps[i], slot.meaning, {});
+      Double3* const multiplied = slot.multiplied ? &(text.object.material.*slot.multiplied) : nullptr;
+      keys.map(slot.key, text.maps[i], slot.meaning, {}, multiplied);
       continue;
     }
     keys(slot.file_key, text.maps[i].path, Range{}, slot.meaning, otherwise("white"));
     keys(slot.filter_key, text.maps[i].map.filter, Range{}, "how the texture is read between its texels", defaulted);
     keys.map(slot.key, text.maps[i], "the same texture with all that can be said of it, instead of those two keys",
-             slot.file_key);
+             slot.file_key, nullptr);
   }
-  Double3& emissive = text.object.material.emissive;
-  for (std::size_t i = 0; i < texture_slots.size(); ++i)
-    if (texture_slots[i].multiplied == &Material::emissive && !text.maps[i].path.given.empty()) emissive = Double3(1);
-  keys("emissive", emissive, Range{},
+  keys("emissive", text.object.material.emissive, Range{},
        "light of its own, r g b, added to the ambient term; for `phong` and `blinn_phong`",
        otherwise("`\"0 0 0\"`; `\"1 1 1\"` beside an `emissive_map`"));
 }

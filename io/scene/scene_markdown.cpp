@@ -95,7 +95,7 @@ public:
   }
 
   /// What an object may have there is told once, where there is a short form.
-  void map(std::string_view key, MapText& text, std::string_view meaning, std::string_view short_form) {
+  void map(std::string_view key, MapText& text, std::string_view meaning, std::string_view short_form, const Double3*) {
     row(key, expected_map(), "white", meaning);
     if (!short_form.empty())
       inside(place_ + '/' + std::string(key) + ", and every other texture",

@@ -168,12 +168,14 @@ void SceneReader::shape(std::string_view key, std::optional<Shape>& shape, std::
   });
 }
 
-void SceneReader::map(std::string_view key, MapText& text, std::string_view, std::string_view short_form) {
+void SceneReader::map(std::string_view key, MapText& text, std::string_view, std::string_view short_form,
+                      Double3* multiplied) {
   const std::string expected = expected_map();
   const JsonIndex found = claim(key, defaulted, expected);
   if (!found) return;
   if (!short_form.empty() && find(short_form))
     return fault(key, std::string(key) + " beside " + std::string(short_form), "one of the two");
+  if (multiplied) *multiplied = Double3(1);
   const JsonNode& node = document_[found];
   if (node.kind == JsonKind::object)
     return read_object(found, path_of(key), [&](SceneReader& keys) { map_keys(text, keys); });
