@@ -161,7 +161,7 @@ TEST_CASE("a texture is a path, or an object with all that can be said of it") {
       read(keys);
     } catch (const InputError& error) {
       const InputFault& fault = error.faults().at(0);
-      return fault.json_path + ": " + fault.found + ", " + fault.expected;
+      return fault.path + ": " + fault.found + ", " + fault.expected;
     }
     return std::string();
   };
