@@ -306,45 +306,46 @@ Command bench_command() {
   for (const std::string& name : precisions) listed += (listed.empty() ? "" : ",") + name;
   return {.name = "bench",
           .meaning = "Measure what a pixel costs, and what accuracy it buys",
-          .groups =
-              {{"Scenes",
-                {refraster::arguments("SCENE", a.scenes, "scene files or OBJ models; without one, a sphere that fills the image"),
-                 outside_option(a.reading.outside), cache_option(a.reading.mesh_cache)}},
-               scene_change_options(a.changes),
-               {"What is measured",
-                {parsed_option("--size", "WxH,…", a.sizes, sizes_from,
-                               "WIDTHxHEIGHT, each 1 to " + std::to_string(largest_side) +
-                                   ", separated by commas, each once",
-                               "pixels of the image, or several sizes")
-                     .by_default("1280x720"),
-                 word_list_option("--precisions", "NAME,…", precisions, set_precisions, "number types of shading")
-                     .by_default(listed),
-                 parsed_option("--threads", "N,…", a.threads, thread_counts_from,
-                               "numbers from 1 to 1024 separated by commas, each once", "numbers of threads")
-                     .by_default("1 and all CPUs"),
-                 number_choice_option("--samples", a.samples, {1, 2, 4, 8, 16}, "samples a pixel"),
-                 choice_option("--gl", a.gl, {"llvmpipe", "softpipe", "default", "none"},
-                               "OpenGL to draw the same frames in between; left out where there is none, unless it is "
-                               "named here")
-                     .by_default(default_gl),
-                 scaling_option(a.scaling),
-                 flag(
-                     "--no-marginal", [&a] { a.marginals = Marginals::left_out; },
-                     "only the scene as it is: no further light, texture, samples"),
-                 flag(
-                     "--no-error", [&a] { a.errors = Errors::left_out; },
-                     "do not measure how far images are from the right ones")}},
-               {"How often",
-                {number_option("--frames", a.frames, Range{1, 1000000},
-                               "repetitions at least; each draws a frame of everything"),
-                 number_option("--seconds", a.seconds, Range{0, 86400},
-                               "and more repetitions until so much time has passed, for each scene")}},
-               {"Report",
-                {file_option("--json", "FILE", a.json, "write the report as JSON; - is standard output"),
-                 file_option("--html", "FILE", a.html,
-                             "write the report as one HTML page with pictures; - is standard output"),
-                 folder_option("--csv", a.csv, "folder to write a .csv file for each table to; made if need be"),
-                 memory_option(a.max_memory), strict_option(a.diagnostics), quiet_option(a.diagnostics)}}},
+          .groups = {{"Scenes",
+                      {refraster::arguments("SCENE", a.scenes,
+                                            "scene files or OBJ models; without one, a sphere that fills the image"),
+                       outside_option(a.reading.outside), cache_option(a.reading.mesh_cache)}},
+                     scene_change_options(a.changes),
+                     {"What is measured",
+                      {parsed_option("--size", "WxH,…", a.sizes, sizes_from,
+                                     "WIDTHxHEIGHT, each 1 to " + std::to_string(largest_side) +
+                                         ", separated by commas, each once",
+                                     "pixels of the image, or several sizes")
+                           .by_default("1280x720"),
+                       word_list_option("--precisions", "NAME,…", precisions, set_precisions, "number types of shading")
+                           .by_default(listed),
+                       parsed_option("--threads", "N,…", a.threads, thread_counts_from,
+                                     "numbers from 1 to 1024 separated by commas, each once", "numbers of threads")
+                           .by_default("1 and all CPUs"),
+                       number_choice_option("--samples", a.samples, {1, 2, 4, 8, 16}, "samples a pixel"),
+                       choice_option(
+                           "--gl", a.gl, {"llvmpipe", "softpipe", "default", "none"},
+                           "OpenGL to draw the same frames in between; left out where there is none, unless it is "
+                           "named here")
+                           .by_default(default_gl),
+                       scaling_option(a.scaling),
+                       flag(
+                           "--no-marginal", [&a] { a.marginals = Marginals::left_out; },
+                           "only the scene as it is: no further light, texture, samples"),
+                       flag(
+                           "--no-error", [&a] { a.errors = Errors::left_out; },
+                           "do not measure how far images are from the right ones")}},
+                     {"How often",
+                      {number_option("--frames", a.frames, Range{1, 1000000},
+                                     "repetitions at least; each draws a frame of everything"),
+                       number_option("--seconds", a.seconds, Range{0, 86400},
+                                     "and more repetitions until so much time has passed, for each scene")}},
+                     {"Report",
+                      {file_option("--json", "FILE", a.json, "write the report as JSON; - is standard output"),
+                       file_option("--html", "FILE", a.html,
+                                   "write the report as one HTML page with pictures; - is standard output"),
+                       folder_option("--csv", a.csv, "folder to write a .csv file for each table to; made if need be"),
+                       memory_option(a.max_memory), strict_option(a.diagnostics), quiet_option(a.diagnostics)}}},
           .notes = {"How it measures: docs/bench.md. The JSON: docs/reports.md."},
           .finish = [arguments]() -> Action {
             fill_defaults(*arguments);

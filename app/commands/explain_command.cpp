@@ -103,7 +103,7 @@ ExitCode run(const ExplainArguments& arguments) {
   line.reset(); // before anything is printed
   print_file_notes(notes, arguments.diagnostics);
   check_pixel(arguments, {picture.width, picture.height});
-  const ExplainRequest request{arguments.x,    arguments.y,      picture.width,           picture.height,
+  const ExplainRequest request{arguments.x,     arguments.y,      picture.width,           picture.height,
                                picture.samples, picture.transfer, arguments.reading.memory};
   PixelStory story = explain_pixel(
       scene, request, actual ? std::optional(actual_pixel(*actual, arguments.x, arguments.y)) : std::nullopt);

@@ -185,7 +185,7 @@ Command gl_command() {
         if (arguments->probes) return probing(*arguments);
         if (!arguments->device.empty()) throw UsageError("gl", "--device without --probe", "both");
         if (arguments->scene.empty())
-          throw UsageError("gl", "nothing", "SCENE (scene file; docs/scene-format.md), or --probe");
+          throw UsageError("gl", "nothing", "SCENE (scene file or OBJ model; docs/scene-format.md), or --probe");
         check_together(*arguments);
         return [arguments] {
           arguments->reading.memory = set_memory_limit(arguments->max_memory, 1);

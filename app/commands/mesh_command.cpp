@@ -8,7 +8,7 @@
 #include "app/options/shared_options.h"
 #include "app/output.h"
 #include "app/progress_line.h"
-#include "io/scene/model_facts.h"
+#include "io/scene/model/model_facts.h"
 #include "io/scene/shape_mesh.h"
 
 #include <algorithm>

@@ -7,7 +7,7 @@
 #include "app/options/shared_options.h"
 #include "app/output.h"
 #include "app/progress_line.h"
-#include "io/scene/whole_scene.h"
+#include "io/scene/model/whole_scene.h"
 
 #include <filesystem>
 #include <iostream>
@@ -32,8 +32,7 @@ ExitCode run(const SceneArguments& a) {
   SceneOptions reading = a.reading;
   reading.notes = &notes;
   auto line = progress_line(a.diagnostics, "reading " + a.scene);
-  const std::string folder =
-      a.output == standard_output ? "" : std::filesystem::path(a.output).parent_path().string();
+  const std::string folder = a.output == standard_output ? "" : std::filesystem::path(a.output).parent_path().string();
   const WholeScene written = whole_scene(a.scene, reading, a.changes.edits(), folder);
   line.reset(); // before anything is printed
   print_file_notes(notes, a.diagnostics);

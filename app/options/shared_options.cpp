@@ -50,7 +50,7 @@ Option premultiplied_option(AlphaEncoding& encoding) {
 }
 
 Option scene_argument(std::string& path) {
-  return argument("SCENE", path, "scene file, or an OBJ model; docs/scene-format.md, docs/models.md");
+  return argument("SCENE", path, "scene file or OBJ model; docs/scene-format.md");
 }
 
 Option outside_option(Outside& outside) {

@@ -49,4 +49,7 @@ std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const Float3> po
 /// eight corners, and where it is not plain to see.
 bool is_fan(std::span<const Float3> polygon);
 
+/// Along a polygon's normal, and twice its area long.
+Double3 area_vector(std::span<const Float3> polygon);
+
 } // namespace refraster

@@ -6,6 +6,11 @@
 #include <limits>
 
 namespace refraster {
+
+Double3 area_vector(std::span<const Float3> polygon) {
+  return area_vector_of<double>(polygon.size(), [&](std::size_t i) { return Double3(polygon[i]); });
+}
+
 namespace {
 
 /// Twice the signed area: positive where a, b, c turn left.
@@ -15,11 +20,7 @@ double turn(const Double2& a, const Double2& b, const Double2& c) {
 
 /// The polygon along the axis that its normal is nearest to, turning left. For a polygon without area: any axis.
 void flatten(std::span<const Float3> polygon, std::span<Double2> flat) {
-  // As area_vector has it, which would need the polygon in double.
-  const Double3 origin(polygon[0]);
-  Double3 n(0.0);
-  for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
-    n += cross(Double3(polygon[i]) - origin, Double3(polygon[i + 1]) - origin);
+  const Double3 n = area_vector(polygon);
   int axis = std::abs(n.x) > std::abs(n.y) ? 0 : 1;
   if (std::abs(n.z) >= std::abs(n[axis])) axis = 2;
   const int u = (axis + 1) % 3, v = (axis + 2) % 3; // right-handed: u x v points along the axis

@@ -5,7 +5,7 @@
 #include "io/file/text_kind.h"
 #include "io/image/image_formats.h"
 #include "io/scene/example_scene.h"
-#include "io/scene/model_scene.h"
+#include "io/scene/model/model_scene.h"
 
 #include <algorithm>
 #include <array>

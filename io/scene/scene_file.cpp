@@ -9,7 +9,7 @@
 #include "io/mesh/mesh_normals.h"
 #include "io/scene/file_materials.h"
 #include "io/scene/material_texture.h"
-#include "io/scene/model_scene.h"
+#include "io/scene/model/model_scene.h"
 #include "io/scene/not_a_scene.h"
 #include "io/scene/scene_edits.h"
 #include "io/scene/scene_reader.h"

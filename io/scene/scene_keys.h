@@ -206,8 +206,9 @@ void fit_keys(CameraFit& fit, auto&& keys) {
 }
 
 void camera_keys(auto& camera, SceneView& view, auto&& keys) {
-  keys.optional_object("fit", view.fit, "from which side what the scene shows is looked at: then position, near and "
-                                          "far follow from it, and target, if left out",
+  keys.optional_object("fit", view.fit,
+                       "from which side what the scene shows is looked at: then position, near and "
+                       "far follow from it, and target, if left out",
                        [](CameraFit& fit, auto& inner) { fit_keys(fit, inner); });
   keys("position", camera.position, any_number, "where the eye is, world space; not beside `fit`",
        view.fit ? otherwise("`fit`") : required);
@@ -215,9 +216,10 @@ void camera_keys(auto& camera, SceneView& view, auto&& keys) {
        otherwise("position + (0, 0, -1); with `fit` the middle of what is seen"));
   keys("up", camera.up, any_number, "up in the image: not parallel to the line of sight", defaulted);
   keys("fov_y", camera.fov_y_degrees, Range{0, 180, Ends::excluded}, "vertical field of view, degrees", defaulted);
-  keys("near", camera.near, Range{.ends = Ends::excluded}, "distance of the near plane; with `fit` before the nearest vertex",
-       defaulted);
-  keys("far", camera.far, Range{.ends = Ends::excluded}, "distance of the far plane: beyond the near one; with `fit` behind the farthest vertex", defaulted);
+  keys("near", camera.near, Range{.ends = Ends::excluded},
+       "distance of the near plane; with `fit` before the nearest vertex", defaulted);
+  keys("far", camera.far, Range{.ends = Ends::excluded},
+       "distance of the far plane: beyond the near one; with `fit` behind the farthest vertex", defaulted);
   keys("movement_speed", Ignored{}, any_number, "for the lecture's interactive framework; not used",
        otherwise("nothing"));
   keys("mouse_sensitivity", Ignored{}, any_number, "for the lecture's interactive framework; not used",
@@ -328,7 +330,8 @@ void picture_keys(Picture& picture, auto&& keys) {
   keys("srgb", picture.transfer, Range{}, "whether an 8-bit image has the sRGB curve", defaulted);
 }
 
-void scene_keys(auto& scene, SceneView& view, std::vector<ObjectText>& objects, UserFunctions user_functions, auto&& keys) {
+void scene_keys(auto& scene, SceneView& view, std::vector<ObjectText>& objects, UserFunctions user_functions,
+                auto&& keys) {
   keys.object("camera", required, "", [&](auto& inner) { camera_keys(scene.camera, view, inner); });
   keys("background", scene.background, Range{}, "colour where there is no surface", defaulted);
   for_each_light_list(scene, [&]<class Light>(std::vector<Light>& lights) {

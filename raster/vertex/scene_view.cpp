@@ -36,8 +36,8 @@ Axes axes_of_up(const Double3& up) {
   const Double3 y = normalize(up);
   const double sine_squared = y.x * y.x + y.z * y.z;
   if (y.y < 0 && sine_squared == 0) return {Double3(1, 0, 0), y, Double3(0, 0, -1)}; // any half turn would do
-  // Rodrigues' formula for the axis (0, 1, 0) x y, written out. f is 1 / (1 + cosine), and for a cosine near -1 the same
-  // without cancellation.
+  // Rodrigues' formula for the axis (0, 1, 0) x y, written out. f is 1 / (1 + cosine), and for a cosine near -1 the
+  // same without cancellation.
   const double f = y.y < 0 ? (1 - y.y) / sine_squared : 1 / (1 + y.y);
   return {Double3(1 - y.x * y.x * f, -y.x, -y.x * y.z * f), y, Double3(-y.x * y.z * f, -y.z, 1 - y.z * y.z * f)};
 }
@@ -117,8 +117,8 @@ private:
 std::array<double, 2> centre_from(const Points& points, double eye) {
   std::array<Support, 2> found{Support(0), Support(0)};
   std::array<double, 2> k{};
-  constexpr int most_steps = 64;
-  for (int step = 0; step < most_steps; ++step) {
+  constexpr int max_steps = 64;
+  for (int step = 0; step < max_steps; ++step) {
     found = {Support(k[0]), Support(k[1])};
     points.for_each([&](double x, double y, double depth) { found[0].add(x, depth), found[1].add(y, depth); });
     bool moved = false;

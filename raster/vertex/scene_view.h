@@ -32,14 +32,14 @@ struct EnumNames<Transfer> {
 
 /// From which side a camera looks at what a scene shows.
 struct CameraFit {
-  double azimuth_degrees = 30;   // about the camera's up vector, counter-clockwise seen from above; 0: from the front, +z
-                                 // where +y is up
-  double elevation_degrees = 20; // above the plane across the up vector: -90 to 90
-  double margin = 0.05;          // part of the image's width and height that stays free on each side: 0 to 0.49
-  std::optional<double> distance = {};  // from the target, in place of the nearest one; > 0
-  std::optional<Double3> target = {};   // in the middle of the image; by default the middle of what is seen
-  std::optional<double> near = {};      // in place of a plane before the nearest vertex; > 0
-  std::optional<double> far = {};       // in place of a plane behind the farthest vertex; > near
+  double azimuth_degrees = 30; // about the camera's up vector, counter-clockwise seen from above; 0: from the front, +z
+                               // where +y is up
+  double elevation_degrees = 20;       // above the plane across the up vector: -90 to 90
+  double margin = 0.05;                // part of the image's width and height that stays free on each side: 0 to 0.49
+  std::optional<double> distance = {}; // from the target, in place of the nearest one; > 0
+  std::optional<Double3> target = {};  // in the middle of the image; by default the middle of what is seen
+  std::optional<double> near = {};     // in place of a plane before the nearest vertex; > 0
+  std::optional<double> far = {};      // in place of a plane behind the farthest vertex; > near
 };
 
 /// The image that a scene is meant to be made into: what commands take where no option says otherwise.
@@ -52,7 +52,7 @@ struct Picture {
 
 /// What is left to be done.
 struct SceneView {
-  std::optional<CameraFit> fit;                                     // gives the camera its place; none: it has one
+  std::optional<CameraFit> fit;                                          // gives the camera its place; none: it has one
   std::vector<std::size_t> moving_point_lights, moving_direction_lights; // those of camera space, by their number
   Picture picture;
 

@@ -26,12 +26,12 @@ T rounding_of(const Vec3<T>& point) {
   return T(0x1p-24) * length(point) + T(static_cast<double>(std::numeric_limits<float>::denorm_min()));
 }
 
-/// Along a polygon's normal, and twice its area long.
-template <class T>
-Vec3<T> area_vector(std::span<const Vec3<T>> polygon) {
+/// Along a polygon's normal, and twice its area long. `at(i)`: its corners, of which there are n.
+template <class T, class At>
+Vec3<T> area_vector_of(std::size_t n, const At& at) {
+  const Vec3<T> origin = at(0);
   Vec3<T> sum(T(0.0));
-  for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
-    sum = sum + cross(polygon[i] - polygon[0], polygon[i + 1] - polygon[0]);
+  for (std::size_t i = 1; i + 1 < n; ++i) sum = sum + cross(Vec3<T>(at(i) - origin), Vec3<T>(at(i + 1) - origin));
   return sum;
 }
 
@@ -46,8 +46,8 @@ struct FaceNormalOf {
 /// `roundings`: rounding_of each corner.
 template <class T>
 FaceNormalOf<T> face_normal(std::span<const Vec3<T>> polygon, std::span<const T> roundings) {
-  const Vec3<T> area = area_vector(polygon);
   const std::size_t n = polygon.size();
+  const Vec3<T> area = area_vector_of<T>(n, [&](std::size_t i) { return polygon[i]; });
   // A product in the sum has passed a rounding in each of two differences, one of its own, one where it is subtracted,
   // and one for each of n - 3 additions; one more for this bound's own sum.
   Vec3<T> products(T(0.0));

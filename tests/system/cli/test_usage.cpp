@@ -214,13 +214,14 @@ TEST_CASE("what is wrong is named, with what was meant and what there is") {
     const std::string err = run_program(folder.path, words).err;
     return err.substr(0, err.find('\n'));
   };
-  CHECK(said_of({"rendr"}) ==
-        "refraster: found \"rendr\", expected one of render, verify, explain, compare, gl, bench, mesh, merl, list; "
-        "did you mean render?");
+  CHECK(said_of({"rendr"}) == "refraster: found \"rendr\", expected one of render, verify, explain, compare, gl, "
+                              "bench, scene, mesh, merl, list; "
+                              "did you mean render?");
   CHECK(said_of({"merl", "sinth"}) ==
         "refraster: merl: found \"sinth\", expected one of info, synth; did you mean synth?");
   CHECK(said_of({"merl"}) == "refraster: merl: found nothing, expected one of info, synth");
-  CHECK(said_of({"render"}) == "refraster: render: found nothing, expected SCENE (scene file; docs/scene-format.md)");
+  CHECK(said_of({"render"}) ==
+        "refraster: render: found nothing, expected SCENE (scene file or OBJ model; docs/scene-format.md)");
   CHECK(said_of({"compare", "a.png"}).starts_with("refraster: compare: found nothing, expected B ("));
   CHECK(said_of({"render", "ball.json", "more"}) ==
         "refraster: render: found \"more\", expected no argument but SCENE");
@@ -229,8 +230,9 @@ TEST_CASE("what is wrong is named, with what was meant and what there is") {
   CHECK(unknown.starts_with("refraster: render: found \"--sample\", expected one of --"));
   CHECK(unknown.ends_with("; did you mean --samples?"));
   CHECK(said_of({"render", "ball.json", "-quiet"}).find("found \"-quiet\"") != std::string::npos);
-  CHECK(said_of({"--quiet", "render", "ball.json"}) == "refraster: found \"--quiet\", expected a command before it, "
-                                                       "one of render, verify, explain, compare, gl, bench, mesh, merl, list");
+  CHECK(said_of({"--quiet", "render", "ball.json"}) ==
+        "refraster: found \"--quiet\", expected a command before it, "
+        "one of render, verify, explain, compare, gl, bench, mesh, merl, list");
   CHECK(said_of({"render", "ball.json", "--precision", "flaot"}) ==
         "refraster: --precision: found \"flaot\", expected one of double, float, fast, exact; did you mean float?");
   CHECK(said_of({"render", "ball.json", "--aov", "depth,norml"}) ==

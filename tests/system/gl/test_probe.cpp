@@ -88,5 +88,5 @@ TEST_CASE("--probe needs no scene, and takes none; without a file the profile go
   CHECK(usage({"gl", "--probe", "scene.json"}).find("SCENE beside --probe") != std::string::npos);
   CHECK(usage({"gl", "--probe", "--depth", "d.pfm"}).find("--depth beside --probe") != std::string::npos);
   CHECK(usage({"gl", "--device", "llvmpipe", "scene.json"}).find("--device without --probe") != std::string::npos);
-  CHECK(usage({"gl"}).find("SCENE (scene file; docs/scene-format.md), or --probe") != std::string::npos);
+  CHECK(usage({"gl"}).find("SCENE (scene file or OBJ model; docs/scene-format.md), or --probe") != std::string::npos);
 }

@@ -49,6 +49,7 @@ void write_uniforms(JsonWriter& json, const UniformValues& values) {
             if constexpr (std::is_same_v<X, float>) setter = "uniform1fv", append(&x, 1);
             else if constexpr (std::is_same_v<X, int>) setter = "uniform1iv", numbers = {static_cast<double>(x)};
             else if constexpr (std::is_same_v<X, Float3>) setter = "uniform3fv", append(&x[0], 3);
+            else if constexpr (std::is_same_v<X, Float4>) setter = "uniform4fv", append(&x[0], 4);
             else if constexpr (std::is_same_v<X, Float3x3>) setter = "uniformMatrix3fv", append(&x[0][0], 9);
             else setter = "uniformMatrix4fv", append(&x[0][0], 16);
           },

@@ -3,7 +3,7 @@
 #include <refraster/files.h>
 #include <refraster/render.h>
 
-#include "io/scene/model_scene.h"
+#include "io/scene/model/model_scene.h"
 #include "io/scene/scene_source.h"
 #include "tests/support/files/malformed_inputs.h"
 #include "tests/support/files/png_bytes.h"
@@ -108,8 +108,9 @@ TEST_CASE("a model that cannot be shown: one line") {
   CHECK(fault("empty.obj") == "empty.obj: found an empty file, expected an OBJ file");
   CHECK(fault("points.obj") == "points.obj: found no face, only vertices, expected at least one face (a statement f)");
   CHECK(fault("none.obj") == "none.obj: found no such file, expected an OBJ file");
-  CHECK(fault("f\xff.obj").ends_with(": found a file name that is no UTF-8, expected one that a scene can hold: rename "
-                                     "the file"));
+  CHECK(fault("f\xff.obj")
+            .ends_with(": found a file name that is no UTF-8, expected one that a scene can hold: rename "
+                       "the file"));
 }
 
 TEST_CASE("a change takes the place of a value, is added to an object, or takes a value away") {
@@ -171,7 +172,8 @@ TEST_CASE("a camera with a fit stands nowhere by itself") {
   CHECK(fault_of(path, {{"/scene/camera/fit", fit, "o"}}).find("position: found both position and fit") !=
         std::string::npos);
   const std::optional<CameraFit> read =
-      read_scene_source(path, {}, {{"/scene/camera", "{\"fit\": " + fit + ", \"target\": [1, 2, 3], \"near\": 2}", "o"}})
+      read_scene_source(path, {},
+                        {{"/scene/camera", "{\"fit\": " + fit + ", \"target\": [1, 2, 3], \"near\": 2}", "o"}})
           .view.fit;
   REQUIRE(read);
   CHECK(read->azimuth_degrees == -90);

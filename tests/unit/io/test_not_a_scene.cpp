@@ -84,9 +84,9 @@ TEST_CASE("meshes are known by their content, whatever their name is") {
 }
 
 TEST_CASE("meshes are known by their name, where their content says nothing") {
-  const std::vector<std::pair<std::string, std::string>> names = {
-      {"a.stl", "an STL file"}, {"a.ply", "a PLY file"},     {"a.glb", "a glTF file"},
-      {"a.fbx", "an FBX file"}, {"a.dae", "a COLLADA file"}, {"A.3DS", "a 3DS file"}};
+  const std::vector<std::pair<std::string, std::string>> names = {{"a.stl", "an STL file"},    {"a.ply", "a PLY file"},
+                                                                  {"a.glb", "a glTF file"},    {"a.fbx", "an FBX file"},
+                                                                  {"a.dae", "a COLLADA file"}, {"A.3DS", "a 3DS file"}};
   for (const auto& one : names) {
     const std::string &name = one.first, &found = one.second;
     CAPTURE(name);

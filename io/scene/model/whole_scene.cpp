@@ -1,10 +1,10 @@
-#include "io/scene/whole_scene.h"
+#include "io/scene/model/whole_scene.h"
 
 #include "io/file/input_file.h"
 #include "io/file/text.h"
 #include "io/json/json.h"
 #include "io/json/json_writer.h"
-#include "io/scene/model_scene.h"
+#include "io/scene/model/model_scene.h"
 #include "io/scene/scene_edits.h"
 #include "io/scene/scene_keys.h"
 #include "io/scene/scene_source.h"

@@ -1,10 +1,10 @@
-#include "io/scene/model_facts.h"
+#include "io/scene/model/model_facts.h"
 
 #include "io/file/find_file.h"
 #include "io/file/input_file.h"
 #include "io/file/text.h"
 #include "io/json/json_writer.h"
-#include "io/scene/model_scene.h"
+#include "io/scene/model/model_scene.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -123,16 +123,17 @@ std::string model_facts_text(const ModelFacts& facts) {
   text += line("positions", with_commas(facts.v) + " in the file, " + with_commas(facts.vertices) +
                                 " vertices of the mesh: one for each different position, normal and uv");
   text += line("triangles", with_commas(facts.triangles) + " of " + counted(facts.f, "face"));
-  text += line("normals", facts.vn == 0 ? "none in the file: computed from the faces" : with_commas(facts.vn) + " in the file");
+  text += line("normals",
+               facts.vn == 0 ? "none in the file: computed from the faces" : with_commas(facts.vn) + " in the file");
   text += line("uvs", facts.vt == 0 ? "none"
                                     : with_commas(facts.vt) + " in the file; " +
                                           counted(facts.triangles_without_vt, "triangle") + " without");
   text += line("colours", facts.coloured_vertices == 0 ? "none" : with_commas(facts.coloured_vertices) + " vertices");
-  text += line("materials",
-               found_and_missing(facts.materials.size(), "material", "described by no library", undescribed) +
-                   (facts.triangles_without_material > 0 && !facts.materials.empty()
-                        ? "; " + counted(facts.triangles_without_material, "triangle") + " without"
-                        : ""));
+  text +=
+      line("materials", found_and_missing(facts.materials.size(), "material", "described by no library", undescribed) +
+                            (facts.triangles_without_material > 0 && !facts.materials.empty()
+                                 ? "; " + counted(facts.triangles_without_material, "triangle") + " without"
+                                 : ""));
   text += line("textures", found_and_missing(facts.textures.size(), "texture", "missing", missing));
   return text;
 }

@@ -1,4 +1,4 @@
-#include "io/scene/model_scene.h"
+#include "io/scene/model/model_scene.h"
 
 #include <refraster/notes.h>
 
@@ -62,8 +62,8 @@ std::string scene_text_of_model(const std::string& path) {
     throw InputError(std::move(*fault));
   const std::string name = fs::path(path).filename().string();
   if (as_utf8(name) != name)
-    throw InputError(InputFault{path, 0, 0, "", "a file name that is no UTF-8",
-                                "one that a scene can hold: rename the file"});
+    throw InputError(
+        InputFault{path, 0, 0, "", "a file name that is no UTF-8", "one that a scene can hold: rename the file"});
   return model_scene_text(name);
 }
 
