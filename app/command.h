@@ -57,16 +57,17 @@ std::vector<const Option*> all_options(const Command& command);
 std::string version_text();
 
 // One file each.
-Command render_command();  // render_command.cpp
-Command compare_command(); // compare_command.cpp
-Command verify_command();  // verify_command.cpp
-Command explain_command(); // explain_command.cpp
-Command gl_command();      // gl_command.cpp
-Command bench_command();   // bench_command.cpp
-Command mesh_command();    // mesh_command.cpp
-Command scene_command();   // scene_command.cpp
-Command merl_command();    // merl_command.cpp
-Command list_command();    // list_command.cpp
+Command render_command();    // render_command.cpp
+Command turntable_command(); // turntable_command.cpp
+Command compare_command();   // compare_command.cpp
+Command verify_command();    // verify_command.cpp
+Command explain_command();   // explain_command.cpp
+Command gl_command();        // gl_command.cpp
+Command bench_command();     // bench_command.cpp
+Command scene_command();     // scene_command.cpp
+Command mesh_command();      // mesh_command.cpp
+Command merl_command();      // merl_command.cpp
+Command list_command();      // list_command.cpp
 
 /// The program: all of them.
 Command refraster_command();

@@ -37,6 +37,8 @@ void ProgressLine::print_until(const std::stop_token& end) const {
     const double fraction = fraction_.load(std::memory_order_relaxed);
     if (fraction >= 0) {
       std::fprintf(stderr, "%s%s %3.0f %%", erase_line, what_.c_str(), 100 * fraction);
+      // If it goes on as it went.
+      if (fraction > 0) std::fprintf(stderr, ", %.0f s left", stopwatch.seconds() * (1 - fraction) / fraction);
     } else {
       std::fprintf(stderr, "%s%s %3.0f s", erase_line, what_.c_str(), stopwatch.seconds());
     }

@@ -11,7 +11,7 @@
 namespace refraster {
 
 /// While it lives, and from the second second on: a line on stderr that says what is being done and for how long, or
-/// how far it is, if stderr is a terminal. Wiped at the end.
+/// how far it is and how long the rest may take, if stderr is a terminal. Wiped at the end.
 class ProgressLine {
 public:
   /// what: "reading ball.json".

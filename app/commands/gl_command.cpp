@@ -135,7 +135,9 @@ Command gl_command() {
       .name = "gl",
       .meaning = "Make the image of a scene with OpenGL",
       .groups =
-          {{"Scene", {scene, outside_option(a.reading.outside), cache_option(a.reading.mesh_cache)}},
+          {{"Scene",
+            {scene, outside_option(a.reading.outside), exposure_option(a.reading.exposure_stops),
+             cache_option(a.reading.mesh_cache)}},
            {"Image",
             {file_option("-o,--output", "FILE.png", a.output,
                          "8-bit image to write, read back from an RGBA8 target; by default, if no other file is asked "

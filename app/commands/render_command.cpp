@@ -6,6 +6,7 @@
 
 #include "app/arguments.h"
 #include "app/command.h"
+#include "app/commands/write_frame.h"
 #include "app/diagnostics.h"
 #include "app/interrupt.h"
 #include "app/memory_limit.h"
@@ -37,23 +38,12 @@ struct RenderArguments {
   std::string precision = "double";
   int samples = 1, threads = 0, tile_size = 64;
   Transfer transfer = Transfer::linear;
+  FrameFiles files;
   SceneOptions reading;
   SceneChanges changes;
   std::uint64_t max_memory = 0;
   Diagnostics diagnostics;
 };
-
-/// Whether the image holds radiance, and not what of it can be shown.
-bool writes_floats(const RenderArguments& arguments) {
-  return format_to_write(arguments.output, {float_rgb_image}) != nullptr;
-}
-
-/// Next to "ball.png" stands "ball.depth.pfm", next to "ball.exr" "ball.depth.exr".
-std::string aov_path(const std::string& output, Aov aov) {
-  const std::size_t dot = output.rfind('.');
-  return output.substr(0, dot) + "." + std::string(aov_names[static_cast<std::size_t>(aov)]) +
-         float_extension_beside(output);
-}
 
 /// Once the size is known.
 void check_crop(const RenderArguments& arguments) {
@@ -70,9 +60,7 @@ void check_together(RenderArguments& arguments) {
     arguments.size = *arguments.asked.size, arguments.samples = arguments.asked.samples.value_or(1);
     check_crop(arguments);
   }
-  check_extension("--output", arguments.output, {rgb8_image, float_rgb_image});
-  if (arguments.asked.transfer == Transfer::srgb && writes_floats(arguments))
-    throw UsageError("--srgb", "is for " + writable_extensions({rgb8_image}) + "; float images hold linear values");
+  check_output(arguments.files, arguments.output, arguments.asked.transfer.value_or(Transfer::linear));
 }
 
 RenderOptions options_from(const RenderArguments& arguments) {
@@ -84,8 +72,7 @@ RenderOptions options_from(const RenderArguments& arguments) {
   options.samples = arguments.samples;
   options.threads = arguments.threads;
   options.tile_size = arguments.tile_size;
-  options.want_radiance = writes_floats(arguments);
-  options.want_rgb8 = !options.want_radiance;
+  ask_for_output(arguments.files, arguments.output, options);
   options.transfer = arguments.transfer;
   options.aovs = arguments.aovs;
   options.cancel = &interrupted();
@@ -97,7 +84,7 @@ RenderOptions options_from(const RenderArguments& arguments) {
 void complete(RenderArguments& arguments, const Picture& of_scene) {
   const Picture picture = arguments.asked.over(of_scene);
   arguments.size = {picture.width, picture.height}, arguments.samples = picture.samples;
-  arguments.transfer = writes_floats(arguments) ? Transfer::linear : picture.transfer;
+  arguments.transfer = writes_radiance(arguments.files, arguments.output) ? Transfer::linear : picture.transfer;
   check_crop(arguments);
 }
 
@@ -135,20 +122,12 @@ Frame rendered(const Scene& scene, const RenderArguments& arguments) {
 /// Writes what was asked for and gives the paths.
 std::vector<std::string> write_images(const Frame& frame, const RenderArguments& arguments) {
   const auto line = progress_line(arguments.diagnostics, "writing " + arguments.output);
-  std::vector<std::string> paths = {arguments.output};
-  arguments.reading.memory.need(frame.rgb8.values.size(), arguments.output); // PNG is made in memory
-  if (frame.radiance.empty()) write_image(arguments.output, frame.rgb8);
-  else write_values(arguments.output, frame.radiance);
-  for (std::size_t i = 0; i < arguments.aovs.size(); ++i) {
-    paths.push_back(aov_path(arguments.output, arguments.aovs[i]));
-    write_values(paths.back(), frame.aovs[i]);
-  }
-  return paths;
+  return write_frame(arguments.files, arguments.output, options_from(arguments), frame);
 }
 
 ExitCode run(RenderArguments& arguments) {
   std::vector<std::string> outputs = {arguments.output, arguments.report};
-  for (const Aov aov : arguments.aovs) outputs.push_back(aov_path(arguments.output, aov));
+  for (const Aov aov : arguments.aovs) outputs.push_back(aov_path(arguments.files, arguments.output, aov));
   check_different(outputs, {arguments.scene});
   for (const std::string& path : outputs)
     if (!path.empty()) check_writable(path);
@@ -208,12 +187,13 @@ Command render_command() {
       .name = "render",
       .meaning = "Make the image of a scene",
       .groups =
-          {{"Scene", {scene_argument(a.scene), outside_option(a.reading.outside), cache_option(a.reading.mesh_cache)}},
+          {{"Scene",
+            {scene_argument(a.scene), outside_option(a.reading.outside), exposure_option(a.reading.exposure_stops),
+             cache_option(a.reading.mesh_cache)}},
            {"Image",
             {file_option("-o,--output", "FILE", a.output,
-                         "image to write: " + writable_extensions({rgb8_image}) + " (8 bit), " +
-                             writable_extensions({float_rgb_image}) +
-                             " (float, unclamped); by default the scene's name with .png, in the current directory"),
+                         "image to write: " + output_forms() +
+                             "; by default the scene's name with .png, in the current directory"),
              size_option(a.asked),
              value_option("--crop", "X,Y,W,H", "make only this part of the image, with the same pixels", set_crop),
              choice_option("--precision", a.precision, precision_names(),
@@ -222,7 +202,8 @@ Command render_command() {
              word_list_option("--aov", "NAME,…", aovs, set_aovs,
                               "more images to write (arbitrary output variables), as NAME.depth.pfm next to NAME.png, "
                               ".exr next to .exr: depth, normal, position, uv, albedo, triangle, object"),
-             srgb_option(a.asked, "apply the sRGB curve (.png only)"), linear_option(a.asked)}},
+             srgb_option(a.asked, "apply the sRGB curve (not to floats)"), linear_option(a.asked)}},
+           {"Files", {bits_option(a.files), quality_option(a.files), aov_format_option(a.files)}},
            scene_change_options(a.changes),
            {"Run",
             {number_option("--threads", a.threads, Range{0, double(limit::threads.value)},

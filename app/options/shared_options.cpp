@@ -59,6 +59,13 @@ Option outside_option(Outside& outside) {
       "let the scene name files outside its own folder: only for scenes that you trust");
 }
 
+Option exposure_option(double& stops) {
+  constexpr double most = 64; // beyond, there is nothing to be seen but black and white
+  return number_option("--exposure", stops, Range{-most, most},
+                       "make the picture 2^EV times as bright: radiance is multiplied before it is cut off at 1 or "
+                       "encoded, EV in stops; AOVs stay as they are");
+}
+
 Option cache_option(std::string& folder) {
   return folder_option("--cache", folder,
                        "folder, made if need be, where the triangles of large OBJ files are cached, so that they are "

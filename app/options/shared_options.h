@@ -19,6 +19,9 @@ Option scene_argument(std::string& path);
 /// --allow-outside, for the commands that read scenes.
 Option outside_option(Outside& outside);
 
+/// --exposure EV, for the commands that make or judge a picture of a scene.
+Option exposure_option(double& stops);
+
 /// --cache, for the commands that read scenes: a folder of large meshes that were read before. check_cache_folder.
 Option cache_option(std::string& folder);
 

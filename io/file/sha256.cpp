@@ -32,15 +32,11 @@ std::array<unsigned char, sha256_bytes> Sha256::result() {
   return digest;
 }
 
-namespace {
-
 std::string in_hexadecimal(const std::array<unsigned char, sha256_bytes>& digest) {
   std::string text;
   for (const unsigned char byte : digest) text += {"0123456789abcdef"[byte >> 4], "0123456789abcdef"[byte & 15]};
   return text;
 }
-
-} // namespace
 
 std::string file_sha256(const std::string& path) {
   constexpr std::uint64_t any_size = std::numeric_limits<std::uint64_t>::max();

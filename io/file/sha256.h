@@ -24,7 +24,10 @@ private:
   std::unique_ptr<State> state_;
 };
 
-/// 64 hexadecimal digits, of a file's bytes and of a text's. Throws InputError.
+/// 64 hexadecimal digits.
+std::string in_hexadecimal(const std::array<unsigned char, sha256_bytes>& digest);
+
+/// The same, of a file's bytes and of a text's. Throws InputError.
 std::string file_sha256(const std::string& path);
 std::string text_sha256(std::string_view text);
 

@@ -34,16 +34,12 @@ InputError truncated_image(const std::string& path) {
 }
 
 std::vector<std::string> default_channels(int count) {
-  switch (count) {
-  case 1:
-    return {"Y"};
-  case 2:
-    return {"Y", "A"};
-  case 3:
-    return {"R", "G", "B"};
-  default:
-    return {"R", "G", "B", "A"};
-  }
+  if (count == 1) return {"Y"};
+  if (count == 2) return {"Y", "A"};
+  std::vector<std::string> names = {"R", "G", "B"};
+  if (count > 3) names.emplace_back("A");
+  for (int i = 4; i < count; ++i) names.push_back(std::to_string(i));
+  return names;
 }
 
 namespace {
@@ -82,11 +78,12 @@ Texture read_texture(const std::string& path, const MemoryBudget& memory, NoteLi
 }
 
 namespace {
+
 /// The format to write this in. Throws InputError.
 const ImageFormat& format_to_write(const std::string& path, const ImageContent& content) {
   const ImageFormat* const format = format_of_name(path);
   const std::string ending = "." + extension(path);
-  if (!format || format->values != content.values || format->writes == ChannelCounts{})
+  if (!format || !writes_values(*format, content.values))
     refuse_image(path, "", "the extension \"" + ending + "\"", writable_extensions({content}));
   if (format->writes.contains(content.channels)) return *format;
   std::vector<std::string> counts;
@@ -95,10 +92,23 @@ const ImageFormat& format_to_write(const std::string& path, const ImageContent& 
   refuse_image(path, "", std::to_string(content.channels) + " channels",
                alternatives(counts) + " channels in " + "a file ending in " + ending);
 }
+
 } // namespace
 
 void write_image(const std::string& path, const Image<std::uint8_t>& image) {
-  format_to_write(path, {ImageValues::integers, image.channels}).write_integers(path, image);
+  write_image(path, image, WriteOptions{});
+}
+
+void write_image(const std::string& path, const Image<std::uint8_t>& image, const WriteOptions& options) {
+  format_to_write(path, {ImageValues::uint8, image.channels}).write_uint8(path, image, options);
+}
+
+void write_image(const std::string& path, const Image<std::uint16_t>& image, const WriteOptions& options) {
+  format_to_write(path, {ImageValues::uint16, image.channels}).write_uint16(path, image, options);
+}
+
+void write_image(const std::string& path, const Image<std::uint32_t>& image, const WriteOptions& options) {
+  format_to_write(path, {ImageValues::uint32, image.channels}).write_uint32(path, image, options);
 }
 
 void write_image(const std::string& path, const Image<float>& image, std::vector<std::string> channels) {

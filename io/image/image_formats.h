@@ -5,6 +5,7 @@
 // file's name in CMakeLists.txt. Tests (tests/unit/io/test_image_formats.cpp) name what else it needs.
 
 #include "io/image/image_reading.h"
+#include "io/image/image_write.h"
 
 #include <algorithm>
 #include <array>
@@ -15,15 +16,18 @@
 
 namespace refraster {
 
-/// What the values of an image file are: whole numbers up to 255 or 65535, or floating-point numbers.
-enum class ImageValues { integers, floats };
+/// What the values of an image file are: whole numbers, floating-point numbers, or, as the file says, one of the two.
+enum class StoredValues { integers, floats, either };
+
+/// What the values of an image to be written are: whole numbers of 8, 16 or 32 bits, or floats of 32.
+enum class ImageValues { uint8, uint16, uint32, floats };
 
 /// Each reads the bytes of a whole file; InputError says what is wrong with them.
 using ImageReader = ImageFile (*)(const std::string& path, std::string_view bytes, const ImageRequest& request);
-/// Writes a file of 8 bits a channel as a whole or not at all. Throws OutputError.
-using IntegerWriter = void (*)(const std::string& path, const Image<std::uint8_t>& image);
-/// Writes a file of floats as a whole or not at all; a format that names its channels uses `channels`, as many as the
-/// image has. Throws OutputError.
+/// Writes a file as a whole or not at all. Throws OutputError.
+template <class Value>
+using IntegerWriter = void (*)(const std::string& path, const Image<Value>& image, const WriteOptions& options);
+/// Writes a file of floats likewise; a format that names its channels uses `channels`, as many as the image has.
 using FloatWriter = void (*)(const std::string& path, const Image<float>& image,
                              const std::vector<std::string>& channels);
 
@@ -34,18 +38,25 @@ ImageFile read_tga(const std::string& path, std::string_view bytes, const ImageR
 ImageFile read_hdr(const std::string& path, std::string_view bytes, const ImageRequest& request);
 ImageFile read_pfm(const std::string& path, std::string_view bytes, const ImageRequest& request);
 ImageFile read_exr(const std::string& path, std::string_view bytes, const ImageRequest& request);
+ImageFile read_npy(const std::string& path, std::string_view bytes, const ImageRequest& request);
 
 /// Whether a file that begins like this can be a TGA, which has no signature.
 bool may_be_tga(std::string_view prefix);
 
-void write_png(const std::string& path, const Image<std::uint8_t>& image);
+void write_png(const std::string& path, const Image<std::uint8_t>& image, const WriteOptions& options);
+void write_png(const std::string& path, const Image<std::uint16_t>& image, const WriteOptions& options);
+void write_jpeg(const std::string& path, const Image<std::uint8_t>& image, const WriteOptions& options);
+void write_npy(const std::string& path, const Image<std::uint8_t>& image, const WriteOptions& options);
+void write_npy(const std::string& path, const Image<std::uint16_t>& image, const WriteOptions& options);
+void write_npy(const std::string& path, const Image<std::uint32_t>& image, const WriteOptions& options);
+void write_npy(const std::string& path, const Image<float>& image, const std::vector<std::string>& channels);
 void write_hdr(const std::string& path, const Image<float>& image, const std::vector<std::string>& channels);
 void write_pfm(const std::string& path, const Image<float>& image, const std::vector<std::string>& channels);
 void write_exr(const std::string& path, const Image<float>& image, const std::vector<std::string>& channels);
 
 /// Numbers of channels that a format can write.
 struct ChannelCounts {
-  std::array<int, 3> counts; // 0: no further one
+  std::array<int, 4> counts; // 0: no further one
 
   static constexpr int any = -1;
 
@@ -58,52 +69,68 @@ struct ChannelCounts {
 
 struct ImageFormat {
   std::string_view name;                           // in messages
-  ImageValues values;                              // that it stores
+  StoredValues values;                             // that it stores
   std::array<std::string_view, 2> extensions;      // of file names, in lower case; the first is the usual one
   std::array<std::string_view, 2> signatures = {}; // a file begins with one of them; none: `may_be` says it
   bool (*may_be)(std::string_view prefix) = {};    // asked where no signature of any format, read or not, is found
   ImageReader read;
-  IntegerWriter write_integers = {}; // null: none are written
-  FloatWriter write_floats = {};     // null: none are written
-  ChannelCounts writes = {};         // empty: it is not written
+  // Null: none are written.
+  IntegerWriter<std::uint8_t> write_uint8 = {};
+  IntegerWriter<std::uint16_t> write_uint16 = {};
+  IntegerWriter<std::uint32_t> write_uint32 = {};
+  FloatWriter write_floats = {};
+  ChannelCounts writes = {}; // of any of these; empty: it is not written
 };
 
 /// In the order in which messages list them.
 inline constexpr ImageFormat image_formats[] = {
     {.name = "PNG",
-     .values = ImageValues::integers,
+     .values = StoredValues::integers,
      .extensions = {"png"},
      .signatures = {"\x89PNG\r\n\x1a\n"},
      .read = read_png,
-     .write_integers = write_png,
-     .writes = {1, 3}},
+     .write_uint8 = write_png,
+     .write_uint16 = write_png,
+     .writes = {1, 2, 3, 4}},
     {.name = "JPEG",
-     .values = ImageValues::integers,
+     .values = StoredValues::integers,
      .extensions = {"jpg", "jpeg"},
      .signatures = {"\xff\xd8"},
-     .read = read_jpeg},
-    {.name = "BMP", .values = ImageValues::integers, .extensions = {"bmp"}, .signatures = {"BM"}, .read = read_bmp},
-    {.name = "TGA", .values = ImageValues::integers, .extensions = {"tga"}, .may_be = may_be_tga, .read = read_tga},
+     .read = read_jpeg,
+     .write_uint8 = write_jpeg,
+     .writes = {3}},
+    {.name = "BMP", .values = StoredValues::integers, .extensions = {"bmp"}, .signatures = {"BM"}, .read = read_bmp},
+    {.name = "TGA", .values = StoredValues::integers, .extensions = {"tga"}, .may_be = may_be_tga, .read = read_tga},
     {.name = "Radiance HDR",
-     .values = ImageValues::floats,
+     .values = StoredValues::floats,
      .extensions = {"hdr"},
      .signatures = {"#?RADIANCE\n", "#?RGBE\n"},
      .read = read_hdr,
      .write_floats = write_hdr,
      .writes = {3}},
     {.name = "PFM",
-     .values = ImageValues::floats,
+     .values = StoredValues::floats,
      .extensions = {"pfm"},
      .signatures = {"PF", "Pf"},
      .read = read_pfm,
      .write_floats = write_pfm,
      .writes = {1, 3}},
     {.name = "OpenEXR",
-     .values = ImageValues::floats,
+     .values = StoredValues::floats,
      .extensions = {"exr"},
      .signatures = {"\x76\x2f\x31\x01"},
      .read = read_exr,
      .write_floats = write_exr,
+     .writes = {ChannelCounts::any}},
+    {.name = "NumPy",
+     .values = StoredValues::either,
+     .extensions = {"npy"},
+     .signatures = {"\x93NUMPY"},
+     .read = read_npy,
+     .write_uint8 = write_npy,
+     .write_uint16 = write_npy,
+     .write_uint32 = write_npy,
+     .write_floats = write_npy,
      .writes = {ChannelCounts::any}},
 };
 
@@ -121,20 +148,35 @@ struct ImageContent {
   ImageValues values;
   int channels;
 };
-inline constexpr ImageContent rgb8_image{ImageValues::integers, 3}, float_rgb_image{ImageValues::floats, 3},
+inline constexpr ImageContent rgb8_image{ImageValues::uint8, 3}, float_rgb_image{ImageValues::floats, 3},
     float_grey_image{ImageValues::floats, 1};
 
+/// Whether a format has a writer of such values, of whatever channels.
+constexpr bool writes_values(const ImageFormat& format, ImageValues values) {
+  switch (values) {
+  case ImageValues::uint8:
+    return format.write_uint8 != nullptr;
+  case ImageValues::uint16:
+    return format.write_uint16 != nullptr;
+  case ImageValues::uint32:
+    return format.write_uint32 != nullptr;
+  case ImageValues::floats:
+    return format.write_floats != nullptr;
+  }
+  return false;
+}
+
 constexpr bool can_write(const ImageFormat& format, const ImageContent& content) {
-  return format.values == content.values && format.writes.contains(content.channels);
+  return writes_values(format, content.values) && format.writes.contains(content.channels);
 }
 
 /// The format that a file of this name is written in by its extension; null if that one cannot hold any of `contents`.
 const ImageFormat* format_to_write(const std::string& path, std::initializer_list<ImageContent> contents);
 
-/// ".png, .hdr, .pfm or .exr": the extensions of the formats that can hold any of `contents`.
+/// ".hdr, .pfm, .exr or .npy": the extensions of the formats that can hold any of `contents`.
 std::string writable_extensions(std::initializer_list<ImageContent> contents);
 
-/// "PNG, JPEG, BMP, TGA, Radiance HDR, PFM or OpenEXR": the formats that are read.
+/// "PNG, JPEG, BMP, TGA, Radiance HDR, PFM, OpenEXR or NumPy": the formats that are read.
 std::string readable_formats();
 
 /// ".pfm": the extension of the images of floats, of 1 and of 3 channels, that stand beside an image of this name: its

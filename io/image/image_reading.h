@@ -25,7 +25,7 @@ void need_image(const ImageRequest& request, const std::string& path, std::uint6
 void check_image_size(const std::string& path, std::uint64_t width, std::uint64_t height, std::uint64_t file_bytes,
                       std::uint64_t max_pixels_per_byte, const ImageRequest& request);
 
-/// The names of 1 to 4 channels.
+/// Names of channels: Y; Y A; R G B; R G B A, and the further ones by their numbers, from 4.
 std::vector<std::string> default_channels(int count);
 
 /// What is said of a file that ends before its image does.

@@ -83,11 +83,15 @@ StbPixels decode_stb(const std::string& path, std::string_view header, std::stri
   refuse_image(path, "", "what stb_image refuses: " + one_line(reason ? reason : "unknown"), "an image");
 }
 
-void write_png(const std::string& path, const Image<std::uint8_t>& image) {
+void write_jpeg(const std::string& path, const Image<std::uint8_t>& image, const WriteOptions& options) {
+  constexpr int largest_side = 65535; // the header has 16 bits for each; stb writes the lowest
+  if (image.width > largest_side || image.height > largest_side)
+    refuse_image(path, "", std::to_string(image.width) + " x " + std::to_string(image.height) + " pixels",
+                 "at most " + std::to_string(largest_side) + " a side in a JPEG");
   AtomicFile file(path);
   Sink sink{file, nullptr};
-  const int done = stbi_write_png_to_func(Sink::write, &sink, image.width, image.height, image.channels,
-                                          image.values.data(), image.width * image.channels);
+  const int done = stbi_write_jpg_to_func(Sink::write, &sink, image.width, image.height, image.channels,
+                                          image.values.data(), options.jpeg_quality);
   if (sink.error) std::rethrow_exception(sink.error);
   if (!done) throw OutputError(path, "out of memory");
   file.commit();

@@ -8,12 +8,14 @@
 #include "io/mesh/mesh_cache.h"
 #include "io/mesh/mesh_normals.h"
 #include "io/scene/file_materials.h"
+#include "io/scene/material_texture.h"
 #include "io/scene/model/model_scene.h"
 #include "io/scene/not_a_scene.h"
 #include "io/scene/scene_edits.h"
 #include "io/scene/scene_reader.h"
 #include "io/scene/scene_source.h"
 #include "io/scene/shape_mesh.h"
+#include "scene/exposure.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -47,10 +49,9 @@ public:
   }
 
   void note_textures(const ObjectText& text) {
-    for (std::size_t i = 0; i < texture_slots.size(); ++i)
-      if (const PathText& file = text.texture_files[i];
-          !file.given.empty() && text.object.material.*texture_slots[i].filter == TextureFilter::trilinear)
-        trilinear_.insert(canonical_path(path_of(file)));
+    for (const MapText& map : text.maps)
+      if (!map.path.given.empty() && map.map.filter == TextureFilter::trilinear)
+        trilinear_.insert(canonical_path(path_of(map.path)));
   }
 
   Object object(const ObjectText& text) {
@@ -74,11 +75,11 @@ public:
   }
 
   /// Where all textures are from.
-  TexturePaths texture_paths() const {
-    TexturePaths paths = file_materials_.texture_paths();
+  TextureFiles texture_files() const {
+    TextureFiles files = file_materials_.texture_files();
     for (const auto& [file, texture] : textures_)
-      if (texture) paths.emplace(texture.get(), file.first);
-    return paths;
+      if (texture) files.emplace(texture.get(), TextureFile{file.first, value_named<ColourSpace>(file.second).value()});
+    return files;
   }
 
 private:
@@ -92,9 +93,11 @@ private:
             return read_merl(path);
           });
     else
-      for (std::size_t i = 0; i < texture_slots.size(); ++i)
-        material.*texture_slots[i].texture = texture(text.texture_files[i]);
-    for (const PathText& path : text.texture_files) note_backslashes(path);
+      for (std::size_t i = 0; i < texture_slots.size(); ++i) {
+        TextureMap& map = material.*texture_slots[i].map;
+        map = text.maps[i].map, map.texture = texture(text.maps[i]);
+      }
+    for (const MapText& map : text.maps) note_backslashes(map.path);
     note_backslashes(text.brdf_file);
   }
 
@@ -151,15 +154,12 @@ private:
     return {};
   }
 
-  std::shared_ptr<const Texture> texture(const PathText& file) {
-    return load(textures_, file, "an image", [&](const std::string& path) {
-      auto texture = std::make_shared<Texture>(read_texture(path, options_.memory, options_.notes));
-      if (trilinear_.contains(canonical_path(path))) {
-        options_.memory.need(texture->levels.front().rgb.size() * sizeof(float) / 3, path); // 1/4 + 1/16 + …
-        build_mip_levels(*texture);
-      }
-      return texture;
-    });
+  std::shared_ptr<const Texture> texture(const MapText& map) {
+    const auto read = [&](const std::string& path) {
+      const MipLevels levels = trilinear_.contains(canonical_path(path)) ? MipLevels::all : MipLevels::none;
+      return material_texture(path, map.colour_space, levels, options_.memory, options_.notes);
+    };
+    return load(textures_, map.path, "an image", read, std::string(name_of(map.colour_space)));
   }
 
   std::shared_ptr<const Mesh> mesh(const ObjectText& text) {
@@ -184,9 +184,7 @@ private:
     const auto triangles = static_cast<std::uint32_t>(mesh.triangles.size());
     for (std::uint32_t i = 0; i < triangles;) {
       const MaterialRange range = material_range(object, i);
-      const bool textured = std::any_of(texture_slots.begin(), texture_slots.end(), [&](const TextureSlot& slot) {
-        return range.material->*slot.texture != nullptr;
-      });
+      const bool textured = is_textured(*range.material);
       for (; i < range.end_triangle; ++i) without += textured && !has_uvs(mesh, mesh.triangles[i]);
     }
     if (without > 0 && untextured_.insert(canonical_path(path_of(text.obj_file))).second)
@@ -253,6 +251,11 @@ private:
                               "a path within it, or --allow-outside");
   }
 
+  /// The key that a texture's path stands at.
+  static std::string_view map_key(const TextureSlot& slot, const MapText& map) {
+    return map.path.json_path.ends_with(slot.file_key) && !slot.file_key.empty() ? slot.file_key : slot.key;
+  }
+
   /// A material may name a file that its own fragment function has no use for: then its picture may surprise.
   void note_what_is_not_read(const ObjectText& text) const {
     if (!options_.notes) return;
@@ -264,9 +267,17 @@ private:
                            std::string(key) + ' ' + in_quotes(path.given),
                            "not read: the fragment function " + std::string(material.function_name()) + why});
     };
-    if (!measured) return note("brdf_file_path", text.brdf_file, " uses no measured table");
-    for (std::size_t i = 0; i < texture_slots.size(); ++i)
-      note(texture_slots[i].file_key, text.texture_files[i], " shows no texture");
+    if (material.emissive != Double3(0) && (measured || material.user_function))
+      options_.notes->add({document_.file(), 0, "emissive of " + in_quotes(material.function_name()),
+                           "not used: only phong and blinn_phong have light of their own"});
+    if (!measured) note("brdf_file_path", text.brdf_file, " uses no measured table");
+    for (std::size_t i = 0; i < texture_slots.size(); ++i) {
+      const TextureSlot& slot = texture_slots[i];
+      const std::string_view key = map_key(slot, text.maps[i]);
+      if (measured) note(key, text.maps[i].path, " shows no texture");
+      else if (material.user_function && slot.map != &Material::diffuse_map)
+        note(key, text.maps[i].path, " shows no other texture than the diffuse one");
+    }
   }
 
   std::string plain_path_of(const PathText& text) const {
@@ -349,7 +360,8 @@ SceneSource read_scene_source(const std::string& path, const SceneOptions& optio
   faults.sort_by_place();
   faults.add(in_files);
   faults.throw_if_any();
-  source.textures = loader.texture_paths();
+  expose(scene, options.exposure_stops);
+  source.textures = loader.texture_files();
   return source;
 }
 

@@ -11,6 +11,8 @@
 //                                                                    objects; declare(item, keys) has those of each
 //   keys.shape("mesh", shape, "meaning")                             one of the shapes below
 //   keys.normals("normals", normals, "meaning")                      a word, or an object with an angle
+//   keys.map("diffuse_map", text, "meaning", short_form, multiplied)
+//                                                                    a path, or an object with one
 //   keys.material("material", text, "meaning", declare)              the same, or a word
 //   keys.materials("materials", text, "meaning", declare)            of each name of a material the same
 //   keys.check(value)                                                what a single key cannot show
@@ -120,6 +122,25 @@ void crease_keys(auto& normals, auto&& keys) {
        "edges are smooth where two faces enclose at most this angle, sharp where they enclose more", required);
 }
 
+/// A texture as the scene has it: what lies in the file is still to be loaded.
+struct MapText {
+  PathText path;
+  TextureMap map; // but for the texture
+  ColourSpace colour_space = ColourSpace::linear;
+};
+
+/// A texture as an object of JSON.
+void map_keys(auto& text, auto&& keys) {
+  keys("path", text.path, Range{}, "a `.png`, `.jpg`, `.tga` or `.bmp` image", required);
+  keys("filter", text.map.filter, Range{}, "how it is read between its texels", defaulted);
+  keys("wrap", text.map.wrap, Range{}, "what is seen beyond its edges: it again, or the texels of its edge", defaulted);
+  keys("scale", text.map.scale, any_number, "texture coordinates u and v are multiplied by it,", defaulted);
+  keys("offset", text.map.offset, any_number, "and this is added", defaulted);
+  keys("color_space", text.colour_space, Range{},
+       "what its numbers mean: values, or values by the curve of sRGB, decoded before anything is made of them",
+       defaulted);
+}
+
 /// Where a material is described: in the scene, or by a file of the mesh's.
 enum class MaterialFrom { scene, file };
 inline constexpr std::string_view from_file_word = "from_file";
@@ -133,7 +154,7 @@ struct ObjectText {
   VertexColours colours = VertexColours::linear; // likewise
   std::optional<Shape> shape;
   PathText brdf_file;
-  std::array<PathText, texture_slots.size()> texture_files; // in the order of texture_slots
+  std::array<MapText, texture_slots.size()> maps; // in the order of texture_slots
   MaterialFrom material_from = MaterialFrom::scene;
   /// Of materials of the mesh: the name in object.material, and of the rest what belongs to a material.
   std::vector<ObjectText> materials;
@@ -244,10 +265,19 @@ void material_keys(auto& text, auto&& keys) {
        needs_table ? required : otherwise("nothing"));
   for (std::size_t i = 0; i < texture_slots.size(); ++i) {
     const TextureSlot& slot = texture_slots[i];
-    keys(slot.file_key, text.texture_files[i], Range{}, slot.meaning, otherwise("white"));
-    keys(slot.filter_key, text.object.material.*slot.filter, Range{}, "how the texture is read between its texels",
-         defaulted);
+    if (slot.file_key.empty()) {
+      Double3* const multiplied = slot.multiplied ? &(text.object.material.*slot.multiplied) : nullptr;
+      keys.map(slot.key, text.maps[i], slot.meaning, {}, multiplied);
+      continue;
+    }
+    keys(slot.file_key, text.maps[i].path, Range{}, slot.meaning, otherwise("white"));
+    keys(slot.filter_key, text.maps[i].map.filter, Range{}, "how the texture is read between its texels", defaulted);
+    keys.map(slot.key, text.maps[i], "the same texture with all that can be said of it, instead of those two keys",
+             slot.file_key, nullptr);
   }
+  keys("emissive", text.object.material.emissive, Range{},
+       "light of its own, r g b, added to the ambient term; for `phong` and `blinn_phong`",
+       otherwise("`\"0 0 0\"`; `\"1 1 1\"` beside an `emissive_map`"));
 }
 
 void object_keys(auto& text, auto&& keys) {

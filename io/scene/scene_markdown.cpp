@@ -22,6 +22,9 @@ std::string text_of(int x) {
 std::string text_of(const Double3& v) {
   return '"' + text_of(v.x) + ' ' + text_of(v.y) + ' ' + text_of(v.z) + '"';
 }
+std::string text_of(const Double2& v) {
+  return '"' + text_of(v.x) + ' ' + text_of(v.y) + '"';
+}
 std::string text_of(const std::string& text) {
   return '"' + text + '"';
 }
@@ -89,6 +92,14 @@ public:
   void normals(std::string_view key, MeshNormals& normals, std::string_view meaning) {
     row(key, expected_normals(), code(text_of(normals.from)), meaning);
     inside(place_ + '/' + std::string(key), [&](MarkdownKeys& keys) { crease_keys(normals, keys); });
+  }
+
+  /// What an object may have there is told once, where there is a short form.
+  void map(std::string_view key, MapText& text, std::string_view meaning, std::string_view short_form, const Double3*) {
+    row(key, expected_map(), "white", meaning);
+    if (!short_form.empty())
+      inside(place_ + '/' + std::string(key) + ", and every other texture",
+             [&](MarkdownKeys& keys) { map_keys(text, keys); });
   }
 
   void expect_material(std::string_view, const ObjectText&) const {}

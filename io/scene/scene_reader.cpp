@@ -168,6 +168,21 @@ void SceneReader::shape(std::string_view key, std::optional<Shape>& shape, std::
   });
 }
 
+void SceneReader::map(std::string_view key, MapText& text, std::string_view, std::string_view short_form,
+                      Double3* multiplied) {
+  const std::string expected = expected_map();
+  const JsonIndex found = claim(key, defaulted, expected);
+  if (!found) return;
+  if (!short_form.empty() && find(short_form))
+    return fault(key, std::string(key) + " beside " + std::string(short_form), "one of the two");
+  if (multiplied) *multiplied = Double3(1);
+  const JsonNode& node = document_[found];
+  if (node.kind == JsonKind::object)
+    return read_object(found, path_of(key), [&](SceneReader& keys) { map_keys(text, keys); });
+  if (!read_value(document_, node, Range{}, text.path)) return not_expected(found, key, expected);
+  text.path.offset = node.begin, text.path.json_path = path_of(key);
+}
+
 void SceneReader::normals(std::string_view key, MeshNormals& normals, std::string_view) {
   const std::string expected = expected_normals();
   const JsonIndex found = claim(key, defaulted, expected);

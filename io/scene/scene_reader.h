@@ -57,6 +57,9 @@ public:
 
   void shape(std::string_view key, std::optional<Shape>& shape, std::string_view);
   void normals(std::string_view key, MeshNormals& normals, std::string_view);
+  /// `short_form`: a key that says the same, if there is one, of which not both may be there. What is multiplied, if
+  /// that is not null, is 1 beside a texture, unless it is said.
+  void map(std::string_view key, MapText& text, std::string_view, std::string_view short_form, Double3* multiplied);
 
   /// Looks ahead: other keys may be left out where the materials are those of a file.
   void expect_material(std::string_view key, ObjectText& text) const;

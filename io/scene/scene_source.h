@@ -12,14 +12,18 @@
 
 namespace refraster {
 
-/// Where textures are from: canonical paths.
-using TexturePaths = std::map<const Texture*, std::string>;
+/// Where a texture is from, and what its file's numbers were taken as.
+struct TextureFile {
+  std::string path; // canonical
+  ColourSpace colour_space = ColourSpace::linear;
+};
+using TextureFiles = std::map<const Texture*, TextureFile>;
 
 /// What was read.
 struct SceneSource {
   Scene scene; // with what the view says still to be placed
   SceneView view;
-  TexturePaths textures; // those of the scene
+  TextureFiles textures; // those of the scene
 
   /// For an image of this size.
   Scene placed(int width, int height) && {

@@ -3,8 +3,11 @@
 
 #include "math/vec.h"
 #include "raster/shade/sample_data.h"
+#include "shading/fragment.h"
 #include "verify/hypotheses/prepared.h"
 #include "verify/hypotheses/steps.h"
+
+#include <optional>
 
 namespace refraster::hypotheses {
 
@@ -19,7 +22,8 @@ struct Nudge {
 struct Surface {
   Double3 position{0}, normal{0}, to_eye{0};
   Rgb<double> texture{1};
-  bool unit = true; // normal and direction to the eye are unit, or 0
+  bool unit = true;                         // normal and direction to the eye are unit, or 0
+  std::optional<FragmentMaps<double>> maps; // of a material that has any: as they are right
 };
 
 /// At the sample that `data` was moved to.

@@ -24,7 +24,11 @@ public:
   MaterialWriter(JsonWriter& json, const Material& material) : json_(json), material_(material) {}
 
   void operator()(std::string_view key, const auto& value, const Range&, std::string_view, Presence) {
-    member(key, value);
+    const auto is_short_form = [&](const TextureSlot& slot) { return key == slot.file_key || key == slot.filter_key; };
+    if (std::none_of(texture_slots.begin(), texture_slots.end(), is_short_form)) member(key, value);
+  }
+  void map(std::string_view key, MapText& text, std::string_view, std::string_view) {
+    if (!text.path.given.empty()) json_.object(key, [&] { map_keys(text, *this); });
   }
   template <class M>
   void parameters(M& function, Use use) {
@@ -38,6 +42,9 @@ public:
 private:
   void member(std::string_view key, const PathText& path) {
     if (!path.given.empty()) json_.member(key, path.given);
+  }
+  void member(std::string_view key, const Double2& v) {
+    json_.array(key, [&] { json_.value(v.x), json_.value(v.y); });
   }
   void member(std::string_view key, const Double3& v) {
     json_.array(key, [&] { json_.value(v.x), json_.value(v.y), json_.value(v.z); });
@@ -126,8 +133,11 @@ private:
     text.object.material = material;
     text.fragment_function.given = true, text.fragment_function.index = material.fragment_function.index();
     for (std::size_t i = 0; i < texture_slots.size(); ++i)
-      if (const Texture* const texture = (material.*texture_slots[i].texture).get())
-        text.texture_files[i].given = relative(textures_.at(texture));
+      if (const TextureMap& map = material.*texture_slots[i].map; map.texture) {
+        const TextureFile& file = textures_.at(map.texture.get());
+        text.maps[i].path.given = relative(file.path);
+        text.maps[i].map = map, text.maps[i].colour_space = file.colour_space;
+      }
     MaterialWriter writer(json, material);
     json.object([&] { material_keys(text, writer); });
   }
@@ -139,7 +149,10 @@ private:
       if (without_materials && member.key.starts_with("material")) continue;
       const std::string at = pointer + '/' + pointer_part(member.key);
       if (member.kind == JsonKind::object) write_paths(i, at, false);
-      if (member.kind != JsonKind::string || !member.key.ends_with("_file_path")) continue;
+      const auto is_map = [&](const TextureSlot& slot) { return member.key == slot.key; };
+      const bool is_path = member.key.ends_with("_file_path") || member.key == "path" ||
+                           std::any_of(texture_slots.begin(), texture_slots.end(), is_map);
+      if (member.kind != JsonKind::string || !is_path) continue;
       const fs::path given(member.string);
       const std::string written = given.is_absolute() ? given.string() : relative((from_ / given).string());
       if (given.is_absolute()) names_outside_ = names_outside_ || relative(given.string()).starts_with("..");
@@ -154,7 +167,7 @@ private:
   }
 
   const JsonDocument& document_;
-  const TexturePaths& textures_;
+  const TextureFiles& textures_;
   fs::path from_, to_; // folders
   std::vector<SceneEdit> edits_;
   bool names_outside_ = false;

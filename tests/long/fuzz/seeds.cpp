@@ -129,11 +129,23 @@ void add_meshes(Seeds& seeds) {
   add("comb", comb + "v 40 -1 0\nv 0 -1 0\n" + face + " 41 42\n");
 }
 
+void add_libraries(Seeds& seeds) {
+  const auto add = [&](const std::string& name, const std::string& text) { seeds.add("mtl", name, text); };
+  add("plain", "newmtl a\nKa 0.1 0.1 0.1\nKd 0.5 0.4 0.3\nKs 1 1 1\nKe 0 0 0\nNs 96.078431\nNi 1\nd 1\nillum 2\n");
+  add("two", "# two\r\nnewmtl a b\r\nKd 1\r\nTr 0.25 # of light\r\nnewmtl c\r\nd -halo 0.5\r\nnewmtl a b\r\nKd 0\r\n");
+  add("textures", "newmtl a\nmap_Kd -s 2 2 1 -o 0.5 0 -clamp on my wood.png\nmap_Bump -bm 0.3 -imfchan r a.png\n"
+                  "map_d -blendu off -t 1 2 -mm 0 1 -texres 64 d.tga\nnorm -n.png\nrefl -type sphere sky.hdr\n");
+  add("physical",
+      "newmtl p\nPr 0.4\nPm 1\nmap_Pr r.png\nmap_Pm m.png\nPs 0.1\naniso 0\nmap_Ke e.png\nbump -bm b.png\n");
+  add("wrong", "Kd 1 1 1\nnewmtl\nKd 2\nnewmtl a\nKd 1 2\nKd -1 0 0\nKs nan 0 0\nNs 1e999\nillum 2.5\nillum 11\nd\n"
+               "map_Kd\nmap_Kd -s\nfoo 1\nKd spectral a.rfl\n\xef\xbb\xbf");
+}
+
 void add_images(Seeds& seeds) {
   int number = 0;
   for (const test::ImageClause& clause : test::all_image_clauses()) {
     const ImageFormat* const format = format_with_signature(clause.bytes);
-    seeds.add(format && format->values == ImageValues::floats ? "float_image" : "image",
+    seeds.add(format && format->values == StoredValues::floats ? "float_image" : "image",
               "clause_" + std::to_string(number++), clause.bytes);
   }
   for (int channels = 1; channels <= 4; ++channels)
@@ -151,8 +163,8 @@ void add_images(Seeds& seeds) {
     for (const ImageFormat& format : image_formats) {
       if (!format.writes.contains(channels)) continue;
       const std::string name = "own_" + std::to_string(channels) + "." + std::string(format.extensions[0]);
-      if (format.values == ImageValues::integers) write_image(seeds.path_of("image", name), integers);
-      else write_image(seeds.path_of("float_image", name), floats);
+      if (can_write(format, {ImageValues::uint8, channels})) write_image(seeds.path_of("image", name), integers);
+      if (can_write(format, {ImageValues::floats, channels})) write_image(seeds.path_of("float_image", name), floats);
     }
   }
 }
@@ -178,5 +190,6 @@ int main(int count, char** words) {
     return 2;
   }
   Seeds seeds(words[1]);
-  for (const auto add : {add_malformed, add_scenes, add_devices, add_meshes, add_images, add_tables}) add(seeds);
+  for (const auto add : {add_malformed, add_scenes, add_devices, add_meshes, add_libraries, add_images, add_tables})
+    add(seeds);
 }

@@ -15,6 +15,7 @@ void read_scene_bytes(Bytes bytes);       // scene JSON, with a mesh and a textu
 void read_limits_bytes(Bytes bytes);      // the limits of a comparison: JSON
 void read_device_bytes(Bytes bytes);      // the profile of a device: JSON
 void read_obj_bytes(Bytes bytes);         // OBJ
+void read_mtl_bytes(Bytes bytes);         // material libraries
 void read_merl_bytes(Bytes bytes);        // MERL .binary; a whole table is made of few bytes
 void read_image_bytes(Bytes bytes);       // what textures are read from: PNG, JPEG, TGA, BMP
 void read_float_image_bytes(Bytes bytes); // HDR, PFM, EXR
@@ -29,6 +30,7 @@ inline constexpr Target targets[] = {
     {"limits", read_limits_bytes},
     {"device", read_device_bytes},
     {"obj", read_obj_bytes},
+    {"mtl", read_mtl_bytes},
     {"merl", read_merl_bytes},
     {"image", read_image_bytes},
     {"float_image", read_float_image_bytes},

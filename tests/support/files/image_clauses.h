@@ -30,6 +30,8 @@ std::vector<ImageClause> hdr_clauses();
 std::vector<ImageClause> pfm_clauses();
 /// OpenEXR File Layout.
 std::vector<ImageClause> exr_clauses();
+/// numpy.lib.format, version 1.0.
+std::vector<ImageClause> npy_clauses();
 
 std::vector<ImageClause> all_image_clauses();
 

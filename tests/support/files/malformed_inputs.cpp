@@ -5,6 +5,7 @@
 #include "io/image/image_formats.h"
 #include "io/json/json.h"
 #include "tests/support/files/malformed_images.h"
+#include "tests/support/files/npy_bytes.h"
 #include "tests/support/files/png_bytes.h"
 #include "tests/support/shading/each_fragment_function.h"
 
@@ -324,6 +325,10 @@ void add_images(List& list) {
   add("a PFM of a huge size", "i.pfm", "PF\n4294967295 4294967295\n-1\n",
       "i.pfm: found 4294967295 x 4294967295 pixels, expected at most 65536 a side");
   add("a PFM of no pixels", "i.pfm", "PF\n0 5\n-1\n", "i.pfm: found 0 x 5 pixels, expected at least 1 x 1");
+  add("an array of NumPy cut short", "i.npy", npy_bytes("<f4", "(2, 2)", "12345678"),
+      "i.npy: values: found 8 bytes, expected 16 bytes");
+  add("an array of NumPy larger than its file", "i.npy", npy_bytes("|u1", "(16000, 16000)", ""),
+      "i.npy: found 16000 x 16000 pixels, expected as many as a file of 128 bytes can hold");
   add("an HDR cut short", "i.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 2\n\x80\x80\x80\x80",
       "i.hdr: found a truncated image, expected a whole one");
   list.push_back({"a float texture",

@@ -114,7 +114,7 @@ std::vector<ImageClause> tga_clauses() {
 std::vector<ImageClause> all_image_clauses() {
   std::vector<ImageClause> list;
   for (const auto clauses :
-       {png_clauses, jpeg_clauses, bmp_clauses, tga_clauses, hdr_clauses, pfm_clauses, exr_clauses})
+       {png_clauses, jpeg_clauses, bmp_clauses, tga_clauses, hdr_clauses, pfm_clauses, exr_clauses, npy_clauses})
     for (ImageClause& clause : clauses()) list.push_back(std::move(clause));
   return list;
 }

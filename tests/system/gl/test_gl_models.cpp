@@ -19,7 +19,7 @@ TEST_CASE("gl draws a model as render does, and verify finds nothing unexplained
     CAPTURE(samples);
     const Finished verdict = run_program(folder.path, {"verify", "house.obj", "--gl", "--size", "160x120", "--samples",
                                                        samples, "--renderer", "llvmpipe"});
-    CHECK_MESSAGE(verdict.exit_code == 0, verdict.out, verdict.err);
+    CHECK_MESSAGE(verdict.exit_code == 0, (verdict.out + verdict.err));
   }
   const Finished drawn =
       run_program(folder.path, {"gl", "house.obj", "--size", "160x120", "--samples", "1", "--renderer", "llvmpipe"});

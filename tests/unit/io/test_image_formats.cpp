@@ -11,7 +11,10 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <concepts>
 #include <set>
+#include <utility>
 
 namespace refraster::test {
 namespace {
@@ -42,6 +45,30 @@ std::string printable(std::string_view bytes) {
   return text;
 }
 
+std::string_view stored_values(StoredValues values) {
+  switch (values) {
+  case StoredValues::integers:
+    return "whole numbers";
+  case StoredValues::floats:
+    return "floats";
+  case StoredValues::either:
+    return "whole numbers or floats";
+  }
+  return "";
+}
+
+constexpr std::pair<ImageValues, const char*> all_values[] = {{ImageValues::uint8, "8 bits"},
+                                                              {ImageValues::uint16, "16 bits"},
+                                                              {ImageValues::uint32, "32 bits"},
+                                                              {ImageValues::floats, "floats"}};
+
+std::vector<std::string> written_values(const ImageFormat& format) {
+  std::vector<std::string> texts;
+  for (const auto& [values, text] : all_values)
+    if (writes_values(format, values)) texts.emplace_back(text);
+  return texts;
+}
+
 /// The table of docs/image-formats.md.
 std::string markdown() {
   const auto in_code = [](const std::string& text) { return "`" + text + "`"; };
@@ -56,8 +83,10 @@ std::string markdown() {
       if (count != 0) counts.push_back(count == ChannelCounts::any ? "any number of" : std::to_string(count));
     text += "| " + std::string(format.name) + " | " + alternatives(extensions) + " | " +
             (signatures.empty() ? "no signature" : alternatives(signatures)) + " | " +
-            (format.values == ImageValues::integers ? "whole numbers" : "floats") + " | " +
-            (counts.empty() ? "not written" : alternatives(counts) + " channels") + " |\n";
+            std::string(stored_values(format.values)) + " | " +
+            (counts.empty() ? "not written"
+                            : alternatives(counts) + " channels of " + alternatives(written_values(format))) +
+            " |\n";
   }
   return text;
 }
@@ -79,8 +108,12 @@ TEST_CASE("each format says how its files are named and recognised, and writes w
       if (!signature.empty()) CHECK(format_with_signature(std::string(signature) + "...") == &format);
     CHECK(format.signatures[0].empty() == (format.may_be != nullptr));
     const bool is_written = format.writes != ChannelCounts{};
-    CHECK((format.write_integers != nullptr) == (is_written && format.values == ImageValues::integers));
-    CHECK((format.write_floats != nullptr) == (is_written && format.values == ImageValues::floats));
+    CHECK(written_values(format).empty() != is_written);
+    for (const auto& [values, text] : all_values) {
+      const bool is_float = values == ImageValues::floats;
+      if (format.values != StoredValues::either && is_float != (format.values == StoredValues::floats))
+        CHECK_FALSE_MESSAGE(writes_values(format, values), text);
+    }
   }
 }
 
@@ -90,7 +123,8 @@ TEST_CASE("each format has clauses of its specification, files that are read and
     const ImageFormat* const format = format_of(clause.bytes);
     if (!format) continue;
     (clause.channels > 0 ? read : refused).insert(format);
-    if (clause.channels > 0) CHECK((clause.bits == 32) == (format->values == ImageValues::floats));
+    if (clause.channels > 0 && format->values != StoredValues::either)
+      CHECK((clause.bits == 32) == (format->values == StoredValues::floats));
   }
   for (const ImageFormat& format : image_formats) {
     CAPTURE(format.name);
@@ -119,48 +153,61 @@ TEST_CASE("each format has malformed inputs, of which one says a size that its f
   }
 }
 
-TEST_CASE("what a format writes it reads back, of each number of channels that it says it writes, and of no other") {
+namespace {
+
+/// Writes an image of 3 x 2 pixels whose values are 128, 131, ..., which 8 bits of mantissa hold, and reads it back.
+template <class Value>
+void check_round_trip(const ImageFormat& format, ImageValues values, int channels, const TemporaryFolder& folder) {
+  const std::string path = folder / "i" + extension_of(format);
+  Image<Value> image(3, 2, channels);
+  for (std::size_t i = 0; i < image.values.size(); ++i) image.values[i] = static_cast<Value>(128 + 3 * i);
+  const bool is_exr = format.name == "OpenEXR", is_npy = format.name == "NumPy", is_lossy = format.name == "JPEG";
+  std::vector<std::string> names = default_channels(channels);
+  if ((is_exr || is_npy) && channels == 2) names = {"U", "V"};
+  if (is_exr && channels == 5) names[4] = "Z";
+  const auto write = [&] {
+    if constexpr (std::same_as<Value, float>) write_image(path, image, names);
+    else write_image(path, image);
+  };
+  const ImageContent content{values, channels};
+  CHECK(can_write(format, content) == (format_to_write(path, {content}) == &format));
+  if (!can_write(format, content)) {
+    CHECK_THROWS_AS(write(), InputError);
+    return;
+  }
+  write();
+  CHECK(format_of(read_file(path, "an image", 1 << 20)) == &format);
+  const ImageFile read = read_image(path);
+  CHECK(read.channels == names);
+  CHECK(read.bits == 8 * static_cast<int>(sizeof(Value)));
+  CHECK(read.full_scale == (sizeof(Value) == 1 ? 255 : sizeof(Value) == 2 ? 65535 : 1));
+  REQUIRE(read.values.values.size() == image.values.size());
+  for (std::size_t i = 0; i < image.values.size(); ++i)
+    CHECK(std::abs(read.values.values[i] - static_cast<float>(image.values[i])) <= (is_lossy ? 8.0f : 0.0f));
+}
+
+} // namespace
+
+TEST_CASE("what a format writes it reads back, of each type and number of channels that it says it writes; no other") {
   const TemporaryFolder folder;
   for (const ImageFormat& format : image_formats)
     for (int channels = 1; channels <= 5; ++channels) {
       CAPTURE(format.name);
       CAPTURE(channels);
-      const std::string path = folder / "i" + extension_of(format);
-      Image<std::uint8_t> integers(3, 2, channels);
-      Image<float> floats(3, 2, channels);
-      for (std::size_t i = 0; i < floats.values.size(); ++i) {
-        integers.values[i] = static_cast<std::uint8_t>(128 + 3 * i);
-        floats.values[i] = static_cast<float>(integers.values[i]); // which 8 bits of mantissa hold
-      }
-      const bool has_names = format.writes.contains(5);
-      std::vector<std::string> names = default_channels(channels);
-      if (has_names && channels == 2) names = {"U", "V"};
-      if (channels == 5) names.push_back("Z");
-      const auto write = [&] {
-        if (format.values == ImageValues::integers) write_image(path, integers);
-        else write_image(path, floats, names);
-      };
-      const ImageContent content{format.values, channels};
-      CHECK(can_write(format, content) == (format_to_write(path, {content}) == &format));
-      if (!can_write(format, content)) {
-        CHECK_THROWS_AS(write(), InputError);
-        continue;
-      }
-      write();
-      CHECK(format_of(read_file(path, "an image", 1 << 20)) == &format);
-      const ImageFile read = read_image(path);
-      CHECK(read.values.values == floats.values);
-      CHECK(read.channels == names);
-      CHECK((read.bits == 32) == (format.values == ImageValues::floats));
+      check_round_trip<std::uint8_t>(format, ImageValues::uint8, channels, folder);
+      check_round_trip<std::uint16_t>(format, ImageValues::uint16, channels, folder);
+      check_round_trip<std::uint32_t>(format, ImageValues::uint32, channels, folder);
+      check_round_trip<float>(format, ImageValues::floats, channels, folder);
     }
 }
 
 TEST_CASE("messages list what can be written and read, and a name's extension says the format in any case") {
-  CHECK(writable_extensions({rgb8_image}) == ".png");
-  CHECK(writable_extensions({float_rgb_image}) == ".hdr, .pfm or .exr");
-  CHECK(writable_extensions({rgb8_image, float_rgb_image}) == ".png, .hdr, .pfm or .exr");
-  CHECK(writable_extensions({float_grey_image}) == ".pfm or .exr");
-  CHECK(readable_formats() == "PNG, JPEG, BMP, TGA, Radiance HDR, PFM or OpenEXR");
+  CHECK(writable_extensions({rgb8_image}) == ".png, .jpg or .npy");
+  CHECK(writable_extensions({float_rgb_image}) == ".hdr, .pfm, .exr or .npy");
+  CHECK(writable_extensions({rgb8_image, float_rgb_image}) == ".png, .jpg, .hdr, .pfm, .exr or .npy");
+  CHECK(writable_extensions({{ImageValues::uint16, 4}}) == ".png or .npy");
+  CHECK(writable_extensions({float_grey_image}) == ".pfm, .exr or .npy");
+  CHECK(readable_formats() == "PNG, JPEG, BMP, TGA, Radiance HDR, PFM, OpenEXR or NumPy");
   CHECK(format_to_write("A.PNG", {rgb8_image}) == &image_formats[0]);
   for (const char* const name : {"a.png", "a", "png", ".png", "a.", "a.jpg", "a.tiff", ""}) {
     CAPTURE(name);
@@ -173,6 +220,7 @@ TEST_CASE("floats stand beside an image in its own format if that holds grey and
   CHECK(float_extension_beside("a.hdr") == ".pfm");
   CHECK(float_extension_beside("a.pfm") == ".pfm");
   CHECK(float_extension_beside("a.EXR") == ".exr");
+  CHECK(float_extension_beside("a.npy") == ".npy");
   CHECK(float_extension_beside("a") == ".pfm");
 }
 

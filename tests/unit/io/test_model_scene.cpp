@@ -68,7 +68,7 @@ TEST_CASE("a model is read as the scene that shows it, with its materials, textu
     CHECK(object.mesh->colours.size() == object.mesh->positions.size());
     REQUIRE(object.materials.size() == 2);
     CHECK(object.materials[0].name == "the front");
-    CHECK(object.materials[0].texture);
+    CHECK(object.materials[0].diffuse_map.texture);
     CHECK(object.materials[1].name == "the back, \"so to say\"");
     CHECK(std::holds_alternative<BlinnPhong>(object.materials[1].fragment_function));
 

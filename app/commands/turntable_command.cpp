@@ -1,0 +1,298 @@
+// refraster turntable SCENE
+
+#include <refraster/files.h>
+#include <refraster/notes.h>
+#include <refraster/render.h>
+
+#include "app/arguments.h"
+#include "app/command.h"
+#include "app/commands/write_frame.h"
+#include "app/diagnostics.h"
+#include "app/interrupt.h"
+#include "app/memory_limit.h"
+#include "app/options/picture_options.h"
+#include "app/options/scene_options.h"
+#include "app/options/shared_options.h"
+#include "app/output.h"
+#include "app/progress_line.h"
+#include "app/turntable/film.h"
+#include "app/turntable/frame_digests.h"
+#include "app/turntable/frame_names.h"
+#include "app/turntable/orbit.h"
+#include "app/turntable/scene_digest.h"
+#include "app/usage_error.h"
+#include "io/file/build_info.h"
+#include "io/file/sha256.h"
+#include "io/json/json_writer.h"
+#include "io/scene/camera_path.h"
+#include "io/scene/scene_source.h"
+#include "raster/stopwatch.h"
+
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+
+namespace refraster {
+namespace {
+
+constexpr int max_frames = 100'000;
+constexpr double seconds_between_reports = 1; // what is lost if the process is killed, beside the frame it is at
+
+struct TurntableArguments {
+  std::string scene, output, path, report;
+  int frames = 72, rate = 24;
+  PictureArguments asked;
+  Size size; // of the image, as asked or as the scene says it
+  std::string precision = "double";
+  int samples = 1, threads = 0;
+  Transfer transfer = Transfer::linear;
+  FrameFiles files;
+  SceneOptions reading;
+  SceneChanges changes;
+  std::uint64_t max_memory = 0;
+  Diagnostics diagnostics;
+};
+
+RenderOptions options_from(const TurntableArguments& a) {
+  RenderOptions options;
+  options.width = a.size.width;
+  options.height = a.size.height;
+  options.precision = value_named<Precision>(a.precision).value();
+  options.samples = a.samples;
+  options.threads = a.threads;
+  options.transfer = a.transfer;
+  if (!is_film(a.output)) ask_for_output(a.files, a.output, options);
+  options.cancel = &interrupted();
+  options.memory = a.reading.memory;
+  return options;
+}
+
+void check_together(TurntableArguments& a) {
+  if (is_film(a.output)) {
+    if (a.files.bits != 0 && a.files.bits != 8)
+      throw UsageError("--bits", std::to_string(a.files.bits), "8, which a film has");
+    if (a.report.empty()) a.report = a.output + ".json";
+    return;
+  }
+  const std::optional<FrameNames> names = FrameNames::of(a.output);
+  if (!names)
+    throw UsageError("--output", "\"" + a.output + "\"",
+                     "one place for the number of a frame, as in out/####.png; or a film, as out.mp4");
+  check_output(a.files, names->name(0), a.asked.transfer.value_or(Transfer::linear));
+  if (a.report.empty()) a.report = names->report_name();
+}
+
+/// The scene, and the image that it says where no option does.
+SceneSource source_of(TurntableArguments& a) {
+  NoteList notes;
+  auto line = progress_line(a.diagnostics, "reading " + a.scene);
+  SceneOptions reading = a.reading;
+  reading.notes = &notes;
+  SceneSource source = read_scene_source(a.scene, reading, a.changes.edits());
+  line.reset(); // before anything is printed
+  print_file_notes(notes, a.diagnostics);
+  const Picture picture = a.asked.over(source.view.picture);
+  a.size = {picture.width, picture.height}, a.samples = picture.samples;
+  const bool floats = !is_film(a.output) && writes_radiance(a.files, a.output);
+  a.transfer = floats ? Transfer::linear : picture.transfer;
+  return source;
+}
+
+std::vector<Camera> cameras_of(const SceneSource& source, const TurntableArguments& a) {
+  if (a.path.empty() && source.view.fit) return fitted_orbit(source, a.size.width, a.size.height, a.frames);
+  const Scene placed = SceneSource(source).placed(a.size.width, a.size.height);
+  if (a.path.empty()) return orbit(placed.camera, a.frames);
+  std::vector<Camera> cameras;
+  Scene scene = source.scene;
+  for (const PathCamera& one : read_cameras(a.path, placed.camera)) {
+    scene.camera = one.camera;
+    if (one.fit)
+      place(scene, {.fit = one.fit, .moving_point_lights = {}, .moving_direction_lights = {}, .picture = {}},
+            a.size.width, a.size.height);
+    cameras.push_back(scene.camera);
+  }
+  return cameras;
+}
+
+/// Of everything that decides what the frames' files hold.
+std::string settings_digest(const TurntableArguments& a, const SceneSource& source,
+                            const std::vector<Camera>& cameras) {
+  JsonWriter json;
+  json.object([&] {
+    const BuildInfo build = this_build();
+    json.member("version", build.version);
+    json.member("scene", scene_digest(a.scene, source.scene));
+    json.member("size", std::vector<int>{a.size.width, a.size.height});
+    json.member("precision", a.precision);
+    json.member("samples", a.samples);
+    json.member("srgb", a.transfer == Transfer::srgb);
+    json.member("bits", a.files.bits);
+    json.member("quality", a.files.jpeg_quality);
+    json.array("lights_of_camera_space", [&] {
+      for (const std::size_t i : source.view.moving_point_lights) json.value(i);
+      json.value("direction");
+      for (const std::size_t i : source.view.moving_direction_lights) json.value(i);
+    });
+    json.array("cameras", [&] {
+      for (const Camera& camera : cameras) {
+        const auto& [position, target, up, fov_y, near, far] = camera;
+        json.value(std::vector<double>{position.x, position.y, position.z, target.x, target.y, target.z, up.x, up.y,
+                                       up.z, fov_y, near, far});
+      }
+    });
+  });
+  return text_sha256(json.text());
+}
+
+/// Renders one frame after the other, in the memory of the one before.
+class FrameMaker {
+public:
+  FrameMaker(SceneSource source, const TurntableArguments& a)
+      : source_(std::move(source)), scene_(source_.scene), options_(options_from(a)) {
+    source_.view.fit.reset(); // cameras are made already
+  }
+
+  const RenderOptions& options() const { return options_; }
+  /// Null if it was interrupted.
+  const Frame* render(const Camera& camera) {
+    scene_.camera = camera;
+    std::apply([&](auto... list) { ((scene_.*list = source_.scene.*list), ...); }, light_lists);
+    place(scene_, source_.view, options_.width, options_.height); // lights that move with it
+    renderer_.render(scene_, options_, frame_);
+    return frame_.cancelled || interrupted() ? nullptr : &frame_;
+  }
+
+private:
+  SceneSource source_;
+  Scene scene_;
+  RenderOptions options_;
+  Renderer renderer_;
+  Frame frame_;
+};
+
+ExitCode make_film(const TurntableArguments& a, const std::vector<Camera>& cameras, FrameMaker& maker,
+                   FrameDigests& known) {
+  Film film(a.output, a.size.width, a.size.height, a.rate);
+  const auto line = progress_line(a.diagnostics, "making " + a.output);
+  for (std::size_t i = 0; i < cameras.size(); ++i) {
+    const Frame* const frame = maker.render(cameras[i]);
+    if (!frame) return ExitCode::interrupted;
+    film.add(frame->rgb8);
+    Sha256 sha256;
+    sha256.add(frame->rgb8.values.data(), frame->rgb8.values.size());
+    known.digests[i] = in_hexadecimal(sha256.result());
+    if (line) line->show(static_cast<double>(i + 1) / static_cast<double>(cameras.size()));
+  }
+  film.finish();
+  write_text(a.report, digests_json(known));
+  return ExitCode::ok;
+}
+
+ExitCode make_frames(const TurntableArguments& a, const std::vector<Camera>& cameras, FrameMaker& maker,
+                     FrameDigests& known) {
+  const std::size_t there = take_known_frames(a.report, known), all = cameras.size();
+  if (there > 0)
+    print_note(std::to_string(there) + " of " + std::to_string(all) + " frames are there, as " + a.report +
+                   " says, and are not made again",
+               a.diagnostics);
+  const auto line = progress_line(a.diagnostics, "rendering " + std::to_string(all - there) + " frames");
+  Stopwatch since_report;
+  std::size_t made = 0;
+  for (std::size_t i = 0; i < all; ++i) {
+    if (!known.digests[i].empty()) continue;
+    const Frame* const frame = maker.render(cameras[i]);
+    if (!frame) {
+      write_text(a.report, digests_json(known));
+      return ExitCode::interrupted;
+    }
+    write_frame(a.files, known.frames[i], maker.options(), *frame);
+    known.digests[i] = file_sha256(known.frames[i]);
+    if (since_report.seconds() > seconds_between_reports) {
+      write_text(a.report, digests_json(known));
+      since_report = Stopwatch();
+    }
+    if (line) line->show(static_cast<double>(++made) / static_cast<double>(all - there));
+  }
+  write_text(a.report, digests_json(known));
+  return ExitCode::ok;
+}
+
+ExitCode run(TurntableArguments& a) {
+  const bool film = is_film(a.output);
+  check_different({a.output, a.report}, {a.scene, a.path});
+  if (const std::string folder = std::filesystem::path(a.output).parent_path(); !film && !folder.empty())
+    prepare_folder(folder);
+  const std::string first = film ? a.output : FrameNames::of(a.output)->name(0);
+  check_writable(first);
+  check_writable(a.report);
+  prepare_cache(a.reading.mesh_cache);
+
+  SceneSource source = source_of(a);
+  const std::vector<Camera> cameras = cameras_of(source, a);
+  if (interrupted()) return ExitCode::interrupted;
+  FrameDigests known{a.scene, settings_digest(a, source, cameras), std::vector<std::string>(cameras.size()),
+                     std::vector<std::string>(cameras.size())};
+  for (std::size_t i = 0; i < cameras.size() && !film; ++i) known.frames[i] = FrameNames::of(a.output)->name(i);
+  FrameMaker maker(std::move(source), a);
+  const ExitCode code = film ? make_film(a, cameras, maker, known) : make_frames(a, cameras, maker, known);
+  if (code != ExitCode::ok) return code;
+  if (film) std::cout << a.output << "\n";
+  for (std::size_t i = 0; i < known.frames.size() && !film; ++i) std::cout << known.frames[i] << "\n";
+  return code;
+}
+
+} // namespace
+
+Command turntable_command() {
+  const auto arguments = std::make_shared<TurntableArguments>();
+  TurntableArguments& a = *arguments;
+  return {
+      .name = "turntable",
+      .meaning = "Make frames around a scene, or along a path of cameras",
+      .groups = {{"Scene",
+                  {scene_argument(a.scene), outside_option(a.reading.outside),
+                   exposure_option(a.reading.exposure_stops), cache_option(a.reading.mesh_cache),
+                   number_option("--frames", a.frames, Range{1, max_frames},
+                                 "of a whole turn around the camera's target, about its up"),
+                   file_option(
+                       "--camera-path", "FILE", a.path,
+                       "a JSON list of cameras, each as \"camera\" of a scene, one a frame; what one leaves out is as "
+                       "in the scene; in place of --frames")}},
+                 {"Image",
+                  {file_option(
+                       "-o,--output", "FILE", a.output,
+                       "frames to write, with # for the digits of their numbers, which begin at 1, as out/####.png: " +
+                           output_forms() + "; or a film, as out.mp4, by ffmpeg")
+                       .required(),
+                   size_option(a.asked),
+                   choice_option("--precision", a.precision, precision_names(),
+                                 "number type of shading; `refraster list precisions`"),
+                   samples_option(a.asked, "samples a pixel, at the standard positions; shaded once a triangle"),
+                   srgb_option(a.asked, "apply the sRGB curve (not to floats)"), linear_option(a.asked),
+                   number_option("--rate", a.rate, Range{1, 240}, "frames a second of a film")}},
+                 {"Files", {bits_option(a.files), quality_option(a.files)}},
+                 scene_change_options(a.changes),
+                 {"Run",
+                  {number_option("--threads", a.threads, Range{0, double(limit::threads.value)},
+                                 "threads; 0: as many as this machine has"),
+                   memory_option(a.max_memory),
+                   file_option(
+                       "--report", "FILE", a.report,
+                       "what is known of the frames, as JSON, by which an interrupted run goes on; by default beside "
+                       "them"),
+                   strict_option(a.diagnostics), quiet_option(a.diagnostics)}}},
+      .notes =
+          {"Frames that are there and whole, as the report beside them says, are not made again: an interrupted run "
+           "goes on where it was. Another scene, other options or another version of the program begin anew. A "
+           "film is made as a whole."},
+      .finish = [arguments]() -> Action {
+        check_together(*arguments);
+        return [arguments] {
+          arguments->reading.memory = set_memory_limit(arguments->max_memory, arguments->threads);
+          return run(*arguments);
+        };
+      }};
+}
+
+} // namespace refraster
