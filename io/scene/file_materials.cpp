@@ -8,7 +8,7 @@
 #include "io/file/text.h"
 #include "io/mesh/mtl_file.h"
 #include "io/scene/material_texture.h"
-#include "io/scene/mtl_material.h"
+#include "io/scene/model/mtl_material.h"
 
 #include <algorithm>
 #include <filesystem>

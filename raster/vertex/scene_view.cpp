@@ -176,7 +176,7 @@ void place_camera(const Scene& scene, const CameraFit& fit, double aspect, Camer
   const double before_all = std::max((eye - depth.most) * (1 - plane_gap), behind_all * closest_plane);
   constexpr double smallest = std::numeric_limits<double>::min();
   camera.near = fit.near.value_or(std::max(smallest, fit.far ? std::min(before_all, *fit.far / 2) : before_all));
-  camera.far = fit.far.value_or(std::max(behind_all, 2 * camera.near));
+  camera.far = fit.far.value_or(behind_all > camera.near ? behind_all : 2 * camera.near);
 }
 
 } // namespace

@@ -23,7 +23,8 @@ struct ModelFolder : TemporaryFolder {
     save_text(
         *this / "my house.obj",
         "mtllib house.mtl\nv -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nv -1 1 -1\nv 1 1 -1\nv 1 1 1\nv -1 1 1\nv 0 2 0\n"
-        "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl the wall\nf 4/1 3/2 7/3 8/4\nf 3/1 2/2 6/3 7/4\nf 2 1 5 6\nf 1 4 8 5\n"
+        "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl the wall\nf 4/1 3/2 7/3 8/4\nf 3/1 2/2 6/3 7/4\nf 2/1 1/2 5/3 6/4\nf "
+        "1/1 4/2 8/3 5/4\n"
         "usemtl the roof\nf 8 7 9\nf 7 6 9\nf 6 5 9\nf 5 8 9\n");
     save_text(*this / "house.mtl",
               "newmtl the wall\nKd 1 1 1\nmap_Kd t.png\nnewmtl the roof\nKd 0.8 0.1 0.05\nKs 0.2 0.2 "
@@ -121,7 +122,7 @@ TEST_CASE("each option that changes a scene changes the image, for models and fo
   CHECK(pixels_of_model(folder / "s.png") > 0.25 * 3.14 * 85 * 85);
   CHECK(
       folder.run({"render", "s.json", "--size", "100x100", "-o", "s.png", "--fragment-function", "merl"}).err ==
-      "refraster: s.json:5:47: /scene/objects/0/material/brdf_file_path: found nothing, expected the path of a file\n");
+      "refraster: s.json:4:50: /scene/objects/0/material/brdf_file_path: found nothing, expected the path of a file\n");
 }
 
 TEST_CASE("what a changed scene says is what the option says") {
@@ -143,7 +144,7 @@ TEST_CASE("a wrong value of an option that changes a scene: one line") {
   const auto refused = [&](int exit_code, const std::vector<std::string>& words, const std::string& line) {
     const Finished run = folder.render(words);
     CHECK(run.exit_code == exit_code);
-    CHECK(run.err.substr(0, run.err.find('\n')) == "refraster: " + line); // of usage, a second line names --help
+    CHECK_MESSAGE(run.err.starts_with("refraster: " + line), run.err); // of usage, hints follow
   };
   const std::string camera =
       "azimuth,elevation or azimuth,elevation,distance: degrees, the second from -90 to 90, and a "
@@ -233,7 +234,7 @@ TEST_CASE("mesh info says what is in a model, and what is missing") {
         "positions   9 in the file, 28 vertices of the mesh: one for each different position, normal and uv\n"
         "triangles   12 of 8 faces\n"
         "normals     none in the file: computed from the faces\n"
-        "uvs         4 in the file; 8 triangles without\n"
+        "uvs         4 in the file; 4 triangles without\n"
         "colours     none\n"
         "materials   2 materials\n"
         "textures    1 texture\n");

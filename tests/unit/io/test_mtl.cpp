@@ -1,7 +1,7 @@
 // Material libraries: each key of the format, and what is noted of those that are unusual.
 
 #include "io/mesh/mtl_file.h"
-#include "io/scene/mtl_material.h"
+#include "io/scene/model/mtl_material.h"
 
 #include <doctest/doctest.h>
 

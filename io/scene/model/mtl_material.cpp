@@ -1,4 +1,4 @@
-#include "io/scene/mtl_material.h"
+#include "io/scene/model/mtl_material.h"
 
 #include "io/file/text.h"
 
