@@ -13,8 +13,8 @@ namespace refraster {
 
 struct WeldedFaces {
   std::vector<std::array<std::uint32_t, 3>> triangles; // of all faces, in the order of the file
-  RawVector<TripleIndex::Triple>
-      vertices; // (v, vt, vn), each once, in the order in which they appear, those with a vt first
+  /// (v, vt, vn), each once, in the order in which they appear, those with a vt first.
+  RawVector<TripleIndex::Triple> vertices;
 };
 
 /// Polygons are cut by triangulate; `steps_left` are its. Throws InputError for one that takes too long; `path` names
