@@ -5,7 +5,7 @@
 
 #include "app/turntable/frame_names.h"
 #include "app/turntable/orbit.h"
-#include "io/scene/camera_path.h"
+#include "io/scene/path/camera_path.h"
 #include "math/vec.h"
 #include "tests/support/program/program.h"
 #include "tests/support/program/scenes.h"
