@@ -27,7 +27,7 @@ public:
     const auto is_short_form = [&](const TextureSlot& slot) { return key == slot.file_key || key == slot.filter_key; };
     if (std::none_of(texture_slots.begin(), texture_slots.end(), is_short_form)) member(key, value);
   }
-  void map(std::string_view key, MapText& text, std::string_view, std::string_view) {
+  void map(std::string_view key, MapText& text, std::string_view, std::string_view, const Double3*) {
     if (!text.path.given.empty()) json_.object(key, [&] { map_keys(text, *this); });
   }
   template <class M>
