@@ -24,7 +24,7 @@
 #include "io/file/build_info.h"
 #include "io/file/sha256.h"
 #include "io/json/json_writer.h"
-#include "io/scene/camera_path.h"
+#include "io/scene/path/camera_path.h"
 #include "io/scene/scene_source.h"
 #include "raster/stopwatch.h"
 
@@ -146,9 +146,9 @@ std::string settings_digest(const TurntableArguments& a, const SceneSource& sour
 }
 
 /// Renders one frame after the other, in the memory of the one before.
-class FrameMaker {
+class FrameSource {
 public:
-  FrameMaker(SceneSource source, const TurntableArguments& a)
+  FrameSource(SceneSource source, const TurntableArguments& a)
       : source_(std::move(source)), scene_(source_.scene), options_(options_from(a)) {
     source_.view.fit.reset(); // cameras are made already
   }
@@ -171,12 +171,12 @@ private:
   Frame frame_;
 };
 
-ExitCode make_film(const TurntableArguments& a, const std::vector<Camera>& cameras, FrameMaker& maker,
+ExitCode make_film(const TurntableArguments& a, const std::vector<Camera>& cameras, FrameSource& frames,
                    FrameDigests& known) {
   Film film(a.output, a.size.width, a.size.height, a.rate);
   const auto line = progress_line(a.diagnostics, "making " + a.output);
   for (std::size_t i = 0; i < cameras.size(); ++i) {
-    const Frame* const frame = maker.render(cameras[i]);
+    const Frame* const frame = frames.render(cameras[i]);
     if (!frame) return ExitCode::interrupted;
     film.add(frame->rgb8);
     Sha256 sha256;
@@ -189,7 +189,7 @@ ExitCode make_film(const TurntableArguments& a, const std::vector<Camera>& camer
   return ExitCode::ok;
 }
 
-ExitCode make_frames(const TurntableArguments& a, const std::vector<Camera>& cameras, FrameMaker& maker,
+ExitCode make_frames(const TurntableArguments& a, const std::vector<Camera>& cameras, FrameSource& frames,
                      FrameDigests& known) {
   const std::size_t there = take_known_frames(a.report, known), all = cameras.size();
   if (there > 0)
@@ -201,12 +201,12 @@ ExitCode make_frames(const TurntableArguments& a, const std::vector<Camera>& cam
   std::size_t made = 0;
   for (std::size_t i = 0; i < all; ++i) {
     if (!known.digests[i].empty()) continue;
-    const Frame* const frame = maker.render(cameras[i]);
+    const Frame* const frame = frames.render(cameras[i]);
     if (!frame) {
       write_text(a.report, digests_json(known));
       return ExitCode::interrupted;
     }
-    write_frame(a.files, known.frames[i], maker.options(), *frame);
+    write_frame(a.files, known.frames[i], frames.options(), *frame);
     known.digests[i] = file_sha256(known.frames[i]);
     if (since_report.seconds() > seconds_between_reports) {
       write_text(a.report, digests_json(known));
@@ -234,8 +234,8 @@ ExitCode run(TurntableArguments& a) {
   FrameDigests known{a.scene, settings_digest(a, source, cameras), std::vector<std::string>(cameras.size()),
                      std::vector<std::string>(cameras.size())};
   for (std::size_t i = 0; i < cameras.size() && !film; ++i) known.frames[i] = FrameNames::of(a.output)->name(i);
-  FrameMaker maker(std::move(source), a);
-  const ExitCode code = film ? make_film(a, cameras, maker, known) : make_frames(a, cameras, maker, known);
+  FrameSource frames(std::move(source), a);
+  const ExitCode code = film ? make_film(a, cameras, frames, known) : make_frames(a, cameras, frames, known);
   if (code != ExitCode::ok) return code;
   if (film) std::cout << a.output << "\n";
   for (std::size_t i = 0; i < known.frames.size() && !film; ++i) std::cout << known.frames[i] << "\n";

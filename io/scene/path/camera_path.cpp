@@ -1,4 +1,4 @@
-#include "io/scene/camera_path.h"
+#include "io/scene/path/camera_path.h"
 
 #include "io/file/input_file.h"
 #include "io/json/json.h"
