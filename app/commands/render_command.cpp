@@ -30,7 +30,6 @@ struct RenderArguments {
   std::string scene, output, report;
   Size size;
   std::optional<PixelRect> crop;
-  std::vector<Aov> aovs;
   std::string precision = "double";
   int samples = 1, threads = 0, tile_size = 64;
   Transfer transfer = Transfer::linear;
@@ -41,13 +40,13 @@ struct RenderArguments {
 };
 
 /// What one option alone does not show.
-void check_together(const RenderArguments& arguments) {
+void check_together(RenderArguments& arguments) {
   const PixelRect part = arguments.crop.value_or(PixelRect{0, 0, arguments.size.width, arguments.size.height});
   if (part.width > arguments.size.width - part.x || part.height > arguments.size.height - part.y)
     throw UsageError("--crop", "reaches out of the image of " + std::to_string(arguments.size.width) + "x" +
                                    std::to_string(arguments.size.height) + " pixels");
   check_frame_samples(part.width, part.height, arguments.samples);
-  check_output(arguments.files, arguments.output, arguments.transfer);
+  check_output(arguments.files, arguments.output, arguments.transfer, arguments.diagnostics);
 }
 
 RenderOptions options_from(const RenderArguments& arguments) {
@@ -61,7 +60,6 @@ RenderOptions options_from(const RenderArguments& arguments) {
   options.tile_size = arguments.tile_size;
   ask_for_output(arguments.files, arguments.output, options);
   options.transfer = arguments.transfer;
-  options.aovs = arguments.aovs;
   options.cancel = &interrupted();
   options.memory = arguments.reading.memory;
   return options;
@@ -104,7 +102,7 @@ std::vector<std::string> write_images(const Frame& frame, const RenderArguments&
 
 ExitCode run(const RenderArguments& arguments) {
   std::vector<std::string> outputs = {arguments.output, arguments.report};
-  for (const Aov aov : arguments.aovs) outputs.push_back(aov_path(arguments.files, arguments.output, aov));
+  for (const std::string& path : aov_paths(arguments.files, arguments.output)) outputs.push_back(path);
   check_different(outputs, {arguments.scene});
   for (const std::string& path : outputs)
     if (!path.empty()) check_writable(path);
@@ -114,7 +112,8 @@ ExitCode run(const RenderArguments& arguments) {
   std::vector<std::string> notes;
   const Scene scene = scene_of(arguments, notes);
   const double read_seconds = reading.seconds();
-  if (std::find(arguments.aovs.begin(), arguments.aovs.end(), Aov::triangle) != arguments.aovs.end())
+  const std::vector<Aov> aovs = options_from(arguments).aovs;
+  if (std::find(aovs.begin(), aovs.end(), Aov::triangle) != aovs.end())
     check_triangle_numbers(arguments.scene, scene, "--aov triangle");
   if (interrupted()) return ExitCode::interrupted;
 
@@ -156,10 +155,6 @@ Command render_command() {
     if (!a.crop) return ValueFault{"x,y,width,height in pixels from the top left"};
     return std::nullopt;
   };
-  const std::vector<std::string> aovs(std::begin(aov_names), std::end(aov_names));
-  const auto set_aovs = [&a](const std::vector<std::size_t>& indices) {
-    for (const std::size_t i : indices) a.aovs.push_back(static_cast<Aov>(i));
-  };
   return {
       .name = "render",
       .meaning = "Make the image of a scene",
@@ -175,12 +170,10 @@ Command render_command() {
                            "number type of shading; `refraster list precisions`"),
              number_choice_option("--samples", a.samples, {1, 2, 4, 8, 16},
                                   "samples a pixel, at the standard positions; shaded once a triangle"),
-             word_list_option("--aov", "NAME,…", aovs, set_aovs,
-                              "more images to write (arbitrary output variables), as NAME.depth.pfm next to NAME.png, "
-                              ".exr next to .exr: depth, normal, position, uv, albedo, triangle, object"),
              flag(
                  "--srgb", [&a] { a.transfer = Transfer::srgb; }, "apply the sRGB curve (not to floats)")}},
-           {"Files", {bits_option(a.files), quality_option(a.files), aov_format_option(a.files)}},
+           {"Files", {bits_option(a.files), quality_option(a.files), transparent_option(a.files)}},
+           {"More images", aov_options(a.files)},
            {"Run",
             {number_option("--threads", a.threads, Range{0, double(limit::threads.value)},
                            "threads; 0: as many as this machine has"),

@@ -67,6 +67,7 @@ void check_together(TurntableArguments& a) {
   check_frame_samples(a.size.width, a.size.height, a.samples);
   if (is_film(a.output)) {
     if (a.files.bits != 0 && a.files.bits != 8) throw UsageError("--bits", std::to_string(a.files.bits), "8, which a film has");
+    if (a.files.background == Background::transparent) throw UsageError("--transparent", "is for images, not for films");
     if (a.report.empty()) a.report = a.output + ".json";
     return;
   }
@@ -74,7 +75,7 @@ void check_together(TurntableArguments& a) {
   if (!names)
     throw UsageError("--output", "\"" + a.output + "\"",
                      "one place for the number of a frame, as in out/####.png; or a film, as out.mp4");
-  check_output(a.files, names->name(0), a.transfer);
+  check_output(a.files, names->name(0), a.transfer, a.diagnostics);
   if (a.report.empty()) a.report = names->report_name();
 }
 
@@ -102,6 +103,7 @@ std::string settings_digest(const TurntableArguments& a, const Scene& scene, con
     json.member("srgb", a.transfer == Transfer::srgb);
     json.member("bits", a.files.bits);
     json.member("quality", a.files.jpeg_quality);
+    json.member("transparent", a.files.background == Background::transparent);
     json.array("cameras", [&] {
       for (const Camera& camera : cameras) {
         const auto& [position, target, up, fov_y, near, far] = camera;
@@ -234,7 +236,7 @@ Command turntable_command() {
              flag(
                  "--srgb", [&a] { a.transfer = Transfer::srgb; }, "apply the sRGB curve (not to floats)"),
              number_option("--rate", a.rate, Range{1, 240}, "frames a second of a film")}},
-           {"Files", {bits_option(a.files), quality_option(a.files)}},
+           {"Files", {bits_option(a.files), quality_option(a.files), transparent_option(a.files)}},
            {"Run",
             {number_option("--threads", a.threads, Range{0, double(limit::threads.value)},
                            "threads; 0: as many as this machine has"),
