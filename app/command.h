@@ -64,6 +64,7 @@ Command verify_command();    // verify_command.cpp
 Command explain_command();   // explain_command.cpp
 Command gl_command();        // gl_command.cpp
 Command bench_command();     // bench_command.cpp
+Command scene_command();     // scene_command.cpp
 Command mesh_command();      // mesh_command.cpp
 Command merl_command();      // merl_command.cpp
 Command list_command();      // list_command.cpp

@@ -6,6 +6,7 @@
 #include "gl/context/target.h"
 #include "gl/draw/drawing.h"
 #include "gl/draw/read_back.h"
+#include "shading/srgb_curve.h"
 
 #include <algorithm>
 #include <bit>
@@ -63,6 +64,16 @@ void warn_of_other_depth(const Image<float>& depth, const Image<float>& other, c
                        ": " + meaning);
 }
 
+/// Levels of the sRGB curve, as an application makes them that reads floats back. NaN becomes 0.
+Image<std::uint8_t> srgb_levels(const Image<float>& radiance) {
+  Image<std::uint8_t> levels(radiance.width, radiance.height, radiance.channels);
+  std::transform(radiance.values.begin(), radiance.values.end(), levels.values.begin(), [](float value) {
+    const double in_range = value > 0 ? std::min(static_cast<double>(value), 1.0) : 0;
+    return static_cast<std::uint8_t>(std::nearbyint(255 * srgb_encoded(in_range)));
+  });
+  return levels;
+}
+
 } // namespace
 
 GlFrame render_gl(const Scene& scene, const GlOptions& options) {
@@ -92,6 +103,7 @@ GlFrame render_gl(const Scene& scene, const GlOptions& options) {
   Image<float> radiance = read_radiance(gl, floats);
   frame.non_finite = non_finite_pixels(radiance);
   warn_of(frame.non_finite, frame.warnings);
+  if (options.want_rgb8 && options.transfer == Transfer::srgb) frame.rgb8 = srgb_levels(radiance);
   if (options.want_radiance) frame.radiance = std::move(radiance);
   if (want_surfaces) {
     Image<float> depth = read_sample_depth(gl, floats, 0);

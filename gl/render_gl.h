@@ -2,6 +2,7 @@
 // The same scene through OpenGL 3.3 or later, without a window.
 
 #include <refraster/image.h>
+#include <refraster/render.h>
 #include <refraster/scene.h>
 
 #include "gl/gl_names.h"
@@ -25,6 +26,7 @@ struct GlOptions {
   GlRenderer renderer = GlRenderer::system_default;
   MerlFilter merl_filter = MerlFilter::manual;
   int timed_frames = 0;
+  Transfer transfer = Transfer::linear; // of rgb8: with the sRGB curve its levels are made of the radiance
   // What to read back.
   bool want_rgb8 = true;
   bool want_radiance = false;
@@ -57,7 +59,7 @@ struct NonFinitePixels {
 /// All from draws of one scene by one program and the same state; see `warnings` for a driver that does not repeat
 /// itself. With several samples a pixel colours are the driver's resolve of them, depth and ids those of sample 0.
 struct GlFrame {
-  Image<std::uint8_t> rgb8; // 3 channels, from an RGBA8 target
+  Image<std::uint8_t> rgb8; // 3 channels, from an RGBA8 target; with the sRGB curve from `radiance`
   Image<float> radiance;    // 3 channels, from an RGBA32F target
   Image<float> depth;       // 1 channel, window depth in [0, 1] from a DEPTH32F target; 1 where nothing was drawn
   Image<float> ids;         // 2 channels: object and triangle in its mesh, each counted from 1; 0 where nothing

@@ -1,6 +1,5 @@
 #include "raster/frame_context.h"
 
-#include <algorithm>
 #include <omp.h>
 
 namespace refraster {
@@ -13,14 +12,16 @@ int thread_count(const RenderOptions& options) {
   return options.threads > 0 ? options.threads : omp_get_num_procs();
 }
 
-bool has_two_sided(const Scene& scene) {
-  return std::any_of(scene.objects.begin(), scene.objects.end(),
-                     [](const Object& object) { return object.two_sided == TwoSided::yes; });
-}
-
-bool any_vertex_colours(const Scene& scene) {
-  return std::any_of(scene.objects.begin(), scene.objects.end(),
-                     [](const Object& object) { return !object.mesh->colours.empty(); });
+SceneUses uses_of(const Scene& scene) {
+  SceneUses uses;
+  for (const Object& object : scene.objects) {
+    uses.two_sided |= object.two_sided == TwoSided::yes;
+    uses.vertex_colours |= !object.mesh->colours.empty();
+  }
+  uses.placed_textures = any_material(scene, [](const Material& material) {
+    return any_texture(material, [](const TextureMap& map) { return map.is_placed(); });
+  });
+  return uses;
 }
 
 } // namespace refraster

@@ -19,11 +19,15 @@ PixelRect rendered_region(const RenderOptions& options);
 /// How many threads render a frame: as many as asked for, or as the machine has processors.
 int thread_count(const RenderOptions& options);
 
-/// Whether any object is lit from both of its sides.
-bool has_two_sided(const Scene& scene);
+/// What any object of a scene has, and what packets of a frame without need not ask for.
+struct SceneUses {
+  bool two_sided = false;       // an object that is lit from both of its sides
+  bool vertex_colours = false;  // a mesh with colours
+  bool placed_textures = false; // a texture that is scaled, moved or clamped: TextureMap::is_placed()
+};
 
-/// Whether the mesh of any object has colours. Asked once a frame, so that packets of a frame without need not ask.
-bool any_vertex_colours(const Scene& scene);
+/// Asked once a frame.
+SceneUses uses_of(const Scene& scene);
 
 /// What a frame is made from. Whoever makes one names scene and options, from which the rest follows.
 struct FrameInput {
@@ -32,8 +36,7 @@ struct FrameInput {
   PixelRect region = rendered_region(options); // pixels of the full image that the frame's images hold
   std::span<const SamplePosition> samples = sample_pattern(options.samples); // of each pixel
   int threads = thread_count(options);
-  bool any_two_sided = has_two_sided(scene); // else nothing is asked of triangles
-  bool has_vertex_colours = any_vertex_colours(scene);
+  SceneUses uses = uses_of(scene);
 };
 
 /// Where there is no surface.

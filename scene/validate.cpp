@@ -172,13 +172,18 @@ private:
     } else {
       std::visit([&](const auto& function) { check_parameters(function, at); }, material.fragment_function);
     }
+    field(at, "emissive", material.emissive, Range{});
     for (const TextureSlot& slot : texture_slots) {
-      const Texture* const texture = (material.*slot.texture).get();
+      const TextureMap& map = material.*slot.map;
+      const Texture* const texture = map.texture.get();
       if (!texture) continue;
       const Where at_texture = [&] { return at() + std::string(slot.name); };
+      for (const Double2& placed : {map.scale, map.offset})
+        if (!std::isfinite(placed.x) || !std::isfinite(placed.y))
+          fault(at_texture(), "a scale or offset that is not finite", "finite numbers");
       if (textures_.insert(texture).second) check(*texture, at_texture);
       const std::vector<TextureLevel>& levels = texture->levels;
-      if (material.*slot.filter == TextureFilter::trilinear && !levels.empty() &&
+      if (map.filter == TextureFilter::trilinear && !levels.empty() &&
           (levels.back().width > 1 || levels.back().height > 1))
         fault(at_texture(), text_of(levels.size(), "levels"), "levels down to 1 x 1 texel, for trilinear filtering",
               Effect::drawn);

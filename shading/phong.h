@@ -28,6 +28,13 @@ T phong_lobe(const PhongParameters& material, const Fragment<T>& at, const Vec3<
   else return cosine_power(a, b, s);
 }
 
+/// The colour of the highlight.
+template <Number T>
+Rgb<T> specular_colour(const PhongParameters& material, const Fragment<T>& at) {
+  const Rgb<T> ks = as<T>(material.ks);
+  return at.maps ? ks * at.maps->specular : ks;
+}
+
 /// (kd t <n.l> + ks highlight) C. 0 without a normal.
 template <Number T>
 Rgb<T> diffuse_and_highlight(const PhongParameters& material, const Fragment<T>& at, const Incident<T>& light,
@@ -35,7 +42,7 @@ Rgb<T> diffuse_and_highlight(const PhongParameters& material, const Fragment<T>&
   const bool open = material.specular_gate == SpecularGate::open;
   const T gated = open ? highlight : select(n_l > T(0), highlight, T(0));
   const T kept = select(squared_length(at.normal) > T(0), gated, T(0));
-  return (as<T>(material.kd) * at.texture * max0(n_l) + as<T>(material.ks) * kept) * light.radiance;
+  return (as<T>(material.kd) * at.texture * max0(n_l) + specular_colour(material, at) * kept) * light.radiance;
 }
 
 /// r = 2 (n.l) n - l, the mirror image of l about n.

@@ -1,7 +1,10 @@
 #include "shading/texture.h"
 
+#include "shading/srgb_curve.h"
+
 #include <algorithm>
 #include <stdexcept>
+#include <unordered_map>
 
 namespace refraster {
 
@@ -56,6 +59,19 @@ void build_mip_levels(Texture& texture) {
     throw std::invalid_argument("build_mip_levels: expected a texture of one level, with all its texels");
   while (texture.levels.back().width > 1 || texture.levels.back().height > 1)
     texture.levels.push_back(halved(texture.levels.back()));
+}
+
+void decode_srgb(Texture& texture) {
+  if (texture.levels.size() != 1 || !is_whole(texture.levels[0]))
+    throw std::invalid_argument("decode_srgb: expected a texture of one level, with all its texels");
+  // A file has few different values: each is decoded once.
+  std::unordered_map<float, float> decoded;
+  for (float& value : texture.levels[0].rgb) {
+    const auto [entry, is_new] = decoded.try_emplace(value);
+    if (is_new) entry->second = static_cast<float>(srgb_decoded(static_cast<double>(value) / texture.full_scale));
+    value = entry->second;
+  }
+  texture.full_scale = 1;
 }
 
 } // namespace refraster

@@ -8,6 +8,7 @@
 #include "math/read_grid.h"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 namespace refraster::inline REFRASTER_KIT {
@@ -17,9 +18,17 @@ template <class F>
 RgbGrid<F, float> texels_of(const TextureLevel& level) {
   return {level.rgb.data(), 3, 3 * level.width, 0};
 }
-/// It repeats along both axes.
-inline std::array<GridAxis, 2> axes_of(const TextureLevel& level) {
-  return {GridAxis{GridAxis::Beyond::repeated, level.width}, GridAxis{GridAxis::Beyond::repeated, level.height}};
+/// How it goes on along both axes.
+template <TextureWrap wrap>
+std::array<GridAxis, 2> axes_of(const TextureLevel& level) {
+  constexpr auto beyond = wrap == TextureWrap::repeat ? GridAxis::Beyond::repeated : GridAxis::Beyond::clamped;
+  return {GridAxis{beyond, level.width}, GridAxis{beyond, level.height}};
+}
+/// The texel of a row or column of n that stands at i.
+template <TextureWrap wrap, class Index>
+Index texel_index(const Index& i, std::int32_t n) {
+  if constexpr (wrap == TextureWrap::repeat) return wrap_index(i, n);
+  else return clamp_index(i, 0, n - 1);
 }
 
 /// u without those whole turns that only cost precision, exactly. Table indices hold 2^30 cells, and a level has up to
@@ -28,6 +37,13 @@ template <Number T>
 T fewer_turns(const T& u) {
   constexpr double turns = 1 << 14;
   return select(abs(u) < as<T>(turns), u, as<T>(turns) * fraction(u * as<T>(1 / turns)));
+}
+
+/// u where it means the same and costs no precision.
+template <TextureWrap wrap, Number T>
+T near_image(const T& u) {
+  if constexpr (wrap == TextureWrap::repeat) return fewer_turns(u);
+  else return min(max0(u), T(1)); // beyond, the texels of the edge go on
 }
 
 /// x, which a device may have lower by `below` and higher by `above`: for bounds; other numbers are exact about it. The
@@ -48,28 +64,30 @@ Rgb<T> as_read(const Rgb<T>& rgb, double TextureErrors::*error, double scale = 1
 }
 
 /// The texel that holds the point, as stored.
-template <Number T>
+template <TextureWrap wrap = TextureWrap::repeat, Number T>
 Rgb<T> sample_nearest(const TextureLevel& level, const Vec2<T>& uv) {
   const auto texels = texels_of<RealOf<T>>(level);
   const auto placed = [](const T& x) { return as_read(x, &TextureErrors::nearest, &TextureErrors::nearest); };
   const std::array<T, 2> place = {placed(uv.x * as<T>(level.width)), placed(uv.y * as<T>(level.height))};
-  return read_nearest(place, axes_of(level), [&](const std::array<Cell<T>, 2>& cell) {
-    return stored_value<T>(texels, wrap_index(cell[0].index, level.width), wrap_index(cell[1].index, level.height),
-                           IndexOf<T>{});
+  return read_nearest(place, axes_of<wrap>(level), [&](const std::array<Cell<T>, 2>& cell) {
+    return stored_value<T>(texels, texel_index<wrap>(cell[0].index, level.width),
+                           texel_index<wrap>(cell[1].index, level.height), IndexOf<T>{});
   });
 }
 
 /// Between the four texels around the point, as stored: texel k has its centre at (k + 0.5) / n.
-template <Number T>
+template <TextureWrap wrap = TextureWrap::repeat, Number T>
 Rgb<T> sample_bilinear(const TextureLevel& level, const Vec2<T>& uv) {
   const auto texels = texels_of<RealOf<T>>(level);
   const auto placed = [](const T& x) { return as_read(x - as<T>(0.5), &TextureErrors::place, &TextureErrors::place); };
   const std::array<T, 2> place = {placed(uv.x * as<T>(level.width)), placed(uv.y * as<T>(level.height))};
-  return read_grid(place, axes_of(level), [&](const std::array<Cell<T>, 2>& cell) {
+  return read_grid(place, axes_of<wrap>(level), [&](const std::array<Cell<T>, 2>& cell) {
     const auto& [x, y] = cell;
     // Wrapping follows the floor, in integers: a point just left of u = 0 lies between the last texel and the first.
-    const IndexOf<T> left = wrap_index(x.index, level.width), right = wrap_index(next_index(x.index), level.width);
-    const IndexOf<T> low = wrap_index(y.index, level.height), high = wrap_index(next_index(y.index), level.height);
+    const IndexOf<T> left = texel_index<wrap>(x.index, level.width),
+                     right = texel_index<wrap>(next_index(x.index), level.width);
+    const IndexOf<T> low = texel_index<wrap>(y.index, level.height),
+                     high = texel_index<wrap>(next_index(y.index), level.height);
     const auto row = [&](const IndexOf<T>& j, const T& along) {
       return mix(stored_value<T>(texels, left, j, IndexOf<T>{}), stored_value<T>(texels, right, j, IndexOf<T>{}),
                  along);
@@ -89,14 +107,14 @@ T level_of_detail(const TextureLevel& image, const Vec2<T>& uv_dx, const Vec2<T>
 }
 
 /// A level of the chain, filtered; as a device has stored it.
-template <Number T>
+template <TextureWrap wrap, Number T>
 Rgb<T> sample_level(const Texture& texture, std::size_t k, const Vec2<T>& uv) {
-  const Rgb<T> colour = sample_bilinear(texture.levels[k], uv);
+  const Rgb<T> colour = sample_bilinear<wrap>(texture.levels[k], uv);
   return k == 0 ? colour : as_read(colour, &TextureErrors::mip, texture.full_scale);
 }
 
 /// Between the two levels on either side of the level of detail; the image itself where it is magnified.
-template <Number T>
+template <TextureWrap wrap = TextureWrap::repeat, Number T>
 Rgb<T> sample_trilinear(const Texture& texture, const Vec2<T>& uv, const Vec2<T>& uv_dx, const Vec2<T>& uv_dy) {
   const T last = as<T>(static_cast<double>(texture.levels.size() - 1));
   const T detail = min(max0(level_of_detail(texture.levels[0], uv_dx, uv_dy)), last);
@@ -105,7 +123,7 @@ Rgb<T> sample_trilinear(const Texture& texture, const Vec2<T>& uv, const Vec2<T>
     return read_grid(std::array{detail}, std::array{GridAxis{GridAxis::Beyond::clamped, count}},
                      [&](const std::array<Cell<T>, 1>& cell) {
                        const auto level = [&](std::int32_t k) {
-                         return sample_level(texture, static_cast<std::size_t>(clamp_index(k, 0, count - 1)), uv);
+                         return sample_level<wrap>(texture, static_cast<std::size_t>(clamp_index(k, 0, count - 1)), uv);
                        };
                        return mix(level(cell[0].index), level(cell[0].index + 1), cell[0].fraction);
                      });
@@ -114,31 +132,61 @@ Rgb<T> sample_trilinear(const Texture& texture, const Vec2<T>& uv, const Vec2<T>
   for (std::size_t k = 0; k < texture.levels.size(); ++k) {
     // 1 at its own level, falling to 0 at the next ones: two levels at most have a share, and the shares add up to 1.
     const T weight = max0(T(1) - abs(detail - as<T>(static_cast<double>(k))));
-    if (any(weight > T(0))) sum += sample_level(texture, k, uv) * weight;
+    if (any(weight > T(0))) sum += sample_level<wrap>(texture, k, uv) * weight;
   }
   return sum;
 }
 
-/// The texture's colour at uv, repeated in all directions, v upward; linear values as stored, divided by full_scale at
-/// the very end. uv_dx and uv_dy are the derivatives of uv by one pixel to the right and down; only trilinear reads
-/// them. A component of uv that is NaN or infinite is taken as 0; the caller counts it (Undefined::bad_uv).
-template <Number T>
+/// The texture's colour at uv, repeated or clamped in all directions, v upward; linear values as stored, divided by
+/// full_scale at the very end. uv_dx and uv_dy are the derivatives of uv by one pixel to the right and down; only
+/// trilinear reads them. A component of uv that is NaN or infinite is taken as 0 (clamped, an infinity is an edge); the
+/// caller counts it (Undefined::bad_uv).
+template <TextureWrap wrap = TextureWrap::repeat, Number T>
 Rgb<T> sample(const Texture& texture, TextureFilter filter, const Vec2<T>& uv, const Vec2<T>& uv_dx,
               const Vec2<T>& uv_dy) {
-  const Vec2<T> near(fewer_turns(uv.x), fewer_turns(uv.y));
+  const Vec2<T> near(near_image<wrap>(uv.x), near_image<wrap>(uv.y));
   const auto stored = [&] {
     switch (filter) {
     case TextureFilter::nearest:
-      return sample_nearest(texture.levels[0], near);
+      return sample_nearest<wrap>(texture.levels[0], near);
     case TextureFilter::bilinear:
-      return sample_bilinear(texture.levels[0], near);
+      return sample_bilinear<wrap>(texture.levels[0], near);
     case TextureFilter::trilinear:
-      return sample_trilinear(texture, near, uv_dx, uv_dy);
+      return sample_trilinear<wrap>(texture, near, uv_dx, uv_dy);
     }
     return Rgb<T>(T(0));
   };
   const Rgb<T> colour = stored() / as<T>(texture.full_scale);
   return filter == TextureFilter::nearest ? colour : as_read(colour, &TextureErrors::filter);
+}
+
+/// What u * scale + offset changes by where u changes by `step`. A device takes the difference of two of them, of which
+/// the product and the sum are rounded each.
+template <Number T>
+T placed_step(const T& step, [[maybe_unused]] const T& u, double scale, [[maybe_unused]] double offset) {
+  const T placed = step * as<T>(scale);
+  if constexpr (requires { NumberTraits<T>::device_rounding(); }) {
+    const T product = (abs(u) + abs(step)) * as<T>(std::abs(scale)), sum = product + as<T>(std::abs(offset));
+    const double error = 2 * (1 + 0x1p-20) * NumberTraits<T>::device_rounding() * (product.hi + sum.hi);
+    return placed + T(-error, error);
+  }
+  return placed;
+}
+
+/// The colour of a material's texture at the texture coordinates uv, which change as in sample() of a texture: every
+/// number reads every slot by this. The texture is there.
+template <Number T>
+Rgb<T> sample(const TextureMap& map, const Vec2<T>& uv, const Vec2<T>& uv_dx, const Vec2<T>& uv_dy) {
+  const Texture& texture = *map.texture;
+  if (!map.is_placed()) return sample(texture, map.filter, uv, uv_dx, uv_dy);
+  const Double2 &scale = map.scale, &offset = map.offset;
+  const Vec2<T> at(uv.x * as<T>(scale.x) + as<T>(offset.x), uv.y * as<T>(scale.y) + as<T>(offset.y));
+  const auto step = [&](const Vec2<T>& by) {
+    return Vec2<T>(placed_step(by.x, uv.x, scale.x, offset.x), placed_step(by.y, uv.y, scale.y, offset.y));
+  };
+  const Vec2<T> right = step(uv_dx), down = step(uv_dy);
+  if (map.wrap == TextureWrap::repeat) return sample(texture, map.filter, at, right, down);
+  return sample<TextureWrap::clamp>(texture, map.filter, at, right, down);
 }
 
 } // namespace refraster::inline REFRASTER_KIT

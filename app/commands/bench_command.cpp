@@ -7,6 +7,7 @@
 #include "app/diagnostics.h"
 #include "app/interrupt.h"
 #include "app/memory_limit.h"
+#include "app/options/scene_options.h"
 #include "app/options/shared_options.h"
 #include "app/output.h"
 #include "app/progress_line.h"
@@ -20,6 +21,7 @@
 #include "bench/workloads/built_in.h"
 #include "gl/render_gl.h"
 #include "io/file/nearest.h"
+#include "io/scene/scene_source.h"
 #include "raster/explain/explain_dark.h"
 
 #include <algorithm>
@@ -89,6 +91,7 @@ constexpr const char* default_gl = "llvmpipe";
 struct BenchArguments {
   std::vector<std::string> scenes, precisions;
   SceneOptions reading;
+  SceneChanges changes;
   std::uint64_t max_memory = 0;
   Diagnostics diagnostics;
   std::vector<int> threads;
@@ -146,12 +149,13 @@ public:
     }
   }
 
-  void add(const std::string& name, const Scene& scene) {
+  void add(const std::string& name, const SceneSource& source) {
     for (const Size& size : a_.sizes)
-      if (!interrupted()) add(name, scene, size);
+      if (!interrupted()) add(name, source, size);
   }
 
-  void add(const std::string& name, const Scene& scene, const Size& size) {
+  void add(const std::string& name, const SceneSource& source, const Size& size) {
+    const Scene scene = SceneSource(source).placed(size.width, size.height);
     SceneTask task{.name = name,
                    .scene = scene,
                    .width = size.width,
@@ -232,14 +236,14 @@ std::string csv_path(const BenchArguments& a, std::string_view name) {
 
 enum class Remarks { printed, withheld };
 
-Scene scene_of(const std::string& path, const BenchArguments& a, Remarks remarks) {
+SceneSource scene_of(const std::string& path, const BenchArguments& a, Remarks remarks) {
   NoteList notes;
   SceneOptions reading = a.reading;
   reading.notes = &notes;
-  Scene scene = read_scene(path, reading);
+  SceneSource source = read_scene_source(path, reading, a.changes.edits());
   if (a.diagnostics.file_notes == FileNotes::refused || remarks == Remarks::printed)
     print_file_notes(notes, a.diagnostics);
-  return scene;
+  return source;
 }
 
 ExitCode run(const BenchArguments& a) {
@@ -257,7 +261,7 @@ ExitCode run(const BenchArguments& a) {
     for (const std::string& path : a.scenes) scene_of(path, a, Remarks::withheld);
   Bench bench(a);
   try {
-    if (a.scenes.empty() && a.scaling.empty()) bench.add(built_in_name, built_in_scene());
+    if (a.scenes.empty() && a.scaling.empty()) bench.add(built_in_name, {built_in_scene(), {}, {}});
     for (const std::string& path : a.scenes) {
       bench.add(path, scene_of(path, a, Remarks::printed));
       if (interrupted()) return ExitCode::interrupted;
@@ -304,8 +308,9 @@ Command bench_command() {
           .meaning = "Measure what a pixel costs, and what accuracy it buys",
           .groups =
               {{"Scenes",
-                {refraster::arguments("SCENE", a.scenes, "scene files; without one, a sphere that fills the image"),
+                {refraster::arguments("SCENE", a.scenes, "scene files or OBJ models; without one, a sphere that fills the image"),
                  outside_option(a.reading.outside), cache_option(a.reading.mesh_cache)}},
+               scene_change_options(a.changes),
                {"What is measured",
                 {parsed_option("--size", "WxH,…", a.sizes, sizes_from,
                                "WIDTHxHEIGHT, each 1 to " + std::to_string(largest_side) +

@@ -2,6 +2,7 @@
 
 #include <refraster/files.h>
 #include <refraster/notes.h>
+#include <refraster/render.h>
 #include <refraster/scene.h>
 
 #include "app/arguments.h"
@@ -13,6 +14,7 @@
 #include "app/progress_line.h"
 #include "app/usage_error.h"
 #include "io/file/text.h"
+#include "io/scene/scene_source.h"
 #include "verify/compare/cluster_objects.h"
 #include "verify/compare/compare.h"
 #include "verify/compare/compare_report.h"
@@ -111,7 +113,8 @@ std::optional<SeenObjects> objects_of_scene(const CompareArguments& arguments, c
   SceneOptions reading = arguments.reading;
   reading.memory = memory;
   reading.notes = &notes;
-  return seen_objects(read_scene(arguments.scene, reading), found.width, found.height, memory);
+  const Scene scene = read_scene_source(arguments.scene, reading).placed(found.width, found.height);
+  return seen_objects(scene, found.width, found.height, memory);
 }
 
 /// What is seen in each cluster of the report.

@@ -2,15 +2,19 @@
 
 #include <refraster/files.h>
 #include <refraster/notes.h>
+#include <refraster/render.h>
 
 #include "app/arguments.h"
 #include "app/command.h"
 #include "app/diagnostics.h"
 #include "app/memory_limit.h"
+#include "app/options/picture_options.h"
+#include "app/options/scene_options.h"
 #include "app/options/shared_options.h"
 #include "app/output.h"
 #include "app/progress_line.h"
 #include "app/usage_error.h"
+#include "io/scene/scene_source.h"
 #include "verify/device/read_profile.h"
 #include "verify/explain/bounds_story.h"
 #include "verify/explain/explain_pixel.h"
@@ -28,10 +32,10 @@ namespace {
 struct ExplainArguments {
   std::string device, scene, actual, layer, json;
   int x = 0, y = 0;
-  std::optional<Size> size; // by default the actual image's
-  int samples = 1, lights = 3;
-  Transfer transfer = Transfer::linear;
+  PictureArguments picture; // of the size, by default the actual image's
+  int lights = 3;
   SceneOptions reading;
+  SceneChanges changes;
   std::uint64_t max_memory = 0;
   Diagnostics diagnostics;
 };
@@ -76,26 +80,31 @@ ExitCode run(const ExplainArguments& arguments) {
   NoteList notes;
   std::optional<ColourImage> actual;
   if (!arguments.actual.empty()) actual = read_actual(arguments, notes);
-  const Size size = arguments.size.value_or(actual ? Size{actual->colour.width, actual->colour.height} : Size{});
-  if (actual && size != Size{actual->colour.width, actual->colour.height})
-    throw UsageError("--size", std::to_string(size.width) + "x" + std::to_string(size.height),
-                     "the size of " + arguments.actual + ", " + std::to_string(actual->colour.width) + "x" +
-                         std::to_string(actual->colour.height));
-  check_pixel(arguments, size);
+  PictureArguments asked = arguments.picture;
+  if (actual) {
+    const Size its{actual->colour.width, actual->colour.height};
+    const Size size = asked.size.value_or(its);
+    if (size != its)
+      throw UsageError("--size", std::to_string(size.width) + "x" + std::to_string(size.height),
+                       "the size of " + arguments.actual + ", " + std::to_string(its.width) + "x" +
+                           std::to_string(its.height));
+    asked.size = size;
+    check_pixel(arguments, size);
+  }
 
   auto line = progress_line(arguments.diagnostics, "reading " + arguments.scene);
   SceneOptions reading = arguments.reading;
   reading.notes = &notes;
-  const Scene scene = read_scene(arguments.scene, reading);
+  SceneSource source = read_scene_source(arguments.scene, reading, arguments.changes.edits());
+  Picture picture = asked.over(source.view.picture);
+  // Floats hold linear values, unless they are said not to.
+  if (actual && actual->full_scale == 1) picture.transfer = asked.transfer.value_or(Transfer::linear);
+  const Scene scene = std::move(source).placed(picture.width, picture.height);
   line.reset(); // before anything is printed
   print_file_notes(notes, arguments.diagnostics);
-  const ExplainRequest request{arguments.x,
-                               arguments.y,
-                               size.width,
-                               size.height,
-                               arguments.samples,
-                               arguments.transfer,
-                               arguments.reading.memory};
+  check_pixel(arguments, {picture.width, picture.height});
+  const ExplainRequest request{arguments.x,    arguments.y,      picture.width,           picture.height,
+                               picture.samples, picture.transfer, arguments.reading.memory};
   PixelStory story = explain_pixel(
       scene, request, actual ? std::optional(actual_pixel(*actual, arguments.x, arguments.y)) : std::nullopt);
   story.scene = arguments.scene;
@@ -111,26 +120,20 @@ ExitCode run(const ExplainArguments& arguments) {
 Command explain_command() {
   const auto arguments = std::make_shared<ExplainArguments>();
   ExplainArguments& a = *arguments;
-  const auto set_size = [&a](const std::string& text) -> std::optional<ValueFault> {
-    a.size = size_from(text);
-    if (!a.size) return ValueFault{"WIDTHxHEIGHT, each 1 to " + std::to_string(largest_side)};
-    return std::nullopt;
-  };
   const Range places{0, double(largest_side - 1)};
   return {.name = "explain",
           .meaning = "Tell how a pixel comes about, from its triangles to its terms",
           .groups = {{"Scene",
-                      {scene_argument(a.scene), outside_option(a.reading.outside), cache_option(a.reading.mesh_cache)}},
+                      {scene_argument(a.scene), outside_option(a.reading.outside),
+                       exposure_option(a.reading.exposure_stops), cache_option(a.reading.mesh_cache)}},
                      {"Pixel",
                       {number_option("X", a.x, places, "column, from the left").required().by_default(""),
                        number_option("Y", a.y, places, "row, from the top").required().by_default(""),
-                       value_option("--size", "WxH", "pixels of the image; by default those of --actual, or 1280x720",
-                                    set_size),
-                       number_choice_option("--samples", a.samples, {1, 2, 4, 8, 16},
-                                            "samples a pixel, at the standard positions"),
-                       flag(
-                           "--srgb", [&a] { a.transfer = Transfer::srgb; },
-                           "levels are those of the sRGB curve: shown too, and those of --actual")}},
+                       size_option(a.picture, "pixels of the image, with --actual those of that image"),
+                       samples_option(a.picture, "samples a pixel, at the standard positions"),
+                       srgb_option(a.picture, "levels are those of the sRGB curve: shown too, and those of --actual"),
+                       linear_option(a.picture)}},
+                     scene_change_options(a.changes),
                      {"Another value",
                       {file_option("--actual", "FILE", a.actual,
                                    "image of another renderer (" + readable_formats() +
@@ -150,7 +153,7 @@ Command explain_command() {
           .finish = [arguments]() -> Action {
             if (!arguments->layer.empty() && arguments->actual.empty())
               throw UsageError("--layer", "found no --actual, whose layer it names");
-            if (arguments->size) check_pixel(*arguments, *arguments->size);
+            if (arguments->picture.size) check_pixel(*arguments, *arguments->picture.size);
             return [arguments] {
               arguments->reading.memory = set_memory_limit(arguments->max_memory, 1);
               return run(*arguments);

@@ -1,18 +1,22 @@
 // refraster gl SCENE
 
 #include <refraster/files.h>
+#include <refraster/render.h>
 
 #include "app/arguments.h"
 #include "app/command.h"
 #include "app/commands/probe_run.h"
 #include "app/diagnostics.h"
 #include "app/memory_limit.h"
+#include "app/options/picture_options.h"
+#include "app/options/scene_options.h"
 #include "app/options/shared_options.h"
 #include "app/output.h"
 #include "app/progress_line.h"
 #include "app/usage_error.h"
 #include "gl/gl_report.h"
 #include "gl/render_gl.h"
+#include "io/scene/scene_source.h"
 #include "raster/explain/explain_dark.h"
 
 #include <iostream>
@@ -23,8 +27,9 @@ namespace {
 
 struct GlArguments {
   std::string scene, output, radiance, depth, ids, json;
-  Size size;
+  PictureArguments picture;
   SceneOptions reading;
+  SceneChanges changes;
   std::uint64_t max_memory = 0;
   Diagnostics diagnostics;
   GlOptions options;
@@ -45,7 +50,7 @@ std::string why_dark(const Scene& scene, const GlOptions& options, const GlFrame
   if (frame.rgb8.empty() && frame.radiance.empty()) return {};
   RenderOptions view;
   view.width = options.width, view.height = options.height, view.samples = options.samples;
-  view.want_rgb8 = !frame.rgb8.empty();
+  view.want_rgb8 = !frame.rgb8.empty(), view.transfer = options.transfer;
   return explain_dark_image(scene, view, {frame.rgb8, frame.radiance}, std::nullopt);
 }
 
@@ -56,8 +61,6 @@ ExitCode run(const GlArguments& a) {
     if (!path.empty()) check_writable(path);
   prepare_cache(a.reading.mesh_cache);
   GlOptions options = a.options;
-  options.width = a.size.width;
-  options.height = a.size.height;
   options.want_rgb8 = !a.output.empty();
   options.want_radiance = !a.radiance.empty();
   options.want_depth = !a.depth.empty();
@@ -70,7 +73,11 @@ ExitCode run(const GlArguments& a) {
     SceneOptions reading = a.reading;
     reading.notes = &notes;
     auto line = progress_line(a.diagnostics, "reading " + a.scene);
-    const Scene scene = read_scene(a.scene, reading);
+    SceneSource source = read_scene_source(a.scene, reading, a.changes.edits());
+    const Picture picture = a.picture.over(source.view.picture);
+    options.width = picture.width, options.height = picture.height;
+    options.samples = picture.samples, options.transfer = picture.transfer;
+    const Scene scene = std::move(source).placed(options.width, options.height);
     line.reset(); // before anything is printed
     print_file_notes(notes, a.diagnostics);
     if (options.want_ids) check_triangle_numbers(a.scene, scene, "--ids");
@@ -101,7 +108,7 @@ void check_together(GlArguments& a) {
   if (!a.radiance.empty()) check_extension("--float", a.radiance, {float_rgb_image});
   if (!a.depth.empty()) check_extension("--depth", a.depth, {float_grey_image});
   if (!a.ids.empty()) check_extension("--ids", a.ids, {float_grey_image});
-  check_frame_samples(a.size.width, a.size.height, a.options.samples);
+  if (a.picture.size) check_frame_samples(a.picture.size->width, a.picture.size->height, a.picture.samples.value_or(1));
 }
 
 /// What is done instead of drawing a scene. Throws UsageError for what only a scene has.
@@ -128,7 +135,9 @@ Command gl_command() {
       .name = "gl",
       .meaning = "Make the image of a scene with OpenGL",
       .groups =
-          {{"Scene", {scene, outside_option(a.reading.outside), cache_option(a.reading.mesh_cache)}},
+          {{"Scene",
+            {scene, outside_option(a.reading.outside), exposure_option(a.reading.exposure_stops),
+             cache_option(a.reading.mesh_cache)}},
            {"Image",
             {file_option("-o,--output", "FILE.png", a.output,
                          "8-bit image to write, read back from an RGBA8 target; by default, if no other file is asked "
@@ -142,10 +151,13 @@ Command gl_command() {
              file_option("--ids", "FILE", a.ids,
                          "numbers of object and triangle to write, each counted from 1, 0 where nothing was drawn: " +
                              writable_extensions({float_grey_image})),
-             size_option(a.size),
-             number_choice_option("--samples", a.options.samples, {1, 2, 4, 8, 16},
-                                  "samples a pixel, where and as the driver resolves them; depth and ids are those of "
-                                  "sample 0")}},
+             size_option(a.picture),
+             samples_option(a.picture,
+                            "samples a pixel, where and as the driver resolves them; depth and ids are those of "
+                            "sample 0"),
+             srgb_option(a.picture, "read the 8-bit image back as floats, and apply the sRGB curve to them"),
+             linear_option(a.picture)}},
+           scene_change_options(a.changes),
            {"OpenGL",
             {enum_option("--renderer", a.options.renderer, "who draws; the software drivers are Mesa's"),
              enum_option("--merl-filter", a.options.merl_filter,

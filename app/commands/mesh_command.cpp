@@ -1,5 +1,5 @@
 // refraster mesh sphere | cube | plane | torus | knot: the shapes of a scene's "mesh", with the same parameters, as a
-// file.
+// file; and refraster mesh info: what is in one.
 
 #include <refraster/files.h>
 
@@ -8,6 +8,7 @@
 #include "app/options/shared_options.h"
 #include "app/output.h"
 #include "app/progress_line.h"
+#include "io/scene/model_facts.h"
 #include "io/scene/shape_mesh.h"
 
 #include <algorithm>
@@ -64,12 +65,52 @@ std::vector<Command> shape_commands(const std::variant<S...>*) {
   return {shape_command<S>()...};
 }
 
+struct InfoArguments {
+  std::string model, json;
+  SceneOptions reading;
+  std::uint64_t max_memory = 0;
+  Diagnostics diagnostics;
+};
+
+ExitCode print_info(const InfoArguments& a) {
+  check_different({a.json}, {a.model});
+  if (!a.json.empty()) check_writable(a.json);
+  NoteList notes;
+  SceneOptions reading = a.reading;
+  reading.notes = &notes;
+  auto line = progress_line(a.diagnostics, "reading " + a.model);
+  const ModelFacts facts = model_facts(a.model, reading);
+  line.reset(); // before anything is printed
+  print_file_notes(notes, a.diagnostics);
+  if (!a.json.empty()) write_text(a.json, model_facts_json(a.model, facts));
+  if (a.json != standard_output) std::cout << model_facts_text(facts);
+  return ExitCode::ok;
+}
+
+Command info_command() {
+  const auto arguments = std::make_shared<InfoArguments>();
+  InfoArguments& a = *arguments;
+  return {.name = "info",
+          .meaning = "What is in an OBJ file and the files it names, and what is missing",
+          .groups = {{"Mesh", {argument("FILE", a.model, "mesh, .obj"), outside_option(a.reading.outside)}},
+                     {"Run",
+                      {memory_option(a.max_memory),
+                       file_option("--json", "FILE", a.json, "write it as JSON; - is standard output"),
+                       strict_option(a.diagnostics), quiet_option(a.diagnostics)}}},
+          .finish = [arguments]() -> Action {
+            return [arguments] {
+              arguments->reading.memory = set_memory_limit(arguments->max_memory, 1);
+              return print_info(*arguments);
+            };
+          }};
+}
+
 } // namespace
 
 Command mesh_command() {
-  return {.name = "mesh",
-          .meaning = "Make a mesh and write it as OBJ",
-          .commands = shape_commands(static_cast<const Shape*>(nullptr))};
+  std::vector<Command> commands = shape_commands(static_cast<const Shape*>(nullptr));
+  commands.push_back(info_command());
+  return {.name = "mesh", .meaning = "Make a mesh and write it as OBJ, or look into one", .commands = commands};
 }
 
 } // namespace refraster

@@ -10,11 +10,14 @@
 #include "app/diagnostics.h"
 #include "app/interrupt.h"
 #include "app/memory_limit.h"
+#include "app/options/picture_options.h"
+#include "app/options/scene_options.h"
 #include "app/options/shared_options.h"
 #include "app/output.h"
 #include "app/progress_line.h"
 #include "app/run_report.h"
 #include "app/usage_error.h"
+#include "io/scene/scene_source.h"
 #include "raster/explain/explain_dark.h"
 #include "raster/stopwatch.h"
 
@@ -28,6 +31,7 @@ namespace {
 
 struct RenderArguments {
   std::string scene, output, report;
+  PictureArguments asked; // what of the next three does not follow from the scene
   Size size;
   std::optional<PixelRect> crop;
   std::string precision = "double";
@@ -35,18 +39,28 @@ struct RenderArguments {
   Transfer transfer = Transfer::linear;
   FrameFiles files;
   SceneOptions reading;
+  SceneChanges changes;
   std::uint64_t max_memory = 0;
   Diagnostics diagnostics;
 };
 
-/// What one option alone does not show.
-void check_together(RenderArguments& arguments) {
+/// Once the size is known.
+void check_crop(const RenderArguments& arguments) {
   const PixelRect part = arguments.crop.value_or(PixelRect{0, 0, arguments.size.width, arguments.size.height});
   if (part.width > arguments.size.width - part.x || part.height > arguments.size.height - part.y)
     throw UsageError("--crop", "reaches out of the image of " + std::to_string(arguments.size.width) + "x" +
                                    std::to_string(arguments.size.height) + " pixels");
   check_frame_samples(part.width, part.height, arguments.samples);
-  check_output(arguments.files, arguments.output, arguments.transfer, arguments.diagnostics);
+}
+
+/// What one option alone does not show.
+void check_together(RenderArguments& arguments) {
+  if (arguments.asked.size) {
+    arguments.size = *arguments.asked.size, arguments.samples = arguments.asked.samples.value_or(1);
+    check_crop(arguments);
+  }
+  check_output(arguments.files, arguments.output, arguments.asked.transfer.value_or(Transfer::linear),
+               arguments.diagnostics);
 }
 
 RenderOptions options_from(const RenderArguments& arguments) {
@@ -65,13 +79,23 @@ RenderOptions options_from(const RenderArguments& arguments) {
   return options;
 }
 
-/// The scene; the notes on its files are printed, and put into `said`.
-Scene scene_of(const RenderArguments& arguments, std::vector<std::string>& said) {
+/// The image that the scene says where no option does.
+void complete(RenderArguments& arguments, const Picture& of_scene) {
+  const Picture picture = arguments.asked.over(of_scene);
+  arguments.size = {picture.width, picture.height}, arguments.samples = picture.samples;
+  arguments.transfer = writes_radiance(arguments.files, arguments.output) ? Transfer::linear : picture.transfer;
+  check_crop(arguments);
+}
+
+/// The scene, placed for the image; the notes on its files are printed, and put into `said`.
+Scene scene_of(RenderArguments& arguments, std::vector<std::string>& said) {
   NoteList notes;
   auto line = progress_line(arguments.diagnostics, "reading " + arguments.scene);
   SceneOptions reading = arguments.reading;
   reading.notes = &notes;
-  Scene scene = read_scene(arguments.scene, reading);
+  SceneSource source = read_scene_source(arguments.scene, reading, arguments.changes.edits());
+  complete(arguments, source.view.picture);
+  Scene scene = std::move(source).placed(arguments.size.width, arguments.size.height);
   line.reset(); // before anything is printed
   print_file_notes(notes, arguments.diagnostics);
   for (const Note& note : notes.notes()) said.push_back(note.text());
@@ -100,7 +124,7 @@ std::vector<std::string> write_images(const Frame& frame, const RenderArguments&
   return write_frame(arguments.files, arguments.output, options_from(arguments), frame);
 }
 
-ExitCode run(const RenderArguments& arguments) {
+ExitCode run(RenderArguments& arguments) {
   std::vector<std::string> outputs = {arguments.output, arguments.report};
   for (const std::string& path : aov_paths(arguments.files, arguments.output)) outputs.push_back(path);
   check_different(outputs, {arguments.scene});
@@ -159,21 +183,22 @@ Command render_command() {
       .name = "render",
       .meaning = "Make the image of a scene",
       .groups =
-          {{"Scene", {scene_argument(a.scene), outside_option(a.reading.outside), cache_option(a.reading.mesh_cache)}},
+          {{"Scene",
+            {scene_argument(a.scene), outside_option(a.reading.outside), exposure_option(a.reading.exposure_stops),
+             cache_option(a.reading.mesh_cache)}},
            {"Image",
             {file_option("-o,--output", "FILE", a.output,
                          "image to write: " + output_forms() +
                              "; by default the scene's name with .png, in the current directory"),
-             size_option(a.size),
+             size_option(a.asked),
              value_option("--crop", "X,Y,W,H", "make only this part of the image, with the same pixels", set_crop),
              choice_option("--precision", a.precision, precision_names(),
                            "number type of shading; `refraster list precisions`"),
-             number_choice_option("--samples", a.samples, {1, 2, 4, 8, 16},
-                                  "samples a pixel, at the standard positions; shaded once a triangle"),
-             flag(
-                 "--srgb", [&a] { a.transfer = Transfer::srgb; }, "apply the sRGB curve (not to floats)")}},
+             samples_option(a.asked, "samples a pixel, at the standard positions; shaded once a triangle"),
+             srgb_option(a.asked, "apply the sRGB curve (not to floats)"), linear_option(a.asked)}},
            {"Files", {bits_option(a.files), quality_option(a.files), transparent_option(a.files)}},
            {"More images", aov_options(a.files)},
+           scene_change_options(a.changes),
            {"Run",
             {number_option("--threads", a.threads, Range{0, double(limit::threads.value)},
                            "threads; 0: as many as this machine has"),

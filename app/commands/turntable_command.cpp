@@ -10,6 +10,8 @@
 #include "app/diagnostics.h"
 #include "app/interrupt.h"
 #include "app/memory_limit.h"
+#include "app/options/picture_options.h"
+#include "app/options/scene_options.h"
 #include "app/options/shared_options.h"
 #include "app/output.h"
 #include "app/progress_line.h"
@@ -23,6 +25,7 @@
 #include "io/file/sha256.h"
 #include "io/json/json_writer.h"
 #include "io/scene/camera_path.h"
+#include "io/scene/scene_source.h"
 #include "raster/stopwatch.h"
 
 #include <filesystem>
@@ -39,12 +42,14 @@ constexpr double seconds_between_reports = 1; // what is lost if the process is 
 struct TurntableArguments {
   std::string scene, output, path, report;
   int frames = 72, rate = 24;
-  Size size;
+  PictureArguments asked;
+  Size size; // of the image, as asked or as the scene says it
   std::string precision = "double";
   int samples = 1, threads = 0;
   Transfer transfer = Transfer::linear;
   FrameFiles files;
   SceneOptions reading;
+  SceneChanges changes;
   std::uint64_t max_memory = 0;
   Diagnostics diagnostics;
 };
@@ -64,9 +69,9 @@ RenderOptions options_from(const TurntableArguments& a) {
 }
 
 void check_together(TurntableArguments& a) {
-  check_frame_samples(a.size.width, a.size.height, a.samples);
   if (is_film(a.output)) {
-    if (a.files.bits != 0 && a.files.bits != 8) throw UsageError("--bits", std::to_string(a.files.bits), "8, which a film has");
+    if (a.files.bits != 0 && a.files.bits != 8)
+      throw UsageError("--bits", std::to_string(a.files.bits), "8, which a film has");
     if (a.files.background == Background::transparent) throw UsageError("--transparent", "is for images, not for films");
     if (a.report.empty()) a.report = a.output + ".json";
     return;
@@ -75,28 +80,50 @@ void check_together(TurntableArguments& a) {
   if (!names)
     throw UsageError("--output", "\"" + a.output + "\"",
                      "one place for the number of a frame, as in out/####.png; or a film, as out.mp4");
-  check_output(a.files, names->name(0), a.transfer, a.diagnostics);
+  check_output(a.files, names->name(0), a.asked.transfer.value_or(Transfer::linear), a.diagnostics);
   if (a.report.empty()) a.report = names->report_name();
 }
 
-Scene scene_of(const TurntableArguments& a) {
+/// The scene, and the image that it says where no option does.
+SceneSource source_of(TurntableArguments& a) {
   NoteList notes;
   auto line = progress_line(a.diagnostics, "reading " + a.scene);
   SceneOptions reading = a.reading;
   reading.notes = &notes;
-  Scene scene = read_scene(a.scene, reading);
+  SceneSource source = read_scene_source(a.scene, reading, a.changes.edits());
   line.reset(); // before anything is printed
   print_file_notes(notes, a.diagnostics);
-  return scene;
+  const Picture picture = a.asked.over(source.view.picture);
+  a.size = {picture.width, picture.height}, a.samples = picture.samples;
+  const bool floats = !is_film(a.output) && writes_radiance(a.files, a.output);
+  a.transfer = floats ? Transfer::linear : picture.transfer;
+  return source;
+}
+
+std::vector<Camera> cameras_of(const SceneSource& source, const TurntableArguments& a) {
+  if (a.path.empty() && source.view.fit) return fitted_orbit(source, a.size.width, a.size.height, a.frames);
+  const Scene placed = SceneSource(source).placed(a.size.width, a.size.height);
+  if (a.path.empty()) return orbit(placed.camera, a.frames);
+  std::vector<Camera> cameras;
+  Scene scene = source.scene;
+  for (const PathCamera& one : read_cameras(a.path, placed.camera)) {
+    scene.camera = one.camera;
+    if (one.fit)
+      place(scene, {.fit = one.fit, .moving_point_lights = {}, .moving_direction_lights = {}, .picture = {}},
+            a.size.width, a.size.height);
+    cameras.push_back(scene.camera);
+  }
+  return cameras;
 }
 
 /// Of everything that decides what the frames' files hold.
-std::string settings_digest(const TurntableArguments& a, const Scene& scene, const std::vector<Camera>& cameras) {
+std::string settings_digest(const TurntableArguments& a, const SceneSource& source,
+                            const std::vector<Camera>& cameras) {
   JsonWriter json;
   json.object([&] {
     const BuildInfo build = this_build();
     json.member("version", build.version);
-    json.member("scene", scene_digest(a.scene, scene));
+    json.member("scene", scene_digest(a.scene, source.scene));
     json.member("size", std::vector<int>{a.size.width, a.size.height});
     json.member("precision", a.precision);
     json.member("samples", a.samples);
@@ -104,6 +131,11 @@ std::string settings_digest(const TurntableArguments& a, const Scene& scene, con
     json.member("bits", a.files.bits);
     json.member("quality", a.files.jpeg_quality);
     json.member("transparent", a.files.background == Background::transparent);
+    json.array("lights_of_camera_space", [&] {
+      for (const std::size_t i : source.view.moving_point_lights) json.value(i);
+      json.value("direction");
+      for (const std::size_t i : source.view.moving_direction_lights) json.value(i);
+    });
     json.array("cameras", [&] {
       for (const Camera& camera : cameras) {
         const auto& [position, target, up, fov_y, near, far] = camera;
@@ -118,18 +150,24 @@ std::string settings_digest(const TurntableArguments& a, const Scene& scene, con
 /// Renders one frame after the other, in the memory of the one before.
 class FrameMaker {
 public:
-  FrameMaker(Scene& scene, const TurntableArguments& a) : scene_(scene), options_(options_from(a)) {}
+  FrameMaker(SceneSource source, const TurntableArguments& a)
+      : source_(std::move(source)), scene_(source_.scene), options_(options_from(a)) {
+    source_.view.fit.reset(); // cameras are made already
+  }
 
   const RenderOptions& options() const { return options_; }
   /// Null if it was interrupted.
   const Frame* render(const Camera& camera) {
     scene_.camera = camera;
+    std::apply([&](auto... list) { ((scene_.*list = source_.scene.*list), ...); }, light_lists);
+    place(scene_, source_.view, options_.width, options_.height); // lights that move with it
     renderer_.render(scene_, options_, frame_);
     return frame_.cancelled || interrupted() ? nullptr : &frame_;
   }
 
 private:
-  Scene& scene_;
+  SceneSource source_;
+  Scene scene_;
   RenderOptions options_;
   Renderer renderer_;
   Frame frame_;
@@ -157,8 +195,8 @@ ExitCode make_frames(const TurntableArguments& a, const std::vector<Camera>& cam
                      FrameDigests& known) {
   const std::size_t there = take_known_frames(a.report, known), all = cameras.size();
   if (there > 0)
-    print_note(std::to_string(there) + " of " + std::to_string(all) +
-                   " frames are there, as " + a.report + " says, and are not made again",
+    print_note(std::to_string(there) + " of " + std::to_string(all) + " frames are there, as " + a.report +
+                   " says, and are not made again",
                a.diagnostics);
   const auto line = progress_line(a.diagnostics, "rendering " + std::to_string(all - there) + " frames");
   Stopwatch since_report;
@@ -182,7 +220,7 @@ ExitCode make_frames(const TurntableArguments& a, const std::vector<Camera>& cam
   return ExitCode::ok;
 }
 
-ExitCode run(const TurntableArguments& a) {
+ExitCode run(TurntableArguments& a) {
   const bool film = is_film(a.output);
   check_different({a.output, a.report}, {a.scene, a.path});
   if (const std::string folder = std::filesystem::path(a.output).parent_path(); !film && !folder.empty())
@@ -192,14 +230,13 @@ ExitCode run(const TurntableArguments& a) {
   check_writable(a.report);
   prepare_cache(a.reading.mesh_cache);
 
-  Scene scene = scene_of(a);
-  const std::vector<Camera> cameras =
-      a.path.empty() ? orbit(scene.camera, a.frames) : read_cameras(a.path, scene.camera);
+  SceneSource source = source_of(a);
+  const std::vector<Camera> cameras = cameras_of(source, a);
   if (interrupted()) return ExitCode::interrupted;
-  FrameDigests known{a.scene, settings_digest(a, scene, cameras), std::vector<std::string>(cameras.size()),
+  FrameDigests known{a.scene, settings_digest(a, source, cameras), std::vector<std::string>(cameras.size()),
                      std::vector<std::string>(cameras.size())};
   for (std::size_t i = 0; i < cameras.size() && !film; ++i) known.frames[i] = FrameNames::of(a.output)->name(i);
-  FrameMaker maker(scene, a);
+  FrameMaker maker(std::move(source), a);
   const ExitCode code = film ? make_film(a, cameras, maker, known) : make_frames(a, cameras, maker, known);
   if (code != ExitCode::ok) return code;
   if (film) std::cout << a.output << "\n";
@@ -215,39 +252,42 @@ Command turntable_command() {
   return {
       .name = "turntable",
       .meaning = "Make frames around a scene, or along a path of cameras",
-      .groups =
-          {{"Scene",
-            {scene_argument(a.scene), outside_option(a.reading.outside), cache_option(a.reading.mesh_cache),
-             number_option("--frames", a.frames, Range{1, max_frames},
-                           "of a whole turn around the camera's target, about its up"),
-             file_option("--camera-path", "FILE", a.path,
-                         "a JSON list of cameras, each as \"camera\" of a scene, one a frame; what one leaves out is as "
-                         "in the scene; in place of --frames")}},
-           {"Image",
-            {file_option("-o,--output", "FILE", a.output,
-                         "frames to write, with # for the digits of their numbers, which begin at 1, as out/####.png: " +
-                             output_forms() + "; or a film, as out.mp4, by ffmpeg")
-                 .required(),
-             size_option(a.size),
-             choice_option("--precision", a.precision, precision_names(),
-                           "number type of shading; `refraster list precisions`"),
-             number_choice_option("--samples", a.samples, {1, 2, 4, 8, 16},
-                                  "samples a pixel, at the standard positions; shaded once a triangle"),
-             flag(
-                 "--srgb", [&a] { a.transfer = Transfer::srgb; }, "apply the sRGB curve (not to floats)"),
-             number_option("--rate", a.rate, Range{1, 240}, "frames a second of a film")}},
-           {"Files", {bits_option(a.files), quality_option(a.files), transparent_option(a.files)}},
-           {"Run",
-            {number_option("--threads", a.threads, Range{0, double(limit::threads.value)},
-                           "threads; 0: as many as this machine has"),
-             memory_option(a.max_memory),
-             file_option("--report", "FILE", a.report,
-                         "what is known of the frames, as JSON, by which an interrupted run goes on; by default beside "
-                         "them"),
-             strict_option(a.diagnostics), quiet_option(a.diagnostics)}}},
-      .notes = {"Frames that are there and whole, as the report beside them says, are not made again: an interrupted run "
-                "goes on where it was. Another scene, other options or another version of the program begin anew. A "
-                "film is made as a whole."},
+      .groups = {{"Scene",
+                  {scene_argument(a.scene), outside_option(a.reading.outside),
+                   exposure_option(a.reading.exposure_stops), cache_option(a.reading.mesh_cache),
+                   number_option("--frames", a.frames, Range{1, max_frames},
+                                 "of a whole turn around the camera's target, about its up"),
+                   file_option(
+                       "--camera-path", "FILE", a.path,
+                       "a JSON list of cameras, each as \"camera\" of a scene, one a frame; what one leaves out is as "
+                       "in the scene; in place of --frames")}},
+                 {"Image",
+                  {file_option(
+                       "-o,--output", "FILE", a.output,
+                       "frames to write, with # for the digits of their numbers, which begin at 1, as out/####.png: " +
+                           output_forms() + "; or a film, as out.mp4, by ffmpeg")
+                       .required(),
+                   size_option(a.asked),
+                   choice_option("--precision", a.precision, precision_names(),
+                                 "number type of shading; `refraster list precisions`"),
+                   samples_option(a.asked, "samples a pixel, at the standard positions; shaded once a triangle"),
+                   srgb_option(a.asked, "apply the sRGB curve (not to floats)"), linear_option(a.asked),
+                   number_option("--rate", a.rate, Range{1, 240}, "frames a second of a film")}},
+                 {"Files", {bits_option(a.files), quality_option(a.files), transparent_option(a.files)}},
+                 scene_change_options(a.changes),
+                 {"Run",
+                  {number_option("--threads", a.threads, Range{0, double(limit::threads.value)},
+                                 "threads; 0: as many as this machine has"),
+                   memory_option(a.max_memory),
+                   file_option(
+                       "--report", "FILE", a.report,
+                       "what is known of the frames, as JSON, by which an interrupted run goes on; by default beside "
+                       "them"),
+                   strict_option(a.diagnostics), quiet_option(a.diagnostics)}}},
+      .notes =
+          {"Frames that are there and whole, as the report beside them says, are not made again: an interrupted run "
+           "goes on where it was. Another scene, other options or another version of the program begin anew. A "
+           "film is made as a whole."},
       .finish = [arguments]() -> Action {
         check_together(*arguments);
         return [arguments] {

@@ -2,11 +2,14 @@
 
 #include <refraster/files.h>
 #include <refraster/notes.h>
+#include <refraster/render.h>
 
 #include "app/arguments.h"
 #include "app/command.h"
 #include "app/diagnostics.h"
 #include "app/memory_limit.h"
+#include "app/options/picture_options.h"
+#include "app/options/scene_options.h"
 #include "app/options/shared_options.h"
 #include "app/output.h"
 #include "app/progress_line.h"
@@ -14,6 +17,7 @@
 #include "gl/context/driver_environment.h"
 #include "gl/render_gl.h"
 #include "io/file/sha256.h"
+#include "io/scene/scene_source.h"
 #include "raster/samples.h"
 #include "verify/device/read_profile.h"
 #include "verify/images/read_device_image.h"
@@ -37,10 +41,12 @@ struct VerifyArguments {
   std::string scene, actual, json, html, device;
   DeviceImageRequest image;
   SceneOptions reading;
+  SceneChanges changes;
   JudgeOptions judging;
   std::optional<ShaderMatrices> matrices;
   std::optional<GlRenderer> renderer;
-  std::optional<Size> size;
+  PictureArguments asked; // the size is for OpenGL
+  Picture picture;        // once the scene is read
   Source source = Source::file;
   std::vector<ClassLimit> limits;
   std::uint64_t max_memory = 0;
@@ -71,6 +77,9 @@ std::optional<ValueFault> add_limit(std::string_view text, std::vector<ClassLimi
 DeviceImage image_from_file(const VerifyArguments& a, VerdictReport& report) {
   DeviceImageRequest request = a.image;
   request.colour = a.actual;
+  // Floats hold linear values, unless they are said not to.
+  const bool is_float = format_to_write(a.actual, {float_rgb_image, float_grey_image}) != nullptr;
+  request.transfer = a.asked.transfer.value_or(is_float ? Transfer::linear : a.picture.transfer);
   request.memory = a.reading.memory;
   report.provenance.emplace_back("image sha256", file_sha256(a.actual));
   return read_device_image(request, report.notes);
@@ -89,12 +98,12 @@ DeviceImage image_from_opengl(const VerifyArguments& a, const Scene& scene, Verd
   const DeviceProfile& profile = report.profile;
   enter_environment(profile.environment);
   GlOptions options;
-  const Size size = a.size.value_or(Size{});
-  options.width = size.width, options.height = size.height;
+  options.width = a.picture.width, options.height = a.picture.height;
   options.samples = a.judging.samples;
   options.renderer = a.renderer.value_or(profile.renderer);
   const bool is_float = a.source == Source::opengl_float;
   options.want_rgb8 = !is_float, options.want_radiance = is_float;
+  if (!is_float) options.transfer = a.picture.transfer;
   options.want_ids = options.want_depth = a.judging.samples == 1;
   GlFrame frame = render_gl(scene, options);
   if (a.diagnostics.verbosity == Verbosity::normal)
@@ -111,6 +120,7 @@ DeviceImage image_from_opengl(const VerifyArguments& a, const Scene& scene, Verd
     image.colour = Image<float>(frame.rgb8.width, frame.rgb8.height, 3);
     std::copy(frame.rgb8.values.begin(), frame.rgb8.values.end(), image.colour.values.begin());
     image.precision = StoredPrecision::integers(255);
+    image.transfer = options.transfer;
   }
   image.ids = std::move(frame.ids), image.depth = std::move(frame.depth);
   if (a.judging.samples > 1)
@@ -156,13 +166,22 @@ ExitCode run(VerifyArguments& a) {
   SceneOptions reading = a.reading;
   reading.notes = &report.notes;
   auto line = progress_line(a.diagnostics, "reading " + a.scene);
-  const Scene scene = read_scene(a.scene, reading);
+  SceneSource source = read_scene_source(a.scene, reading, a.changes.edits());
+  Scene& scene = source.scene;
+  a.picture = a.asked.over(source.view.picture);
+  a.judging.samples = a.picture.samples;
   check_triangle_numbers(a.scene, scene, "verify");
   report.provenance.emplace_back("scene sha256", file_sha256(a.scene));
   DeviceImage image;
   try {
-    if (a.source != Source::file) line = progress_line(a.diagnostics, "drawing " + a.scene);
-    image = a.source == Source::file ? image_from_file(a, report) : image_from_opengl(a, scene, report);
+    if (a.source == Source::file) {
+      image = image_from_file(a, report);
+      place(scene, source.view, image.colour.width, image.colour.height);
+    } else {
+      line = progress_line(a.diagnostics, "drawing " + a.scene);
+      place(scene, source.view, a.picture.width, a.picture.height);
+      image = image_from_opengl(a, scene, report);
+    }
   } catch (const NoOpenGl& error) {
     line.reset();
     std::cerr << "refraster: " << error.what() << "\n";
@@ -204,7 +223,7 @@ void check_together(const VerifyArguments& a) {
   if (from_file && a.actual.empty()) throw UsageError("ACTUAL", "found no image to judge, expected one, or --gl");
   if (!from_file && !a.actual.empty())
     throw UsageError("ACTUAL", "found an image and --gl, which draws one: expected one of them");
-  if (from_file && a.size) throw UsageError("--size", "is for --gl; an image file has its own");
+  if (from_file && a.asked.size) throw UsageError("--size", "is for --gl; an image file has its own");
   if (from_file && a.renderer) throw UsageError("--renderer", "found no --gl, which it is for");
   if (!from_file && (!a.image.ids.empty() || !a.image.depth.empty()))
     throw UsageError(a.image.ids.empty() ? "--depth" : "--ids", "is for an image file; --gl reads its own");
@@ -233,18 +252,16 @@ Command verify_command() {
              word_option(
                  "--renderer", renderers, [&a](std::size_t i) { a.renderer = EnumNames<GlRenderer>::names[i].first; },
                  "who draws for --gl; by default the device's"),
-             parsed_option("--size", "WxH", a.size, size_from,
-                           "WIDTHxHEIGHT, each 1 to " + std::to_string(largest_side),
-                           "pixels that OpenGL draws; an image file has its own"),
-             outside_option(a.reading.outside), cache_option(a.reading.mesh_cache)}},
+             size_option(a.asked, "pixels that OpenGL draws; an image file has its own"),
+             outside_option(a.reading.outside), exposure_option(a.reading.exposure_stops),
+             cache_option(a.reading.mesh_cache)}},
+           scene_change_options(a.changes),
            {"Image",
             {file_option("--ids", "FILE", a.image.ids,
                          "what the device shows in each pixel: object and triangle, as gl --ids writes them"),
              file_option("--depth", "FILE", a.image.depth, "its window depth in [0, 1], as gl --depth writes it"),
-             number_choice_option("--samples", a.judging.samples, {1, 2, 4, 8, 16},
-                                  "a pixel, at the standard positions, shaded once a triangle"),
-             flag(
-                 "--srgb", [&a] { a.image.transfer = Transfer::srgb; }, "the image is stored with the sRGB curve"),
+             samples_option(a.asked, "a pixel, at the standard positions, shaded once a triangle"),
+             srgb_option(a.asked, "the image is stored with the sRGB curve"), linear_option(a.asked),
              flag(
                  "--flip-y", [&a] { a.image.rows = RowOrder::bottom_first; },
                  "the image's first row is the lowest, as OpenGL reads it back"),

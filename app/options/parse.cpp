@@ -60,7 +60,8 @@ Sorted sorted(const std::vector<const Option*>& options, const NamedCommand& nam
       continue;
     }
     CLI::Option* const added = parser.add_option(names, [](const CLI::results_t&) { return true; });
-    if (option->occurs == Occurs::repeatedly) added->expected(-1);
+    // An option is given once more for each further value: the words behind its first are arguments.
+    if (option->occurs == Occurs::repeatedly && option->is_argument()) added->expected(-1);
     added->multi_option_policy(CLI::MultiOptionPolicy::TakeAll); // one too many is reported here
     known.push_back(added);
   }

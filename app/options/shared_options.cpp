@@ -49,19 +49,20 @@ Option premultiplied_option(AlphaEncoding& encoding) {
 }
 
 Option scene_argument(std::string& path) {
-  return argument("SCENE", path, "scene file; docs/scene-format.md");
-}
-
-Option size_option(Size& size) {
-  return parsed_option("--size", "WxH", size, size_from, "WIDTHxHEIGHT, each 1 to " + std::to_string(largest_side),
-                       "pixels of the image")
-      .by_default("1280x720");
+  return argument("SCENE", path, "scene file, or an OBJ model; docs/scene-format.md, docs/models.md");
 }
 
 Option outside_option(Outside& outside) {
   return flag(
       "--allow-outside", [&outside] { outside = Outside::allowed; },
       "let the scene name files outside its own folder: only for scenes that you trust");
+}
+
+Option exposure_option(double& stops) {
+  constexpr double most = 64; // beyond, there is nothing to be seen but black and white
+  return number_option("--exposure", stops, Range{-most, most},
+                       "make the picture 2^EV times as bright: radiance is multiplied before it is cut off at 1 or "
+                       "encoded, EV in stops; AOVs stay as they are");
 }
 
 Option cache_option(std::string& folder) {

@@ -3,7 +3,6 @@
 
 #include <refraster/files.h>
 
-#include "app/arguments.h"
 #include "app/diagnostics.h"
 #include "app/options/option.h"
 #include "verify/images/image_pair.h"
@@ -17,11 +16,11 @@ namespace refraster {
 /// The argument SCENE.
 Option scene_argument(std::string& path);
 
-/// --size WxH.
-Option size_option(Size& size);
-
 /// --allow-outside, for the commands that read scenes.
 Option outside_option(Outside& outside);
+
+/// --exposure EV, for the commands that make or judge a picture of a scene.
+Option exposure_option(double& stops);
 
 /// --cache, for the commands that read scenes: a folder of large meshes that were read before. check_cache_folder.
 Option cache_option(std::string& folder);

@@ -3,13 +3,19 @@
 
 #include <refraster/scene.h>
 
+#include "io/scene/scene_source.h"
+
 #include <vector>
 
 namespace refraster {
 
 /// `frames` cameras, the first of which is `start`, the others turned about start.target around start.up by equal parts
-/// of a whole turn: counter-clockwise seen from the tip of `up`, so that the thing seems to turn clockwise. frames >= 1.
-/// The same bits on every machine.
+/// of a whole turn: counter-clockwise seen from the tip of `up`, so that the thing seems to turn clockwise. frames
+/// >= 1. The same bits on every machine.
 std::vector<Camera> orbit(const Camera& start, int frames);
+
+/// The same of a scene whose camera has a fit, for images of this size: every camera looks at the same point from the
+/// same distance, the least one from which every frame shows all; its planes hold all that its frame shows.
+std::vector<Camera> fitted_orbit(const SceneSource& source, int width, int height, int frames);
 
 } // namespace refraster

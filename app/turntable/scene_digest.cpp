@@ -48,11 +48,13 @@ public:
     add(material.fragment_function.index());
     std::visit([&](const auto& function) { add_function(function); }, material.fragment_function);
     for (const TextureSlot& slot : texture_slots) {
-      const auto& texture = material.*slot.texture;
-      add(texture != nullptr);
-      if (texture) add(*texture);
-      add(static_cast<int>(material.*slot.filter));
+      const TextureMap& map = material.*slot.map;
+      add(map.texture != nullptr);
+      if (map.texture) add(*map.texture);
+      add(static_cast<int>(map.filter)), add(static_cast<int>(map.wrap));
+      add(map.scale.x), add(map.scale.y), add(map.offset.x), add(map.offset.y);
     }
+    add(material.emissive);
   }
 
   std::string text() { return in_hexadecimal(sha256_.result()); }

@@ -46,7 +46,7 @@ std::size_t lights(const Scene& scene) {
 Scene without_textures(Scene scene) {
   for_each_material(scene, [](Material& material) {
     if (shows_texture(material))
-      for (const TextureSlot& slot : texture_slots) material.*slot.texture = nullptr;
+      for (const TextureSlot& slot : texture_slots) (material.*slot.map).texture = nullptr;
   });
   return scene;
 }
@@ -55,20 +55,13 @@ Scene with_textures(Scene scene) {
   const std::shared_ptr<const Texture> texture = small_texture();
   for_each_material(scene, [&](Material& material) {
     if (!shows_texture(material)) return;
-    for (const TextureSlot& slot : texture_slots) {
-      material.*slot.texture = texture;
-      material.*slot.filter = TextureFilter::bilinear;
-    }
+    material.diffuse_map = {.texture = texture};
   });
   return scene;
 }
 
 bool has_textures(const Scene& scene) {
-  return any_material(scene, [](const Material& material) {
-    return shows_texture(material) &&
-           std::any_of(texture_slots.begin(), texture_slots.end(),
-                       [&](const TextureSlot& slot) { return material.*slot.texture != nullptr; });
-  });
+  return any_material(scene, [](const Material& material) { return shows_texture(material) && is_textured(material); });
 }
 
 bool shows_textures(const Scene& scene) {

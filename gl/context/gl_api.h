@@ -86,6 +86,7 @@ namespace refraster {
   F(UNIFORM1I, Uniform1i)                                                                                              \
   F(UNIFORM1IV, Uniform1iv)                                                                                            \
   F(UNIFORM3FV, Uniform3fv)                                                                                            \
+  F(UNIFORM4FV, Uniform4fv)                                                                                            \
   F(UNIFORMBLOCKBINDING, UniformBlockBinding)                                                                          \
   F(UNIFORMMATRIX3FV, UniformMatrix3fv)                                                                                \
   F(UNIFORMMATRIX4FV, UniformMatrix4fv)                                                                                \

@@ -202,10 +202,10 @@ GlDrawing::Surface GlDrawing::surface(const Scene& scene, const Object& object, 
                                       const GlOptions& options, const Double4x4& clip_from_world, Item& item) {
   Surface surface;
   for (std::size_t i = 0; i < texture_slots.size(); ++i) {
-    const Texture* const texture = (object.material.*texture_slots[i].texture).get();
-    const TextureFilter filter = object.material.*texture_slots[i].filter;
-    surface.textures[i] =
-        texture ? once(textures_, {texture, filter}, [&] { return upload_texture(gl_, *texture, filter); }) : white_;
+    const TextureMap& map = object.material.*texture_slots[i].map;
+    surface.textures[i] = map.texture ? once(textures_, {map.texture.get(), map.filter, map.wrap},
+                                             [&] { return upload_texture(gl_, map); })
+                                      : white_;
   }
   if (const Merl* const merl = object.material.measured())
     surface.table = once(tables_, {merl->table.get(), merl->lookup}, [&] {

@@ -113,7 +113,7 @@ private:
   GLint largest_block_bytes_ = 0;
   // What several objects share.
   std::map<std::pair<const Mesh*, unsigned>, GLuint> meshes_; // by the attributes that are fed, too
-  std::map<std::pair<const Texture*, TextureFilter>, GLuint> textures_;
+  std::map<std::tuple<const Texture*, TextureFilter, TextureWrap>, GLuint> textures_;
   std::map<std::pair<const MerlTable*, MerlLookup>, GLuint> tables_;
   std::deque<Program> programs_;
   std::map<std::tuple<GLenum, GLuint, GLint>, GLuint> storage_; // buffers, by target, binding and size

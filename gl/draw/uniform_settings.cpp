@@ -30,6 +30,7 @@ struct Expected {
   std::string_view name;
   GLenum operator()(float) const { return GL_FLOAT; }
   GLenum operator()(const Float3&) const { return GL_FLOAT_VEC3; }
+  GLenum operator()(const Float4&) const { return GL_FLOAT_VEC4; }
   GLenum operator()(const Float3x3&) const { return GL_FLOAT_MAT3; }
   GLenum operator()(const Float4x4&) const { return GL_FLOAT_MAT4; }
   GLenum operator()(int) const {

@@ -64,8 +64,13 @@ UniformValues object_uniforms(const Object& object, const Double4x4& clip_from_w
   values["clipFromObject"] = Float4x4(transform.clip_from_object);
   values["normalMatrix"] = Float3x3(transform.world_from_normal);
   values["frontSign"] = is_mirrored(object) ? -1.0f : 1.0f;
-  for (std::size_t i = 0; i < texture_slots.size(); ++i)
-    values[std::string(texture_slots[i].sampler)] = static_cast<int>(i);
+  for (std::size_t i = 0; i < texture_slots.size(); ++i) {
+    const TextureSlot& slot = texture_slots[i];
+    const TextureMap& map = object.material.*slot.map;
+    values[std::string(slot.sampler)] = static_cast<int>(i);
+    values[std::string(slot.place)] = Float4(Float2(map.scale), Float2(map.offset));
+  }
+  values["emissive"] = Float3(object.material.emissive);
   if (object.material.user_function) {
     ParameterUniforms parameters(values);
     object.material.user_function->copy()->fields(parameters);
@@ -94,6 +99,7 @@ void set_uniform(const GlApi& gl, const UniformSetting& setting) {
     void operator()(float x) const { gl.Uniform1f(at, x); }
     void operator()(int x) const { gl.Uniform1i(at, x); }
     void operator()(const Float3& x) const { gl.Uniform3fv(at, 1, &x[0]); }
+    void operator()(const Float4& x) const { gl.Uniform4fv(at, 1, &x[0]); }
     void operator()(const Float3x3& x) const { gl.UniformMatrix3fv(at, 1, GL_FALSE, &x[0][0]); }
     void operator()(const Float4x4& x) const { gl.UniformMatrix4fv(at, 1, GL_FALSE, &x[0][0]); }
   };

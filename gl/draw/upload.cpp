@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <string>
+#include <utility>
 
 namespace refraster {
 namespace {
@@ -47,6 +49,13 @@ void add_level(const GlApi& gl, GLint level, const TextureLevel& image, GLenum f
                 values.data());
 }
 
+void add_float_level(const GlApi& gl, GLint level, const TextureLevel& image, double full_scale) {
+  std::vector<float> values(image.rgb.size());
+  std::transform(image.rgb.begin(), image.rgb.end(), values.begin(),
+                 [&](float value) { return static_cast<float>(static_cast<double>(value) / full_scale); });
+  gl.TexImage2D(GL_TEXTURE_2D, level, GL_RGB32F, image.width, image.height, 0, GL_RGB, GL_FLOAT, values.data());
+}
+
 } // namespace
 
 GLuint upload_mesh(const GlApi& gl, const Mesh& mesh, unsigned attributes) {
@@ -67,7 +76,8 @@ GLuint upload_mesh(const GlApi& gl, const Mesh& mesh, unsigned attributes) {
   return vertices;
 }
 
-GLuint upload_texture(const GlApi& gl, const Texture& texture, TextureFilter filter) {
+GLuint upload_texture(const GlApi& gl, const TextureMap& map) {
+  const Texture& texture = *map.texture;
   GLint most = 0;
   gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
   const TextureLevel& image = texture.levels.front();
@@ -77,15 +87,19 @@ GLuint upload_texture(const GlApi& gl, const Texture& texture, TextureFilter fil
                    " a side");
   const GLuint name = new_texture(gl, GL_TEXTURE_2D);
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  const std::size_t levels = filter == TextureFilter::trilinear ? texture.levels.size() : 1;
+  const std::size_t levels = map.filter == TextureFilter::trilinear ? texture.levels.size() : 1;
   for (std::size_t level = 0; level < levels; ++level) {
     const auto place = static_cast<GLint>(level);
-    if (texture.full_scale > 255) add_level<GLushort>(gl, place, texture.levels[level], GL_RGB16, GL_UNSIGNED_SHORT);
+    if (texture.full_scale != 255 && texture.full_scale != 65535)
+      add_float_level(gl, place, texture.levels[level], texture.full_scale);
+    else if (texture.full_scale > 255)
+      add_level<GLushort>(gl, place, texture.levels[level], GL_RGB16, GL_UNSIGNED_SHORT);
     else add_level<GLubyte>(gl, place, texture.levels[level], GL_RGB8, GL_UNSIGNED_BYTE);
   }
-  set(gl, GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
-  set(gl, GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);
-  const GLenum within = filter == TextureFilter::nearest ? GL_NEAREST : GL_LINEAR;
+  const GLenum beyond = map.wrap == TextureWrap::repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
+  set(gl, GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, beyond);
+  set(gl, GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, beyond);
+  const GLenum within = map.filter == TextureFilter::nearest ? GL_NEAREST : GL_LINEAR;
   set(gl, GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, within);
   set(gl, GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, levels > 1 ? GL_LINEAR_MIPMAP_LINEAR : within);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, static_cast<GLint>(levels) - 1);
@@ -93,9 +107,9 @@ GLuint upload_texture(const GlApi& gl, const Texture& texture, TextureFilter fil
 }
 
 GLuint upload_white(const GlApi& gl) {
-  Texture white;
-  white.levels.push_back({1, 1, {255, 255, 255}});
-  return upload_texture(gl, white, TextureFilter::nearest);
+  auto white = std::make_shared<Texture>();
+  white->levels.push_back({1, 1, {255, 255, 255}});
+  return upload_texture(gl, {.texture = std::move(white), .filter = TextureFilter::nearest});
 }
 
 GLuint upload_table(const GlApi& gl, const MerlTable& table, TableContent content, MerlLookup lookup) {

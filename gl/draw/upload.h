@@ -11,9 +11,10 @@ namespace refraster {
 /// them those whose bit is set in `attributes`.
 GLuint upload_mesh(const GlApi& gl, const Mesh& mesh, unsigned attributes);
 
-/// In RGB8 or RGB16, whichever holds the image's values exactly; repeating; with the mip levels that it has, rounded to
-/// that format. Throws NoOpenGl for one that is larger than this OpenGL's.
-GLuint upload_texture(const GlApi& gl, const Texture& texture, TextureFilter filter);
+/// In RGB8 or RGB16, whichever holds the image's values exactly, with the mip levels that it has, rounded to that
+/// format; or, of another full scale, in RGB32F, which holds decoded values as they are. Throws NoOpenGl for one that
+/// is larger than this OpenGL's. Its scale and offset are the shader's affair.
+GLuint upload_texture(const GlApi& gl, const TextureMap& map);
 
 /// One white texel: what a shader samples of an object without a texture.
 GLuint upload_white(const GlApi& gl);

@@ -95,9 +95,21 @@ void define(std::ostream& text, std::string_view name, bool wanted) {
   if (wanted) text << "#define " << name << "\n";
 }
 
+/// HAS_TEXTURE, and TEXTURE_AT for where it is read.
+void define_texture(std::ostream& text, const TextureSlot& slot, const TextureMap& map) {
+  if (!map.texture) return;
+  const bool moved = map.scale != Double2(1) || map.offset != Double2(0);
+  define(text, constant("HAS_", slot.name), true);
+  text << "#define " << constant("", slot.name) << "_AT ";
+  if (!moved) text << "fs_in(TexCoord)\n";
+  else
+    text << "(fs_in(TexCoord) * " << slot.place << ".xy + " << slot.place << ".zw)\nuniform vec4 " << slot.place
+         << "; // scale, offset\n";
+}
+
 void define_function(std::ostream& text, const PhongParameters& function, const Material& material, MerlFilter) {
-  for (const TextureSlot& slot : texture_slots)
-    define(text, constant("HAS_", slot.name), material.*slot.texture != nullptr);
+  for (const TextureSlot& slot : texture_slots) define_texture(text, slot, material.*slot.map);
+  define(text, "EMISSIVE", material.emissive != Double3(0));
   define(text, "SPECULAR", function.ks != Double3(0));
   define(text, "ZERO_GLOSSINESS", function.glossiness == 0);
   define(text, "SPECULAR_GATE", function.specular_gate == SpecularGate::cut_below_horizon);
@@ -148,7 +160,7 @@ std::vector<std::string_view> without_glsl(const Scene& scene, const Object& obj
       without.push_back(attribute.words);
   });
   for (const TextureSlot& slot : texture_slots)
-    if (object.material.*slot.texture && !has_own_glsl(slot)) without.push_back(slot.file_key);
+    if ((object.material.*slot.map).texture && !has_own_glsl(slot)) without.push_back(slot.key);
   for_each_light_list(scene, [&]<class Light>(const std::vector<Light>& lights) {
     if (!lights.empty() && !has_own_glsl(Light::names)) without.push_back(Light::names.words);
   });

@@ -1,18 +1,34 @@
 // shading/phong.h and shading/blinn_phong.h:
-//     ka t + sum over lights of (kd t <n.l> + ks highlight) C,     <x> = max(x, 0)
+//     ka t + emissive + sum over lights of (kd t <n.l> + ks highlight) C,     <x> = max(x, 0)
 //     Phong: highlight = <r.v>^s, r = 2 (n.l) n - l.     Blinn-Phong: highlight = <n.h>^s, h = (l + v) / |l + v|.
 uniform vec3 ka;
 uniform vec3 kd;
 uniform vec3 ks;
 uniform float glossiness;
+#ifdef EMISSIVE // emissive is not 0
+uniform vec3 emissive;
+#endif
+// Where each texture is read, TEXTURE_AT and so on, is defined above: at fs_in(TexCoord), or scaled and moved.
 #ifdef HAS_TEXTURE
 uniform sampler2D tex;
 #endif
+#ifdef HAS_SPECULAR_MAP
+uniform sampler2D specularTex;
+#endif
+#ifdef HAS_EMISSIVE_MAP
+uniform sampler2D emissiveTex;
+#endif
+
+vec3 specular_colour; // ks, times its texture: read once, for all lights
 
 vec3 surface_colour() {
+    specular_colour = ks;
+#ifdef HAS_SPECULAR_MAP
+    specular_colour *= texture(specularTex, SPECULAR_MAP_AT).rgb;
+#endif
     vec3 t = vec3(1.0);
 #ifdef HAS_TEXTURE
-    t = texture(tex, fs_in(TexCoord)).rgb;
+    t = texture(tex, TEXTURE_AT).rgb;
 #endif
 #ifdef HAS_COLOURS
     t *= max(fs_in(Color), 0.0);
@@ -20,8 +36,17 @@ vec3 surface_colour() {
     return t;
 }
 
+// With light of its own.
 vec3 ambient(vec3 t) {
-    return ka * t;
+    vec3 colour = ka * t;
+#ifdef EMISSIVE
+    vec3 own = emissive;
+#ifdef HAS_EMISSIVE_MAP
+    own *= texture(emissiveTex, EMISSIVE_MAP_AT).rgb;
+#endif
+    colour += own;
+#endif
+    return colour;
 }
 
 float highlight(vec3 n, vec3 v, vec3 l, float n_l) {
@@ -45,7 +70,7 @@ vec3 reflected(vec3 n, vec3 v, vec3 t, Incident light) {
     float n_l = dot(n, light.direction);
     vec3 colour = kd * t * max(n_l, 0.0);
 #ifdef SPECULAR // ks is not 0
-    colour += ks * highlight(n, v, light.direction, n_l);
+    colour += specular_colour * highlight(n, v, light.direction, n_l);
 #endif
     return colour * light.radiance;
 }

@@ -60,7 +60,8 @@ DetailFacts probe_detail(ProbeCanvas& canvas) {
     const std::vector<ProbeVertex> vertices = footprints(across);
     std::vector<double> detail(canvas.pixels());
     for (int level = 0; level < level_count - 1; ++level) {
-      upload_texture(canvas.gl(), split_after(level), TextureFilter::trilinear);
+      upload_texture(canvas.gl(), {.texture = std::make_shared<const Texture>(split_after(level)),
+                                   .filter = TextureFilter::trilinear});
       canvas.clear(0);
       canvas.draw(program, vertices);
       const std::vector<float> values = canvas.read_floats();

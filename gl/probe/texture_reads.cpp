@@ -49,7 +49,8 @@ Filtered filtered(const TextureLevel& level, double column, double row) {
 /// Reads red at a place in texels of level 0 for each pixel; `places` sets vec2 at, in GLSL.
 std::vector<float> reads(ProbeCanvas& canvas, const Texture& texture, TextureFilter filter, const std::string& places,
                          const std::string& lod) {
-  upload_texture(canvas.gl(), texture, filter); // which stays bound to unit 0, as samplers read
+  const std::shared_ptr<const Texture> unowned(std::shared_ptr<const Texture>(), &texture);
+  upload_texture(canvas.gl(), {.texture = unowned, .filter = filter}); // which stays bound to unit 0, as samplers read
   return canvas.evaluated(side, side,
                           pixel_number(side) + places + "    result = textureLod(tex, at / " +
                               std::to_string(texture.levels[0].width) + ".0, " + lod + ");\n",

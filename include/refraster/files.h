@@ -36,6 +36,7 @@ struct SceneOptions {
   /// has a copy, with its parameters.
   std::vector<std::shared_ptr<UserFunction>> user_functions = {};
   std::string mesh_cache = {}; ///< a folder of large meshes that were read before ; none if empty
+  double exposure_stops = 0;   ///< all that shines is multiplied by 2^stops: the picture is as many stops brighter
 };
 
 /// Reads a scene with every file that it names: meshes, textures, measured tables. A file named twice is loaded once.

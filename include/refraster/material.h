@@ -206,17 +206,26 @@ public:
   virtual void shade(const FragmentBatch& batch) const = 0;
 };
 
-/// What an object's surface is like.
+/// What an object's surface is like. The maps are read where `texture_slots` says.
 struct Material {
   FragmentFunction fragment_function = {};                ///< with its parameters
   std::shared_ptr<const UserFunction> user_function = {}; ///< shades instead of it, if not null
-  std::shared_ptr<const Texture> texture = {};            ///< null: white
-  TextureFilter texture_filter = TextureFilter::bilinear; ///< trilinear wants a texture with all its levels
+  TextureMap diffuse_map = {};                            ///< t of the formulas
+  TextureMap specular_map = {};                           ///< of Phong and Blinn-Phong: multiplies ks
+  TextureMap emissive_map = {};                           ///< of Phong and Blinn-Phong: multiplies `emissive`
+  /// Light of its own, of Phong and Blinn-Phong: added to the ambient term. Linear; each channel >= 0.
+  Double3 emissive{0};
 
   std::string name = {}; ///< for reports: of a file's its own
 
   /// What is measured of it; null if another function shades it.
   const Merl* measured() const { return user_function ? nullptr : std::get_if<Merl>(&fragment_function); }
+
+  /// Whether there is more to its fragments than the parameters of Phong or Blinn-Phong and t: a colour of highlights
+  /// that varies, or light of its own.
+  bool has_fragment_maps() const {
+    return (specular_map.texture || emissive != Double3(0)) && !user_function && !measured();
+  }
 
   /// Of what shades it.
   std::string_view function_name() const {
@@ -225,28 +234,59 @@ struct Material {
   }
 };
 
-/// A texture that a material may have, and how it is read. Where there is none, or no texture coordinates, it is white.
+/// A texture that a material may have. Where there is none, or no texture coordinates, it is white.
 struct TextureSlot {
-  std::shared_ptr<const Texture> Material::*texture = nullptr; ///< the member that holds it
-  TextureFilter Material::*filter = nullptr;                   ///< the member that says how it is read
-  std::string_view name = {};                                  ///< in faults and, in capitals, in our GLSL
-  std::string_view file_key = {};                              ///< in a scene file: its image
-  std::string_view filter_key = {};                            ///< and its filter; the member's value if left out
-  std::string_view sampler = {};                               ///< the uniform
-  std::string_view meaning = {};                               ///< of the image, for the documentation
+  TextureMap Material::*map = nullptr;     ///< the member that holds it
+  Double3 Material::*multiplied = nullptr; ///< the member that it multiplies, if the material itself has that
+  std::string_view name = {};              ///< in faults and, in capitals, in our GLSL
+  std::string_view key = {};               ///< in a scene file: a path, or an object with all that a TextureMap has
+  std::string_view file_key = {};          ///< the short form of it, its image; empty: there is none
+  std::string_view filter_key = {};        ///< beside that its filter; the member's value if left out
+  std::string_view sampler = {};           ///< the uniform
+  std::string_view place = {};             ///< the uniform of its scale and offset, in this order
+  std::string_view meaning = {};           ///< of the image, for the documentation
 };
-
-/// t of the formulas: the colour that the surface has everywhere else from its parameters alone.
-inline constexpr TextureSlot base_texture{&Material::texture,
-                                          &Material::texture_filter,
-                                          "texture",
-                                          "texture_file_path",
-                                          "texture_filter",
-                                          "tex",
-                                          "a `.png`, `.jpg`, `.tga` or `.bmp` image; not loaded for `merl`"};
 
 /// Every texture that a material may have. Scene files and their documentation, loading, checks and OpenGL's texture
 /// units follow from this list; what a texture's colour is for is in raster/shade/shade_packet.h.
-inline constexpr std::array texture_slots{base_texture};
+inline constexpr std::array texture_slots{
+    TextureSlot{&Material::diffuse_map, nullptr, "texture", "diffuse_map", "texture_file_path", "texture_filter", "tex",
+                "texPlace", "a `.png`, `.jpg`, `.tga` or `.bmp` image; not loaded for `merl`"},
+    TextureSlot{&Material::specular_map,
+                nullptr,
+                "specular_map",
+                "specular_map",
+                {},
+                {},
+                "specularTex",
+                "specularTexPlace",
+                "multiplies `ks`; for `phong` and `blinn_phong`"},
+    TextureSlot{&Material::emissive_map,
+                &Material::emissive,
+                "emissive_map",
+                "emissive_map",
+                {},
+                {},
+                "emissiveTex",
+                "emissiveTexPlace",
+                "multiplies `emissive`; for `phong` and `blinn_phong`"}};
+
+/// Calls visit(map) with each texture that the material has.
+void for_each_texture(auto& material, auto&& visit) {
+  for (const TextureSlot& slot : texture_slots)
+    if ((material.*slot.map).texture) visit(material.*slot.map);
+}
+
+/// Whether has(map) holds for any of them.
+bool any_texture(const Material& material, auto&& has) {
+  bool any = false;
+  for_each_texture(material, [&](const TextureMap& map) { any = any || has(map); });
+  return any;
+}
+
+/// Whether it has any.
+inline bool is_textured(const Material& material) {
+  return any_texture(material, [](const TextureMap&) { return true; });
+}
 
 } // namespace refraster

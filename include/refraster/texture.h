@@ -3,7 +3,9 @@
 
 #include <refraster/fields.h>
 #include <refraster/memory.h>
+#include <refraster/vector.h>
 
+#include <memory>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -21,6 +23,24 @@ struct EnumNames<TextureFilter> {
                                                                          {TextureFilter::trilinear, "trilinear"}};
 };
 
+/// What is seen beyond the image's edges: it again, or the texels of its edge.
+enum class TextureWrap { repeat, clamp };
+
+template <>
+struct EnumNames<TextureWrap> {
+  static constexpr std::pair<TextureWrap, std::string_view> names[] = {{TextureWrap::repeat, "repeat"},
+                                                                       {TextureWrap::clamp, "clamp"}};
+};
+
+/// What the numbers of an image file mean: values, or values by the curve of sRGB (IEC 61966-2-1).
+enum class ColourSpace { linear, srgb };
+
+template <>
+struct EnumNames<ColourSpace> {
+  static constexpr std::pair<ColourSpace, std::string_view> names[] = {{ColourSpace::linear, "linear"},
+                                                                       {ColourSpace::srgb, "srgb"}};
+};
+
 /// One image of a mip chain. Row 0 is at v = 0: the bottom row of the image file. At most 65536 texels a side
 /// and 2^28 in all.
 struct TextureLevel {
@@ -29,9 +49,10 @@ struct TextureLevel {
   PaddedVector<float> rgb; ///< 3 width height values, interleaved, in [0, full_scale]
 };
 
-/// Values as stored in the file: no sRGB decoding. Immutable after loading.
+/// Values as stored in the file, or what decode_srgb() has made of them. Immutable after loading.
 struct Texture {
-  double full_scale = 255;          ///< the stored value that means 1: 255 or 65535, exact in float
+  /// The stored value that means 1: 255 or 65535, exact in float; 1 where sRGB is decoded.
+  double full_scale = 255;
   std::vector<TextureLevel> levels; ///< level 0 is the image; more only where trilinear filtering asked for them
 };
 
@@ -40,5 +61,23 @@ struct Texture {
 /// texels, and for odd sides of up to 3 x 3 with the outer ones cut. Means are rounded to float once a level.
 /// Throws std::invalid_argument for another number of levels, or of values.
 void build_mip_levels(Texture& texture);
+
+/// Makes linear values, of which 1 means 1, of those of an sRGB image: each is decoded in double and rounded to float
+/// once. To be called before build_mip_levels(), so that means are those of light. Throws std::invalid_argument for a
+/// texture of more levels than one.
+void decode_srgb(Texture& texture);
+
+/// A texture as a material has it: an image, and how it is read. Its colour at the texture coordinates (u, v) is that
+/// of the image at (u, v) * scale + offset.
+struct TextureMap {
+  std::shared_ptr<const Texture> texture = {};    ///< null: white
+  TextureFilter filter = TextureFilter::bilinear; ///< trilinear wants a texture with all its levels
+  TextureWrap wrap = TextureWrap::repeat;         ///< beyond the image's edges
+  Double2 scale{1};                               ///< of texture coordinates; finite
+  Double2 offset{0};                              ///< added to them; finite
+
+  /// Whether the image is read otherwise than at the texture coordinates themselves, repeated.
+  bool is_placed() const { return wrap != TextureWrap::repeat || scale != Double2(1) || offset != Double2(0); }
+};
 
 } // namespace refraster

@@ -1,5 +1,7 @@
 #include "io/file/find_file.h"
 
+#include "io/file/input_file.h"
+
 #include <algorithm>
 #include <filesystem>
 #include <system_error>
@@ -34,6 +36,11 @@ std::string spelled_as_found(const fs::path& folder, const fs::path& path) {
 }
 
 } // namespace
+
+bool is_within(const std::string& path, const std::string& canonical_folder) {
+  const fs::path folder = canonical_folder, real = canonical_path(path);
+  return std::mismatch(folder.begin(), folder.end(), real.begin(), real.end()).first == folder.end();
+}
 
 FoundFile find_file(const std::string& folder, const std::string& beside, std::string_view written,
                     const std::function<bool(const std::string&)>& is_outside) {

@@ -7,6 +7,9 @@
 
 namespace refraster {
 
+/// Whether a path leads to a place within a folder, given by its canonical_path: symbolic links are followed.
+bool is_within(const std::string& path, const std::string& canonical_folder);
+
 /// How a file was found; or why not.
 enum class FoundBy {
   path,         // as it is written

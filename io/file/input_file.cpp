@@ -1,5 +1,7 @@
 #include "io/file/input_file.h"
 
+#include "math/large_memory.h"
+
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -95,7 +97,8 @@ void InputFile::read(std::uint64_t position, void* to, std::size_t size_bytes) c
 
 std::string read_file(const std::string& path, std::string_view expected, std::uint64_t limit_bytes) {
   const InputFile file(path, expected, limit_bytes);
-  std::string bytes(static_cast<std::size_t>(file.size_bytes()), '\0');
+  std::string bytes;
+  resize_in_large_pages(bytes, static_cast<std::size_t>(file.size_bytes()));
   file.read(0, bytes.data(), bytes.size());
   return bytes;
 }

@@ -214,7 +214,10 @@ const char* expected_syntax(rapidjson::ParseErrorCode code) {
 
 } // namespace
 
-JsonDocument::JsonDocument(std::string file, std::string text) : file_(std::move(file)), text_(std::move(text)) {
+JsonDocument::JsonDocument(std::string file, std::string text)
+    : JsonDocument(std::move(file), EditedText{std::move(text)}) {}
+
+JsonDocument::JsonDocument(std::string file, EditedText edited) : file_(std::move(file)), edited_(std::move(edited)) {
   if (text_.starts_with("\xef\xbb\xbf")) text_.replace(0, 3, "   "); // byte order mark
   if (const std::size_t zero = text_.find('\0'); zero != std::string::npos)
     throw InputError(fault_at(zero, "", "a zero byte", "text"));
@@ -271,9 +274,17 @@ std::string JsonDocument::describe(const JsonNode& node) const {
 InputFault JsonDocument::fault_at(std::size_t offset, std::string path, std::string found, std::string expected) const {
   InputFault fault;
   fault.file = file_;
-  const TextPlace place = place_in(text_, offset);
-  fault.line = place.line;
-  fault.column = place.column;
+  TextPart part;
+  for (const TextPart& one : edited_.parts)
+    if (one.begin <= offset) part = one;
+  if (part.origin.empty()) {
+    const TextPlace place =
+        place_in(edited_.parts.empty() ? text_ : edited_.file_text, part.source + (offset - part.begin));
+    fault.line = place.line;
+    fault.column = place.column;
+  } else {
+    fault.file = part.origin;
+  }
   fault.path = std::move(path);
   fault.found = std::move(found);
   fault.expected = std::move(expected);

@@ -1,10 +1,10 @@
 #include "io/mesh/obj_colours.h"
 
 #include "io/file/text.h"
+#include "io/mesh/obj_numbers.h"
 #include "shading/srgb_curve.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 
 namespace refraster {
@@ -46,7 +46,7 @@ std::vector<Float3> vertex_colours(const std::string& path, const ObjText& obj,
   for (std::size_t v = 0; v < of_v.size(); ++v) {
     const Float3& given = obj.colours[v];
     if (!has_colour(given)) continue;
-    if (!std::isfinite(given.x) || !std::isfinite(given.y) || !std::isfinite(given.z)) {
+    if (!is_finite(given)) {
       ++odd.not_finite;
       continue;
     }

@@ -3,6 +3,7 @@
 
 #include <refraster/files.h>
 
+#include "io/mesh/obj/polygon.h"
 #include "io/mesh/obj_text.h"
 
 #include <array>
@@ -12,20 +13,11 @@
 
 namespace refraster {
 
-/// The normal of a polygon, by Newell's sum of its corners' cross products.
-struct FaceNormal {
-  Double3 n{0};                // unit; 0 where it has no area beyond what rounding may have made of one
-  double error = 0;            // how far n may be from the normal of the file's polygon, whose coordinates were rounded
-  double arithmetic_error = 0; // how far n may be from the normal of the polygon as it is
-};
-FaceNormal face_normal(std::span<const Float3> polygon);
-
-/// How far rounding to float may have moved a point: half a unit in the last place of each coordinate.
-double rounding_of(const Float3& point);
+using FaceNormal = FaceNormalOf<double>;
 
 /// Which corners share a normal that is to be computed.
 struct SharedNormals {
-  std::vector<std::int32_t> number; // of each corner: counted from 0 in the order of the file; -1 where it has a vn
+  RawVector<std::int32_t> number; // of each corner: counted from 0 in the order of the file; -1 where it has a vn
   std::int32_t count = 0;
 };
 
@@ -37,11 +29,11 @@ SharedNormals shared_by_group(const ObjFaces& faces, std::span<const std::int32_
 /// there are. O(n) steps where few faces share an edge; of such steps 64 a corner are free, others are taken from
 /// `steps_left`. Where that is not enough, the result is empty, and so is `steps_left`.
 SharedNormals shared_by_crease(const ObjFaces& faces, std::span<const FaceNormal> normals, std::size_t vertices,
-                               double crease_degrees, std::uint64_t& steps_left);
+                               double crease_degrees, int threads, std::uint64_t& steps_left);
 
 /// Gives a normal to every corner without one, or, unless they are to come from the file, to every corner: appended to
 /// obj.vn, zero where the faces around have none or cancel. See read_obj. False if shared_by_crease ran out of steps.
-[[nodiscard]] bool add_missing_normals(ObjText& obj, const MeshNormals& wanted, std::uint64_t& steps_left);
+[[nodiscard]] bool add_missing_normals(ObjText& obj, const MeshNormals& wanted, int threads, std::uint64_t& steps_left);
 
 /// Cuts a polygon of n >= 3 corners into n - 2 triangles of its winding, indices into `polygon`: ears are clipped, in
 /// the plane of two axes that it covers most. A convex polygon becomes the fan of its first corner. Every corner is a
@@ -53,7 +45,8 @@ std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const Float3> po
 /// The same for one polygon of any size, however long it takes.
 std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const Float3> polygon);
 
-/// Along a polygon's normal, and twice its area long.
-Double3 area_vector(std::span<const Float3> polygon);
+/// Whether triangulate makes a polygon the fan of its first corner, told without its lists: false for one of more than
+/// eight corners, and where it is not plain to see.
+bool is_fan(std::span<const Float3> polygon);
 
 } // namespace refraster

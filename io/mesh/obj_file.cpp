@@ -2,9 +2,12 @@
 
 #include "io/file/input_file.h"
 #include "io/file/limits.h"
+#include "io/mesh/obj/weld.h"
 #include "io/mesh/obj_colours.h"
 #include "io/mesh/obj_faces.h"
-#include "io/mesh/triple_index.h"
+#include "io/mesh/obj_numbers.h"
+#include "math/large_memory.h"
+#include "raster/parallel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,21 +23,9 @@ namespace {
 /// proportion to the file: some five seconds. Any polygon of 10,000 corners keeps within them.
 constexpr std::uint64_t max_steps = std::uint64_t{1} << 29;
 
-InputError too_intricate(const std::string& path, std::size_t face, std::size_t corners) {
-  return InputError(InputFault{path, 0, 0, "face " + std::to_string(face + 1),
-                               "a polygon of " + std::to_string(corners) + " corners that takes too long to cut",
-                               "simpler polygons, or triangles"});
-}
-
-bool is_finite(const Float3& a) {
-  return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
-}
-bool is_finite(const Float2& a) {
-  return std::isfinite(a.x) && std::isfinite(a.y);
-}
-
 /// A vn or vt that is not finite stands for none; and a face has a vt at all corners, or at none.
 void drop_what_is_missing(ObjText& obj) {
+  if (!obj.has_not_finite && !obj.has_mixed_corners) return; // nearly always
   for (std::size_t f = 0; f < obj.faces.count(); ++f) {
     const auto corners = obj.faces.face(f);
     const auto has_vt = [&](const ObjCorner& corner) {
@@ -78,42 +69,22 @@ void note_rounding(const std::string& path, const ObjText& obj, NoteList& notes)
                  ": more than a thousandth of the mesh's size, " + three_digits(size)});
 }
 
-/// Triangles of all faces, and a vertex for each different (v, vt, vn), in the order in which they appear.
-std::vector<std::array<std::uint32_t, 3>> cut(const std::string& path, const ObjText& obj, TripleIndex& vertices,
-                                              std::uint64_t& steps_left) {
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::vector<Float3> polygon;
-  std::vector<std::uint32_t> names;
-  for (std::size_t f = 0; f < obj.faces.count(); ++f) {
-    polygon.clear();
-    names.clear();
-    for (const ObjCorner& corner : obj.faces.face(f)) {
-      polygon.push_back(obj.v[static_cast<std::size_t>(corner.v)]);
-      names.push_back(static_cast<std::uint32_t>(vertices({corner.v, corner.vt, corner.vn})));
-    }
-    if (polygon.size() == 3) {
-      triangles.push_back({names[0], names[1], names[2]});
-      continue;
-    }
-    const auto parts = triangulate(polygon, steps_left);
-    if (parts.empty()) throw too_intricate(path, f, polygon.size());
-    for (const auto& [a, b, c] : parts) triangles.push_back({names[a], names[b], names[c]});
-  }
-  return triangles;
-}
-
-/// Numbers those vertices first that have a vt.
-void put_textured_first(std::vector<TripleIndex::Triple>& vertices,
-                        std::vector<std::array<std::uint32_t, 3>>& triangles) {
+/// What vertices have.
+void add_points(const ObjText& obj, const RawVector<TripleIndex::Triple>& vertices, int threads, Mesh& mesh) {
   const auto has_vt = [](const TripleIndex::Triple& vertex) { return vertex[1] >= 0; };
-  if (std::is_partitioned(vertices.begin(), vertices.end(), has_vt)) return; // nearly always
-  std::vector<std::uint32_t> place(vertices.size());
-  std::uint32_t textured = 0;
-  auto plain = static_cast<std::uint32_t>(std::count_if(vertices.begin(), vertices.end(), has_vt));
-  for (std::size_t i = 0; i < vertices.size(); ++i) place[i] = has_vt(vertices[i]) ? textured++ : plain++;
-  std::stable_partition(vertices.begin(), vertices.end(), has_vt);
-  for (auto& triangle : triangles)
-    for (std::uint32_t& vertex : triangle) vertex = place[vertex];
+  const auto textured = std::partition_point(vertices.begin(), vertices.end(), has_vt) - vertices.begin();
+  resize_in_large_pages(mesh.positions, vertices.size());
+  resize_in_large_pages(mesh.normals, vertices.size());
+  resize_in_large_pages(mesh.uvs, static_cast<std::size_t>(textured));
+  constexpr std::size_t block = 1 << 14; // vertices that a thread takes at a time
+  parallel_for(threads, (vertices.size() + block - 1) / block, [&](std::size_t b, int) {
+    for (std::size_t i = b * block; i < std::min((b + 1) * block, vertices.size()); ++i) {
+      const auto& [v, vt, vn] = vertices[i];
+      mesh.positions[i] = obj.v[static_cast<std::size_t>(v)];
+      mesh.normals[i] = obj.vn[static_cast<std::size_t>(vn)];
+      if (vt >= 0) mesh.uvs[i] = obj.vt[static_cast<std::size_t>(vt)];
+    }
+  });
 }
 
 /// A face of n corners has become n - 2 triangles, in the order of the file.
@@ -136,9 +107,10 @@ Mesh read_obj(const std::string& path, const ObjOptions& options) {
   return mesh_of_obj(path, read_file(path, "an OBJ file", limit::obj_bytes.value), options);
 }
 
-Mesh mesh_of_obj(const std::string& path, std::string text, const ObjOptions& options) {
+Mesh mesh_of_obj(const std::string& path, std::string text, const ObjOptions& options, const ObjWork& work) {
   NoteList notes;
-  ObjText obj = parse_obj(path, std::move(text), notes);
+  const int threads = threads_of(work);
+  ObjText obj = parse_obj(path, std::move(text), notes, work);
   // Before the triangles are made: a polygon of n corners becomes n - 2. There are no more vertices than corners.
   if (const std::uint64_t triangles = obj.faces.corners.size() - 2 * obj.faces.count();
       triangles > limit::triangles.value)
@@ -149,25 +121,15 @@ Mesh mesh_of_obj(const std::string& path, std::string text, const ObjOptions& op
   drop_what_is_missing(obj);
   note_rounding(path, obj, notes);
   std::uint64_t steps_left = max_steps;
-  if (!add_missing_normals(obj, options.normals, steps_left))
+  if (!add_missing_normals(obj, options.normals, threads, steps_left))
     throw InputError(InputFault{path, 0, 0, "", "edges that so many faces share that smoothing takes too long",
                                 "smoothing groups, or normals (vn)"});
 
-  TripleIndex index(obj.faces.corners.size());
   Mesh mesh;
-  mesh.triangles = cut(path, obj, index, steps_left);
-  std::vector<TripleIndex::Triple> vertices = index.take_triples();
-  put_textured_first(vertices, mesh.triangles);
-  mesh.positions.reserve(vertices.size());
-  mesh.normals.reserve(vertices.size());
-  mesh.uvs.reserve(static_cast<std::size_t>(
-      std::count_if(vertices.begin(), vertices.end(), [](const auto& vertex) { return vertex[1] >= 0; })));
-  for (const auto& [v, vt, vn] : vertices) {
-    mesh.positions.push_back(obj.v[static_cast<std::size_t>(v)]);
-    mesh.normals.push_back(obj.vn[static_cast<std::size_t>(vn)]);
-    if (vt >= 0) mesh.uvs.push_back(obj.vt[static_cast<std::size_t>(vt)]);
-  }
-  mesh.colours = vertex_colours(path, obj, vertices, options.colours, notes);
+  WeldedFaces welded = weld(path, obj, threads, steps_left);
+  mesh.triangles = std::move(welded.triangles);
+  add_points(obj, welded.vertices, threads, mesh);
+  mesh.colours = vertex_colours(path, obj, welded.vertices, options.colours, notes);
   add_materials(obj, mesh);
   if (options.notes) options.notes->add(notes);
   return mesh;

@@ -3,11 +3,13 @@
 
 #include <refraster/files.h>
 
+#include "io/mesh/obj_text.h"
+
 #include <string>
 
 namespace refraster {
 
 /// read_obj for the text of such a file; `path` only names it in messages.
-Mesh mesh_of_obj(const std::string& path, std::string text, const ObjOptions& options = {});
+Mesh mesh_of_obj(const std::string& path, std::string text, const ObjOptions& options = {}, const ObjWork& work = {});
 
 } // namespace refraster

@@ -76,15 +76,25 @@ constexpr std::pair<std::string_view, ObjKeyword> keywords[] = {
 
 } // namespace
 
-void ObjNotes::append_to(NoteList& notes, const std::string& file) const {
-  std::vector<std::size_t> met;
+void ObjNotes::add(const ObjNotes& later) {
+  for (std::size_t kind = 0; kind < kinds_.size(); ++kind) {
+    if (kinds_[kind].count == 0) kinds_[kind].first = later.kinds_[kind].first;
+    kinds_[kind].count += later.kinds_[kind].count;
+  }
+}
+
+void ObjNotes::append_to(NoteList& notes, const std::string& file,
+                         const std::function<int(std::string_view)>& line_of) const {
+  struct Met {
+    std::size_t kind;
+    int line;
+  };
+  std::vector<Met> met;
   for (std::size_t kind = 0; kind < kinds_.size(); ++kind)
-    if (kinds_[kind].count > 0) met.push_back(kind);
-  std::stable_sort(met.begin(), met.end(),
-                   [&](std::size_t a, std::size_t b) { return kinds_[a].first.line < kinds_[b].first.line; });
-  for (const std::size_t kind : met)
-    notes.add(
-        {file, kinds_[kind].first.line, kinds_[kind].first.found, std::string(consequences[kind]), kinds_[kind].count});
+    if (kinds_[kind].count > 0) met.push_back({kind, line_of(kinds_[kind].first.where)});
+  std::stable_sort(met.begin(), met.end(), [](const Met& a, const Met& b) { return a.line < b.line; });
+  for (const auto& [kind, line] : met)
+    notes.add({file, line, kinds_[kind].first.found, std::string(consequences[kind]), kinds_[kind].count});
 }
 
 ObjKeyword obj_keyword(std::string_view word) {

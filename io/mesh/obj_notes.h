@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -34,9 +35,9 @@ enum class ObjRemark : std::uint8_t {
 /// The remarks on one file.
 class ObjNotes {
 public:
-  /// One more of a kind. `first()` is called for the first one only: gives its line and what was found.
+  /// One more of a kind. `first()` is called for the first one only: gives a part of the text, and what was found.
   struct First {
-    int line = 0;
+    std::string_view where;
     std::string found;
   };
   template <class MakeFirst>
@@ -45,8 +46,11 @@ public:
     if (of.count++ == 0) of.first = first();
   }
 
-  /// Appends one note a kind, in the order of their first lines.
-  void append_to(NoteList& notes, const std::string& file) const;
+  /// Those of what follows in the file.
+  void add(const ObjNotes& later);
+
+  /// Appends one note a kind, in the order of their first lines. `line_of`: of a part of the text.
+  void append_to(NoteList& notes, const std::string& file, const std::function<int(std::string_view)>& line_of) const;
 
 private:
   struct Kind {

@@ -4,6 +4,7 @@
 #include "io/file/number_text.h"
 #include "math/vec.h"
 
+#include <cmath>
 #include <string_view>
 
 namespace refraster {
@@ -19,5 +20,13 @@ NumberText read_coordinate(std::string_view word, float& value);
 /// at most, and the vertex before is no farther away than that size, if both are of the mesh. Few vertices of other
 /// meshes lie that close to each other.
 bool rounding_may_matter(const Float3& point, const Float3& before);
+
+/// Whether all coordinates are finite.
+template <glm::length_t N>
+bool is_finite(const glm::vec<N, float, glm::defaultp>& a) {
+  bool all = true;
+  for (glm::length_t c = 0; c < N; ++c) all = all && std::isfinite(a[c]);
+  return all;
+}
 
 } // namespace refraster

@@ -2,6 +2,7 @@
 
 #include "io/mesh/triple_index.h"
 #include "math/elementary/degrees.h"
+#include "raster/parallel.h"
 
 #include <algorithm>
 #include <numeric>
@@ -32,7 +33,9 @@ namespace {
 /// Disjoint sets of corners: each names one of its set, the first one itself.
 class Sets {
 public:
-  explicit Sets(std::size_t size) : above_(size) { std::iota(above_.begin(), above_.end(), 0u); }
+  explicit Sets(std::size_t size) : above_(size) {}
+  /// Alone in its set, as it must be before anything else is asked of it.
+  void make(std::uint32_t i) { above_[i] = i; }
   std::uint32_t first_of(std::uint32_t i) {
     while (above_[i] != i) i = above_[i] = above_[above_[i]]; // halves the path
     return i;
@@ -43,21 +46,34 @@ public:
   }
 
 private:
-  std::vector<std::uint32_t> above_;
+  RawVector<std::uint32_t> above_;
 };
 
+/// Of each corner, its face.
+class FacesOfCorners {
+public:
+  explicit FacesOfCorners(const ObjFaces& faces) {
+    if (faces.corners.size() == 3 * faces.count()) return; // all are triangles, having 3 corners at least
+    faces_.resize(faces.corners.size());
+    for (std::size_t f = 0; f < faces.count(); ++f)
+      std::fill(faces_.begin() + faces.begin[f], faces_.begin() + faces.begin[f + 1], static_cast<std::uint32_t>(f));
+  }
+  std::uint32_t operator[](std::uint32_t corner) const { return faces_.empty() ? corner / 3 : faces_[corner]; }
+
+private:
+  RawVector<std::uint32_t> faces_;
+};
+
+/// Joins the corners of a vertex. Those of different vertices may be joined at the same time.
 class Creases {
 public:
-  Creases(const ObjFaces& faces, std::span<const FaceNormal> normals, double crease_degrees, std::uint64_t& steps_left)
-      : faces_(faces), normals_(normals), min_cosine_(cos_degrees(crease_degrees)), steps_left_(steps_left),
-        sets_(faces.corners.size()), face_of_(faces.corners.size()) {
-    for (std::size_t f = 0; f < faces.count(); ++f)
-      std::fill(face_of_.begin() + faces.begin[f], face_of_.begin() + faces.begin[f + 1],
-                static_cast<std::uint32_t>(f));
-  }
+  Creases(const ObjFaces& faces, const FacesOfCorners& face_of, std::span<const FaceNormal> normals,
+          double crease_degrees, Sets& sets)
+      : faces_(faces), face_of_(face_of), normals_(normals), min_cosine_(cos_degrees(crease_degrees)), sets_(sets) {}
 
   /// `corners`: of one vertex, in the order of the file. False if steps run out.
-  bool join(std::span<const std::uint32_t> corners) {
+  bool join(std::span<const std::uint32_t> corners, std::uint64_t& steps_left) {
+    for (const std::uint32_t corner : corners) sets_.make(corner);
     edges_.clear();
     std::uint32_t first = 0; // of the corners of this face
     for (std::size_t k = 0; k < corners.size(); ++k) {
@@ -68,26 +84,38 @@ public:
       const std::uint32_t begin = faces_.begin[face], end = faces_.begin[face + 1];
       const std::int32_t vertex = faces_.corners[corner].v;
       for (const std::uint32_t other : {corner == begin ? end - 1 : corner - 1, corner + 1 == end ? begin : corner + 1})
-        if (faces_.corners[other].v != vertex) edges_.emplace_back(faces_.corners[other].v, first);
+        if (faces_.corners[other].v != vertex)
+          edges_.push_back(std::uint64_t{static_cast<std::uint32_t>(faces_.corners[other].v)} << 32 | first);
     }
-    std::sort(edges_.begin(), edges_.end());
+    sort_edges();
     edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
-    steps_ = 64 * corners.size() + steps_left_;
+    steps_ = 64 * corners.size() + steps_left;
     for (std::size_t i = 0, end = 0; i < edges_.size(); i = end) {
-      while (end < edges_.size() && edges_[end].first == edges_[i].first) ++end;
+      while (end < edges_.size() && edges_[end] >> 32 == edges_[i] >> 32) ++end;
       if (end - i == 1) continue;
-      if (end - i == 2) join_two(edges_[i].second, edges_[i + 1].second); // nearly always
+      if (end - i == 2) join_two(corner_of(edges_[i]), corner_of(edges_[i + 1])); // nearly always
       else join_all(i, end);
     }
     const bool enough = steps_ > 0;
-    steps_left_ = std::min(steps_left_, steps_);
+    steps_left = std::min(steps_left, steps_);
     return enough;
   }
 
-  std::uint32_t first_of(std::uint32_t corner) { return sets_.first_of(corner); }
-
 private:
   using Corners = std::vector<std::uint32_t>;
+
+  static std::uint32_t corner_of(std::uint64_t edge) { return static_cast<std::uint32_t>(edge); }
+
+  /// A vertex has some six edges, twice: to insert one by one is the fastest.
+  void sort_edges() {
+    if (edges_.size() > 32) return std::sort(edges_.begin(), edges_.end());
+    for (std::size_t i = 1; i < edges_.size(); ++i) {
+      const std::uint64_t edge = edges_[i];
+      std::size_t at = i;
+      for (; at > 0 && edges_[at - 1] > edge; --at) edges_[at] = edges_[at - 1];
+      edges_[at] = edge;
+    }
+  }
 
   bool join_two(std::uint32_t a, std::uint32_t b) {
     if (sets_.first_of(a) == sets_.first_of(b)) return true;
@@ -107,7 +135,7 @@ private:
       return std::tuple(n.x, n.y, n.z);
     };
     Corners corners;
-    for (std::size_t i = begin; i < end; ++i) corners.push_back(edges_[i].second);
+    for (std::size_t i = begin; i < end; ++i) corners.push_back(corner_of(edges_[i]));
     std::sort(corners.begin(), corners.end(), [&](std::uint32_t a, std::uint32_t b) { return normal(a) < normal(b); });
     const auto last = std::unique(corners.begin(), corners.end(), [&](std::uint32_t a, std::uint32_t b) {
       if (normal(a) != normal(b)) return false;
@@ -142,42 +170,96 @@ private:
   }
 
   const ObjFaces& faces_;
+  const FacesOfCorners& face_of_;
   std::span<const FaceNormal> normals_;
   double min_cosine_;
-  std::uint64_t& steps_left_;
+  Sets& sets_;
   std::uint64_t steps_ = 0; // of those at this vertex, what is left
-  Sets sets_;
-  std::vector<std::uint32_t> face_of_;
-  /// The vertex at the other end, and the face's first corner at this one.
-  std::vector<std::pair<std::int32_t, std::uint32_t>> edges_;
+  /// The vertex at the other end in the upper half, and the face's first corner at this one.
+  std::vector<std::uint64_t> edges_;
+};
+
+/// The corners without a vn, vertex by vertex, in the order of the file.
+class CornersOfVertices {
+public:
+  CornersOfVertices(const RawVector<ObjCorner>& corners, std::size_t vertices, std::size_t pieces)
+      : corners_(corners), vertices_(vertices), pieces_(pieces), begin_(vertices + 1) {}
+
+  /// Pieces are ranges of vertices. First all are counted, in parallel, then added up, then filled, in parallel.
+  void count(std::size_t piece) {
+    const auto [first, last] = range(piece);
+    std::fill(begin_.begin() + static_cast<std::ptrdiff_t>(first + 1),
+              begin_.begin() + static_cast<std::ptrdiff_t>(last + 1), 0u);
+    each(first, last, [&](std::uint32_t, std::size_t v) { ++begin_[v + 1]; });
+  }
+  void add_up() {
+    begin_[0] = 0;
+    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+    sorted_.resize(begin_.back());
+  }
+  void fill(std::size_t piece) {
+    const auto [first, last] = range(piece);
+    std::vector<std::uint32_t> next(begin_.begin() + static_cast<std::ptrdiff_t>(first),
+                                    begin_.begin() + static_cast<std::ptrdiff_t>(last));
+    each(first, last, [&, from = first](std::uint32_t i, std::size_t v) { sorted_[next[v - from]++] = i; });
+  }
+
+  std::pair<std::size_t, std::size_t> range(std::size_t piece) const {
+    return {vertices_ * piece / pieces_, vertices_ * (piece + 1) / pieces_};
+  }
+  std::span<const std::uint32_t> operator[](std::size_t v) const {
+    return std::span<const std::uint32_t>(sorted_).subspan(begin_[v], begin_[v + 1] - begin_[v]);
+  }
+
+private:
+  template <class Body>
+  void each(std::size_t first, std::size_t last, const Body& body) const {
+    for (std::uint32_t i = 0; i < corners_.size(); ++i) {
+      const auto v = static_cast<std::size_t>(corners_[i].v);
+      if (corners_[i].vn < 0 && v - first < last - first) body(i, v);
+    }
+  }
+
+  const RawVector<ObjCorner>& corners_;
+  std::size_t vertices_, pieces_;
+  RawVector<std::uint32_t> begin_, sorted_;
 };
 
 } // namespace
 
 SharedNormals shared_by_crease(const ObjFaces& faces, std::span<const FaceNormal> normals, std::size_t vertices,
-                               double crease_degrees, std::uint64_t& steps_left) {
-  const std::vector<ObjCorner>& corners = faces.corners;
-  // The corners of each vertex, by a counting sort.
-  std::vector<std::uint32_t> begin(vertices + 1);
-  for (const ObjCorner& corner : corners)
-    if (corner.vn < 0) ++begin[static_cast<std::size_t>(corner.v) + 1];
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1), sorted(begin.back());
-  for (std::uint32_t i = 0; i < corners.size(); ++i)
-    if (corners[i].vn < 0) sorted[next[static_cast<std::size_t>(corners[i].v)]++] = i;
+                               double crease_degrees, int threads, std::uint64_t& steps_left) {
+  const RawVector<ObjCorner>& corners = faces.corners;
+  const std::size_t pieces = std::clamp<std::size_t>(vertices / 1024, 1, static_cast<std::size_t>(threads));
+  CornersOfVertices at(corners, vertices, pieces);
+  parallel_for(threads, pieces, [&](std::size_t piece, int) { at.count(piece); });
+  at.add_up();
 
-  Creases creases(faces, normals, crease_degrees, steps_left);
-  for (std::size_t v = 0; v < vertices; ++v)
-    if (!creases.join(std::span(sorted).subspan(begin[v], begin[v + 1] - begin[v]))) {
-      steps_left = 0;
-      return {};
-    }
+  Sets sets(corners.size());
+  const FacesOfCorners face_of(faces);
+  // Those for which the steps that are free do not suffice take the others one after the other.
+  std::vector<std::vector<std::size_t>> intricate(pieces);
+  parallel_for(threads, pieces, [&](std::size_t piece, int) {
+    at.fill(piece);
+    Creases creases(faces, face_of, normals, crease_degrees, sets);
+    const auto [first, last] = at.range(piece);
+    for (std::size_t v = first; v < last; ++v)
+      if (std::uint64_t none = 0; !at[v].empty() && !creases.join(at[v], none)) intricate[piece].push_back(v);
+  });
+  Creases creases(faces, face_of, normals, crease_degrees, sets);
+  for (const std::vector<std::size_t>& of_piece : intricate)
+    for (const std::size_t v : of_piece)
+      if (!creases.join(at[v], steps_left)) {
+        steps_left = 0;
+        return {};
+      }
 
   SharedNormals shared;
-  shared.number.assign(corners.size(), -1);
+  shared.number.resize(corners.size());
   for (std::uint32_t i = 0; i < corners.size(); ++i) {
+    shared.number[i] = -1;
     if (corners[i].vn >= 0) continue;
-    const std::uint32_t first = creases.first_of(i); // not after i, so that it has its number
+    const std::uint32_t first = sets.first_of(i); // not after i, so that it has its number
     shared.number[i] = first == i ? shared.count++ : shared.number[first];
   }
   return shared;

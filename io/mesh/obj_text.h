@@ -3,6 +3,7 @@
 
 #include <refraster/notes.h>
 
+#include "io/mesh/obj/raw_vector.h"
 #include "math/vec.h"
 
 #include <cstdint>
@@ -28,8 +29,8 @@ struct ObjCorner {
 };
 
 struct ObjFaces {
-  std::vector<ObjCorner> corners;         // of all faces, one after the other
-  std::vector<std::uint32_t> begin = {0}; // of each face its first corner; then the number of corners
+  RawVector<ObjCorner> corners;         // of all faces, one after the other
+  RawVector<std::uint32_t> begin = {0}; // of each face its first corner; then the number of corners
 
   std::size_t count() const { return begin.size() - 1; }
   std::span<ObjCorner> face(std::size_t i) { return std::span(corners).subspan(begin[i], begin[i + 1] - begin[i]); }
@@ -54,12 +55,13 @@ struct ObjName {
 };
 
 struct ObjText {
-  std::vector<Float3> v, vn; // a v that a face uses is finite; a vn or vt that is not stands for none
-  std::vector<Float2> vt;
+  RawVector<Float3> v, vn; // a v that a face uses is finite; a vn or vt that is not stands for none
+  RawVector<Float2> vt;
   ObjFaces faces;                          // each index is one of a point that is there, or -1
-  std::vector<std::int32_t> smoothing;     // of each face
+  std::vector<std::int32_t> smoothing;     // of each face; empty if there is no `s`
   bool has_smoothing = false;              // whether there is any `s`
   bool has_not_finite = false;             // whether any vn or vt is not finite
+  bool has_mixed_corners = false;          // whether some corners of any face have a vt or vn, others none
   std::vector<ObjName> material_libraries; // each `mtllib`, which may name several files
   std::vector<ObjName> material_names;     // of `usemtl`, each once, in the order of the file
   std::vector<MaterialRun> material_runs;
@@ -70,8 +72,16 @@ struct ObjText {
   std::vector<MovedVertex> moved;
 };
 
+/// How the work is shared. It changes nothing of what comes out.
+struct ObjWork {
+  int threads = 0;             // 0: all
+  std::size_t chunk_bytes = 0; // text that is read at a time; 0: as is good for so many threads
+};
+
+int threads_of(const ObjWork& work);
+
 /// Throws InputError with all faults of the text, each with line and column. `file` only names it in messages. What is
 /// unusual but read, or not read, goes to `notes`.
-ObjText parse_obj(const std::string& file, std::string text, NoteList& notes);
+ObjText parse_obj(const std::string& file, std::string text, NoteList& notes, const ObjWork& work = {});
 
 } // namespace refraster

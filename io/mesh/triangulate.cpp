@@ -1,6 +1,7 @@
 #include "io/mesh/obj_faces.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -13,15 +14,20 @@ double turn(const Double2& a, const Double2& b, const Double2& c) {
 }
 
 /// The polygon along the axis that its normal is nearest to, turning left. For a polygon without area: any axis.
-std::vector<Double2> flattened(std::span<const Float3> polygon) {
-  const Double3 n = area_vector(polygon);
+void flatten(std::span<const Float3> polygon, std::span<Double2> flat) {
+  // As area_vector has it, which would need the polygon in double.
+  const Double3 origin(polygon[0]);
+  Double3 n(0.0);
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
+    n += cross(Double3(polygon[i]) - origin, Double3(polygon[i + 1]) - origin);
   int axis = std::abs(n.x) > std::abs(n.y) ? 0 : 1;
   if (std::abs(n.z) >= std::abs(n[axis])) axis = 2;
   const int u = (axis + 1) % 3, v = (axis + 2) % 3; // right-handed: u x v points along the axis
-  std::vector<Double2> result;
-  result.reserve(polygon.size());
-  for (const Float3& p : polygon) result.push_back(n[axis] < 0 ? Double2(p[v], p[u]) : Double2(p[u], p[v]));
-  return result;
+  const bool turned = n[axis] < 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Float3& p = polygon[i];
+    flat[i] = turned ? Double2(p[v], p[u]) : Double2(p[u], p[v]);
+  }
 }
 
 /// Ear clipping: Meisters, "Polygons have ears", 1975; what a clipped ear changes is only its two neighbours, O'Rourke,
@@ -126,7 +132,9 @@ private:
 
 std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const Float3> polygon, std::uint64_t& steps_left) {
   const std::uint64_t free = 64 * std::uint64_t{polygon.size()};
-  EarClipper clipper(flattened(polygon), free + steps_left);
+  std::vector<Double2> flat(polygon.size());
+  flatten(polygon, flat);
+  EarClipper clipper(std::move(flat), free + steps_left);
   auto triangles = clipper.run();
   steps_left = std::min(steps_left, clipper.steps_left());
   return triangles;
@@ -135,6 +143,19 @@ std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const Float3> po
 std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const Float3> polygon) {
   std::uint64_t any_cut = std::numeric_limits<std::uint64_t>::max() / 2;
   return triangulate(polygon, any_cut);
+}
+
+bool is_fan(std::span<const Float3> polygon) {
+  const std::size_t n = polygon.size();
+  std::array<Double2, 8> flat;
+  if (n > flat.size()) return false;
+  flatten(polygon, std::span(flat).first(n));
+  // Without a reflex corner every convex one is an ear; and so is the second, third … once those before are clipped.
+  for (std::size_t i = 0; i < n; ++i)
+    if (!(turn(flat[(i + n - 1) % n], flat[i], flat[(i + 1) % n]) > 0)) return false;
+  for (std::size_t i = 2; i + 2 < n; ++i)
+    if (!(turn(flat[0], flat[i], flat[i + 1]) > 0)) return false;
+  return true;
 }
 
 } // namespace refraster

@@ -7,7 +7,7 @@
 
 namespace refraster {
 
-std::vector<Camera> read_cameras(const std::string& path, const Camera& otherwise) {
+std::vector<PathCamera> read_cameras(const std::string& path, const Camera& otherwise) {
   const JsonDocument document(path, read_file(path, "a list of cameras", JsonDocument::max_bytes));
   FaultList faults;
   const auto fail = [&](const JsonNode& node, std::string place) {
@@ -18,16 +18,18 @@ std::vector<Camera> read_cameras(const std::string& path, const Camera& otherwis
     faults.add(document.fault_at(root.begin, "", document.describe(root), "a list of cameras"));
     faults.throw_if_any();
   }
-  std::vector<Camera> cameras;
+  std::vector<PathCamera> cameras;
   for (JsonIndex i = root.first_child; i; i = document[i].next) {
     const std::string place = "/" + std::to_string(cameras.size());
-    Camera& camera = cameras.emplace_back(otherwise);
+    PathCamera& camera = cameras.emplace_back(PathCamera{otherwise, {}});
     if (document[i].kind != JsonKind::object) {
       fail(document[i], place);
       continue;
     }
     SceneReader reader(document, i, place, faults);
-    camera_keys(camera, reader);
+    SceneView view;
+    camera_keys(camera.camera, view, reader);
+    camera.fit = view.fit;
     reader.finish();
   }
   faults.throw_if_any();

@@ -7,6 +7,7 @@
 #include "io/file/limits.h"
 #include "io/file/text.h"
 #include "io/mesh/mtl_file.h"
+#include "io/scene/material_texture.h"
 #include "io/scene/mtl_material.h"
 
 #include <algorithm>
@@ -115,30 +116,38 @@ void FileMaterials::describe(const std::string& obj_path, Mesh& mesh) {
       note({obj_path, 0, "the material " + in_quotes(material.name), "drawn in grey: no library describes it"});
 }
 
-std::shared_ptr<const Texture> FileMaterials::texture(const MeshTexture& map, const MeshMaterial& material,
-                                                      const std::string& obj_path) {
-  if (map.path.empty()) return nullptr;
+TextureMap FileMaterials::map(const MeshTexture& described, ColourSpace colour_space, const MeshMaterial& material,
+                              const std::string& obj_path) {
+  TextureMap result;
+  if (described.path.empty()) return result;
+  result.filter = TextureFilter::trilinear; // as a stranger's texture may be any size
+  result.wrap = described.clamp ? TextureWrap::clamp : TextureWrap::repeat;
+  result.scale = described.scale, result.offset = described.offset;
   const std::string folder = folder_of(material.file), beside = folder_of(obj_path);
-  FoundFile found = find_file(folder, beside, map.path, is_outside_);
+  FoundFile found = find_file(folder, beside, described.path, is_outside_);
   if (found.path.empty())
-    if (const FoundFile shorter = find_file(folder, beside, without_comment(map.path), is_outside_);
+    if (const FoundFile shorter = find_file(folder, beside, without_comment(described.path), is_outside_);
         !shorter.path.empty())
       found = shorter;
   if (const std::string what = consequence(found, "it"); !what.empty())
-    note({material.file, map.line, "the texture " + in_quotes(map.path), what});
-  if (found.path.empty()) return nullptr;
-  const auto [entry, is_new] = textures_.try_emplace(canonical_path(found.path));
-  if (!is_new) return entry->second;
-  try {
-    auto texture = std::make_shared<Texture>(read_texture(found.path, memory_, notes_));
-    memory_.need(texture->levels.front().rgb.size() * sizeof(float) / 3, found.path); // 1/4 + 1/16 + …
-    build_mip_levels(*texture);
-    entry->second = std::move(texture);
-  } catch (const InputError& error) {
-    note(
-        {found.path, 0, error.faults().front().found, "drawn without it: expected " + error.faults().front().expected});
-  }
-  return entry->second;
+    note({material.file, described.line, "the texture " + in_quotes(described.path), what});
+  if (found.path.empty()) return result;
+  const auto [entry, is_new] = textures_.try_emplace({canonical_path(found.path), colour_space});
+  if (is_new) try {
+      entry->second = material_texture(found.path, colour_space, MipLevels::all, memory_, notes_);
+    } catch (const InputError& error) {
+      note({found.path, 0, error.faults().front().found,
+            "drawn without it: expected " + error.faults().front().expected});
+    }
+  result.texture = entry->second;
+  return result;
+}
+
+TextureFiles FileMaterials::texture_files() const {
+  TextureFiles files;
+  for (const auto& [file, texture] : textures_)
+    if (texture) files.emplace(texture.get(), TextureFile{file.first, file.second});
+  return files;
 }
 
 const std::vector<Material>& FileMaterials::materials(const std::string& obj_path, const Mesh& mesh,
@@ -148,8 +157,11 @@ const std::vector<Material>& FileMaterials::materials(const std::string& obj_pat
   for (const MeshMaterial& described : mesh.materials) {
     Material& material = entry->second.emplace_back(with_function(phong_parameters(described), function));
     material.name = described.name;
-    material.texture = texture(described.diffuse_map, described, obj_path);
-    material.texture_filter = TextureFilter::trilinear; // as a stranger's texture may be any size
+    // Colours of images are those of screens, where they are looked at; what weighs a highlight is a value.
+    material.diffuse_map = map(described.diffuse_map, ColourSpace::srgb, described, obj_path);
+    material.specular_map = map(described.specular_map, ColourSpace::linear, described, obj_path);
+    material.emissive_map = map(described.emissive_map, ColourSpace::srgb, described, obj_path);
+    material.emissive = emissive_colour(described);
     if (notes_) note_what_is_not_shown(described, *notes_);
   }
   return entry->second;

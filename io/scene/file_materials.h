@@ -6,10 +6,13 @@
 #include <refraster/mesh.h>
 #include <refraster/notes.h>
 
+#include "io/scene/scene_source.h"
+
 #include <functional>
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace refraster {
@@ -31,14 +34,17 @@ public:
   /// What a mesh's materials are drawn with, by their number, with their textures. The mesh must live on.
   const std::vector<Material>& materials(const std::string& obj_path, const Mesh& mesh, FileFunction function);
 
+  /// Where the textures of all these are from.
+  TextureFiles texture_files() const;
+
   /// What is drawn with that names no material, or one that no library describes.
   static Material plain(FileFunction function);
 
 private:
   const std::vector<MeshMaterial>& library(const std::string& path);
   void read_libraries(const std::string& obj_path, const MaterialLibrary& named, Mesh& mesh);
-  std::shared_ptr<const Texture> texture(const MeshTexture& map, const MeshMaterial& material,
-                                         const std::string& obj_path);
+  TextureMap map(const MeshTexture& described, ColourSpace colour_space, const MeshMaterial& material,
+                 const std::string& obj_path);
   void note(Note note) const {
     if (notes_) notes_->add(std::move(note));
   }
@@ -46,8 +52,9 @@ private:
   std::function<bool(const std::string&)> is_outside_;
   MemoryBudget memory_;
   NoteList* notes_;
-  std::map<std::string, std::vector<MeshMaterial>> libraries_;     // by identity
-  std::map<std::string, std::shared_ptr<const Texture>> textures_; // by identity; null: it cannot be read
+  std::map<std::string, std::vector<MeshMaterial>> libraries_; // by identity
+  /// By identity and how it is decoded; null: it cannot be read.
+  std::map<std::pair<std::string, ColourSpace>, std::shared_ptr<const Texture>> textures_;
   std::map<std::pair<const Mesh*, FileFunction>, std::vector<Material>> materials_;
 };
 

@@ -33,11 +33,15 @@ PhongParameters phong_parameters(const MeshMaterial& material) {
   }
   result.ka = ambient_light_of_files * (says_nothing(material.ambient) ? diffuse : *material.ambient);
   result.kd = diffuse;
-  result.ks = material.specular.value_or(Double3(0));
+  result.ks = material.specular.value_or(Double3(material.specular_map.path.empty() ? 0 : 1));
   result.glossiness = material.exponent.value_or(default_exponent);
   // An exponent of 0 would be a highlight wherever light arrives: files that have it mean none.
   if (material.illumination == 1 || result.glossiness == 0) result.ks = Double3(0);
   return result;
+}
+
+Double3 emissive_colour(const MeshMaterial& material) {
+  return material.emissive.value_or(Double3(material.emissive_map.path.empty() ? 0 : 1));
 }
 
 void note_what_is_not_shown(const MeshMaterial& material, NoteList& notes) {
@@ -54,15 +58,13 @@ void note_what_is_not_shown(const MeshMaterial& material, NoteList& notes) {
     note("Pr or Pm", "drawn by Kd, Ks and Ns: roughness and metalness are read, but no fragment function uses them");
   if (!material.ambient_map.path.empty() && material.ambient_map.path != material.diffuse_map.path)
     note("map_Ka", "read without map_Ka: ambient light is coloured by map_Kd");
-  if (material.diffuse_map.channel != 0 && material.diffuse_map.channel != 'm')
-    note("-imfchan", "read without -imfchan: a colour has all channels");
+  for (const MeshTexture* const map : {&material.diffuse_map, &material.specular_map, &material.emissive_map})
+    if (map->channel != 0 && map->channel != 'm') note("-imfchan", "read without -imfchan: a colour has all channels");
   const auto unshown = [&](const MeshTexture& map, const char* what) {
     if (!map.path.empty()) note(what, "read, but not shown yet");
   };
-  unshown(material.specular_map, "map_Ks"), unshown(material.emissive_map, "map_Ke");
   unshown(material.dissolve_map, "map_d"), unshown(material.bump_map, "map_Bump");
   unshown(material.normal_map, "norm");
-  if (material.emissive.value_or(Double3(0)) != Double3(0)) note("Ke", "read, but not shown yet");
 }
 
 } // namespace refraster

@@ -14,6 +14,9 @@ inline constexpr double ambient_light_of_files = 0.1;
 /// The parameters of Phong and Blinn-Phong, in double and linear. Without textures.
 PhongParameters phong_parameters(const MeshMaterial& material);
 
+/// Light of its own, linear, without texture.
+Double3 emissive_colour(const MeshMaterial& material);
+
 /// Notes what the file says of a material and no fragment function shows, each kind once.
 void note_what_is_not_shown(const MeshMaterial& material, NoteList& notes);
 

@@ -5,6 +5,7 @@
 #include "io/file/text_kind.h"
 #include "io/image/image_formats.h"
 #include "io/scene/example_scene.h"
+#include "io/scene/model_scene.h"
 
 #include <algorithm>
 #include <array>
@@ -81,6 +82,9 @@ std::optional<Kind> kind_of_statements(std::string_view text) {
   return std::nullopt;
 }
 
+/// How much of a file is looked at.
+constexpr std::size_t prefix_bytes = std::size_t{1} << 16;
+
 /// Whether the text may be JSON with comments: then what is wrong with it is said of its JSON.
 bool may_be_json(std::string_view text) {
   if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
@@ -129,20 +133,14 @@ std::string advice_for(const Kind& kind, const std::string& path) {
   const std::string scene = one_line(scene_path_beside(path)), file_name = fs::path(path).filename().string();
   const std::string shown_name = one_line(file_name);
   switch (kind.use) {
-  case Use::obj: {
-    const Box box = obj_vertex_box(path).value_or(Box{Double3(-1), Double3(1)});
-    return "A scene names meshes, and says what they are made of, where lights are and where the camera is.\nThis one "
-           "shows " +
-           shown_name + "; save it as " + scene + " and name that instead:\n\n" + example_scene(file_name, box) + "\n" +
+  case Use::obj:
+    return "A file whose name ends in .obj is shown as it is. For another name, this scene shows " + shown_name +
+           "; save it as " + scene + " and name that instead:\n\n" + model_scene_text(as_utf8(file_name)) + "\n" +
            keys_hint;
-  }
   case Use::other_mesh: {
     const std::string converted = one_line(fs::path(file_name).replace_extension(".obj").string());
     return "Meshes are read from OBJ files: convert it with Blender, MeshLab or assimp (assimp export " + shown_name +
-           " " + converted + ").\nThis scene shows " + converted + "; save it as " + scene +
-           " and name that instead. If the camera does not fit, name\n" + converted +
-           " as a scene: that prints one whose camera does.\n\n" +
-           example_scene(converted, Box{Double3(-1), Double3(1)}) + "\n" + keys_hint;
+           " " + converted + "),\nand name " + converted + " in the place of a scene.\n";
   }
   case Use::texture:
     return "In a scene, the key \"texture_file_path\" of a material names an image. `refraster compare` compares "
@@ -177,6 +175,10 @@ std::string scenes_in(const std::string& folder) {
 
 } // namespace
 
+bool holds_json(const std::string& path) {
+  return may_be_json(read_prefix(path, prefix_bytes));
+}
+
 std::optional<InputError> not_a_scene(const std::string& path) {
   constexpr std::string_view expected = "a scene file";
   std::error_code error;
@@ -190,7 +192,6 @@ std::optional<InputError> not_a_scene(const std::string& path) {
   if (!fs::is_regular_file(status)) return std::nullopt;
   const std::uint64_t size_bytes = file_size_bytes(path);
   if (size_bytes == 0) return InputError(folder_or_empty, small_scene());
-  constexpr std::size_t prefix_bytes = std::size_t{1} << 16;
   const std::string prefix = read_prefix(path, prefix_bytes);
   const std::optional<Kind> kind = kind_of(path, prefix, size_bytes);
   if (!kind) return std::nullopt;

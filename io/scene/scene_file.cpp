@@ -1,15 +1,21 @@
 #include <refraster/files.h>
 
 #include "io/brdf/merl_file.h"
+#include "io/file/find_file.h"
 #include "io/file/input_file.h"
 #include "io/file/nearest.h"
 #include "io/file/text.h"
 #include "io/mesh/mesh_cache.h"
 #include "io/mesh/mesh_normals.h"
 #include "io/scene/file_materials.h"
+#include "io/scene/material_texture.h"
+#include "io/scene/model_scene.h"
 #include "io/scene/not_a_scene.h"
+#include "io/scene/scene_edits.h"
 #include "io/scene/scene_reader.h"
+#include "io/scene/scene_source.h"
 #include "io/scene/shape_mesh.h"
+#include "scene/exposure.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -24,9 +30,12 @@ namespace fs = std::filesystem;
 /// Everything that the objects name, loaded or made. Each file is loaded once, and its faults are reported once.
 class Loader {
 public:
-  /// `faults`: of the scene file; `in_files`: of those that it names.
-  Loader(const JsonDocument& document, const SceneOptions& options, FaultList& faults, FaultList& in_files)
-      : document_(document), options_(options), folder_(fs::path(document.file()).parent_path()),
+  /// `model`: the identity of the file that the user named in the place of a scene, or empty; `faults`: of the scene
+  /// file; `in_files`: of those that it names.
+  Loader(const JsonDocument& document, std::string model, const SceneOptions& options, FaultList& faults,
+         FaultList& in_files)
+      : document_(document), options_(options), model_(std::move(model)),
+        folder_(fs::path(document.file()).parent_path()),
         real_folder_(canonical_path(folder_.empty() ? "." : folder_.string())), faults_(faults), in_files_(in_files),
         file_materials_([this](const std::string& path) { return is_outside(path); }, options.memory, options.notes) {}
 
@@ -40,10 +49,9 @@ public:
   }
 
   void note_textures(const ObjectText& text) {
-    for (std::size_t i = 0; i < texture_slots.size(); ++i)
-      if (const PathText& file = text.texture_files[i];
-          !file.given.empty() && text.object.material.*texture_slots[i].filter == TextureFilter::trilinear)
-        trilinear_.insert(canonical_path(path_of(file)));
+    for (const MapText& map : text.maps)
+      if (!map.path.given.empty() && map.map.filter == TextureFilter::trilinear)
+        trilinear_.insert(canonical_path(path_of(map.path)));
   }
 
   Object object(const ObjectText& text) {
@@ -66,6 +74,14 @@ public:
     return result;
   }
 
+  /// Where all textures are from.
+  TextureFiles texture_files() const {
+    TextureFiles files = file_materials_.texture_files();
+    for (const auto& [file, texture] : textures_)
+      if (texture) files.emplace(texture.get(), TextureFile{file.first, value_named<ColourSpace>(file.second).value()});
+    return files;
+  }
+
 private:
   /// What a material that is described in the scene names.
   void load_material(const ObjectText& text, Material& material) {
@@ -77,9 +93,11 @@ private:
             return read_merl(path);
           });
     else
-      for (std::size_t i = 0; i < texture_slots.size(); ++i)
-        material.*texture_slots[i].texture = texture(text.texture_files[i]);
-    for (const PathText& path : text.texture_files) note_backslashes(path);
+      for (std::size_t i = 0; i < texture_slots.size(); ++i) {
+        TextureMap& map = material.*texture_slots[i].map;
+        map = text.maps[i].map, map.texture = texture(text.maps[i]);
+      }
+    for (const MapText& map : text.maps) note_backslashes(map.path);
     note_backslashes(text.brdf_file);
   }
 
@@ -136,15 +154,12 @@ private:
     return {};
   }
 
-  std::shared_ptr<const Texture> texture(const PathText& file) {
-    return load(textures_, file, "an image", [&](const std::string& path) {
-      auto texture = std::make_shared<Texture>(read_texture(path, options_.memory, options_.notes));
-      if (trilinear_.contains(canonical_path(path))) {
-        options_.memory.need(texture->levels.front().rgb.size() * sizeof(float) / 3, path); // 1/4 + 1/16 + …
-        build_mip_levels(*texture);
-      }
-      return texture;
-    });
+  std::shared_ptr<const Texture> texture(const MapText& map) {
+    const auto read = [&](const std::string& path) {
+      const MipLevels levels = trilinear_.contains(canonical_path(path)) ? MipLevels::all : MipLevels::none;
+      return material_texture(path, map.colour_space, levels, options_.memory, options_.notes);
+    };
+    return load(textures_, map.path, "an image", read, std::string(name_of(map.colour_space)));
   }
 
   std::shared_ptr<const Mesh> mesh(const ObjectText& text) {
@@ -169,9 +184,7 @@ private:
     const auto triangles = static_cast<std::uint32_t>(mesh.triangles.size());
     for (std::uint32_t i = 0; i < triangles;) {
       const MaterialRange range = material_range(object, i);
-      const bool textured = std::any_of(texture_slots.begin(), texture_slots.end(), [&](const TextureSlot& slot) {
-        return range.material->*slot.texture != nullptr;
-      });
+      const bool textured = is_textured(*range.material);
       for (; i < range.end_triangle; ++i) without += textured && !has_uvs(mesh, mesh.triangles[i]);
     }
     if (without > 0 && untextured_.insert(canonical_path(path_of(text.obj_file))).second)
@@ -238,6 +251,11 @@ private:
                               "a path within it, or --allow-outside");
   }
 
+  /// The key that a texture's path stands at.
+  static std::string_view map_key(const TextureSlot& slot, const MapText& map) {
+    return map.path.json_path.ends_with(slot.file_key) && !slot.file_key.empty() ? slot.file_key : slot.key;
+  }
+
   /// A material may name a file that its own fragment function has no use for: then its picture may surprise.
   void note_what_is_not_read(const ObjectText& text) const {
     if (!options_.notes) return;
@@ -249,9 +267,17 @@ private:
                            std::string(key) + ' ' + in_quotes(path.given),
                            "not read: the fragment function " + std::string(material.function_name()) + why});
     };
-    if (!measured) return note("brdf_file_path", text.brdf_file, " uses no measured table");
-    for (std::size_t i = 0; i < texture_slots.size(); ++i)
-      note(texture_slots[i].file_key, text.texture_files[i], " shows no texture");
+    if (material.emissive != Double3(0) && (measured || material.user_function))
+      options_.notes->add({document_.file(), 0, "emissive of " + in_quotes(material.function_name()),
+                           "not used: only phong and blinn_phong have light of their own"});
+    if (!measured) note("brdf_file_path", text.brdf_file, " uses no measured table");
+    for (std::size_t i = 0; i < texture_slots.size(); ++i) {
+      const TextureSlot& slot = texture_slots[i];
+      const std::string_view key = map_key(slot, text.maps[i]);
+      if (measured) note(key, text.maps[i].path, " shows no texture");
+      else if (material.user_function && slot.map != &Material::diffuse_map)
+        note(key, text.maps[i].path, " shows no other texture than the diffuse one");
+    }
   }
 
   std::string plain_path_of(const PathText& text) const {
@@ -270,9 +296,8 @@ private:
   }
   bool is_outside(const std::string& path) const {
     if (options_.outside == Outside::allowed) return false;
-    const fs::path real = canonical_path(path);
-    return std::mismatch(real_folder_.begin(), real_folder_.end(), real.begin(), real.end()).first !=
-           real_folder_.end();
+    // The model may be a link, but to what the user named.
+    return !is_within(path, real_folder_) && (model_.empty() || canonical_path(path) != model_);
   }
   std::shared_ptr<const Mesh> shape(const Shape& wanted) {
     for (const auto& [made, mesh] : shapes_)
@@ -286,7 +311,9 @@ private:
 
   const JsonDocument& document_;
   const SceneOptions& options_;
-  fs::path folder_, real_folder_;
+  std::string model_;
+  fs::path folder_;
+  std::string real_folder_;
   FaultList &faults_, &in_files_;
   MeshCounts sum_;
   Files<Mesh> meshes_;
@@ -303,11 +330,18 @@ private:
 } // namespace
 
 Scene read_scene(const std::string& path, const SceneOptions& options) {
-  if (auto error = not_a_scene(path)) throw std::move(*error);
-  options.memory.need(2 * std::min<std::uint64_t>(file_size_bytes(path), JsonDocument::max_bytes), path);
-  const JsonDocument document(path, read_file(path, "a scene file", JsonDocument::max_bytes));
+  SceneSource source = read_scene_source(path, options);
+  const Picture& picture = source.view.picture;
+  return std::move(source).placed(picture.width, picture.height);
+}
+
+SceneSource read_scene_source(const std::string& path, const SceneOptions& options,
+                              const std::vector<SceneEdit>& edits) {
+  const std::string model = is_model(path) ? canonical_path(path) : std::string();
+  const JsonDocument document(path, edited_text(path, scene_text(path, options.memory), edits));
   FaultList faults;
-  Scene scene;
+  SceneSource source;
+  Scene& scene = source.scene;
   std::vector<ObjectText> objects;
   if (document[0].kind != JsonKind::object)
     throw InputError(
@@ -315,17 +349,20 @@ Scene read_scene(const std::string& path, const SceneOptions& options) {
   for (JsonIndex i = document[0].first_child; i; i = document[i].next)
     if (document[i].key == "asset" && document[i].kind == JsonKind::object) throw gltf_is_no_scene(path);
   SceneReader top(document, 0, "", faults);
-  top.object("scene", required, "", [&](auto& keys) { scene_keys(scene, objects, options.user_functions, keys); });
+  top.object("scene", required, "",
+             [&](auto& keys) { scene_keys(scene, source.view, objects, options.user_functions, keys); });
   top.finish();
 
   FaultList in_files;
-  Loader loader(document, options, faults, in_files);
+  Loader loader(document, model, options, faults, in_files);
   for (const ObjectText& text : objects) loader.note(text);
   for (const ObjectText& text : objects) scene.objects.push_back(loader.object(text));
   faults.sort_by_place();
   faults.add(in_files);
   faults.throw_if_any();
-  return scene;
+  expose(scene, options.exposure_stops);
+  source.textures = loader.texture_files();
+  return source;
 }
 
 } // namespace refraster

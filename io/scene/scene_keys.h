@@ -5,10 +5,13 @@
 // `keys` is the reading. It is called
 //   keys("fov_y", value, range, "meaning", presence)                 a value; its type says what JSON may stand there
 //   keys.object("camera", presence, "meaning", declare)              an object; declare(keys) has its members
+//   keys.optional_object("fit", content, "meaning", declare)         one that may be left out: std::optional<Content>;
+//                                                                    declare(content, keys) has its members
 //   keys.list("objects", presence, limit::objects, "meaning", items, declare)
 //                                                                    objects; declare(item, keys) has those of each
 //   keys.shape("mesh", shape, "meaning")                             one of the shapes below
 //   keys.normals("normals", normals, "meaning")                      a word, or an object with an angle
+//   keys.map("diffuse_map", text, "meaning", short_form) a path, or an object with one
 //   keys.material("material", text, "meaning", declare)              the same, or a word
 //   keys.materials("materials", text, "meaning", declare)            of each name of a material the same
 //   keys.check(value)                                                what a single key cannot show
@@ -20,6 +23,7 @@
 #include <refraster/scene.h>
 
 #include "io/file/limits.h"
+#include "raster/vertex/scene_view.h"
 
 #include <array>
 #include <memory>
@@ -117,6 +121,25 @@ void crease_keys(auto& normals, auto&& keys) {
        "edges are smooth where two faces enclose at most this angle, sharp where they enclose more", required);
 }
 
+/// A texture as the scene has it: what lies in the file is still to be loaded.
+struct MapText {
+  PathText path;
+  TextureMap map; // but for the texture
+  ColourSpace colour_space = ColourSpace::linear;
+};
+
+/// A texture as an object of JSON.
+void map_keys(auto& text, auto&& keys) {
+  keys("path", text.path, Range{}, "a `.png`, `.jpg`, `.tga` or `.bmp` image", required);
+  keys("filter", text.map.filter, Range{}, "how it is read between its texels", defaulted);
+  keys("wrap", text.map.wrap, Range{}, "what is seen beyond its edges: it again, or the texels of its edge", defaulted);
+  keys("scale", text.map.scale, any_number, "texture coordinates u and v are multiplied by it,", defaulted);
+  keys("offset", text.map.offset, any_number, "and this is added", defaulted);
+  keys("color_space", text.colour_space, Range{},
+       "what its numbers mean: values, or values by the curve of sRGB, decoded before anything is made of them",
+       defaulted);
+}
+
 /// Where a material is described: in the scene, or by a file of the mesh's.
 enum class MaterialFrom { scene, file };
 inline constexpr std::string_view from_file_word = "from_file";
@@ -130,7 +153,7 @@ struct ObjectText {
   VertexColours colours = VertexColours::linear; // likewise
   std::optional<Shape> shape;
   PathText brdf_file;
-  std::array<PathText, texture_slots.size()> texture_files; // in the order of texture_slots
+  std::array<MapText, texture_slots.size()> maps; // in the order of texture_slots
   MaterialFrom material_from = MaterialFrom::scene;
   /// Of materials of the mesh: the name in object.material, and of the rest what belongs to a material.
   std::vector<ObjectText> materials;
@@ -164,27 +187,52 @@ struct Ignored {
   double value = 0;
 };
 
-void camera_keys(auto& camera, auto&& keys) {
-  keys("position", camera.position, any_number, "where the eye is, world space", required);
+/// A number of samples a pixel: not every whole number is one.
+struct SampleCount {
+  int& count;
+};
+
+void fit_keys(CameraFit& fit, auto&& keys) {
+  keys("azimuth", fit.azimuth_degrees, any_number,
+       "degrees about the up vector, from the front (+z where +y is up) to the right", defaulted);
+  keys("elevation", fit.elevation_degrees, Range{-90, 90}, "degrees above the plane across the up vector", defaulted);
+  keys("margin", fit.margin, Range{0, 0.49}, "part of the image's width and height that stays free on each side",
+       defaulted);
+  double distance = 0;
+  keys("distance", distance, Range{.ends = Ends::excluded}, "from the point looked at",
+       otherwise("as near as lets every vertex be seen"));
+  if (distance > 0) fit.distance = distance;
+}
+
+void camera_keys(auto& camera, SceneView& view, auto&& keys) {
+  keys.optional_object("fit", view.fit, "from which side what the scene shows is looked at: then position, near and "
+                                          "far follow from it, and target, if left out",
+                       [](CameraFit& fit, auto& inner) { fit_keys(fit, inner); });
+  keys("position", camera.position, any_number, "where the eye is, world space; not beside `fit`",
+       view.fit ? otherwise("`fit`") : required);
   keys("target", camera.target, any_number, "the point looked at: not the position",
-       otherwise("position + (0, 0, -1)"));
+       otherwise("position + (0, 0, -1); with `fit` the middle of what is seen"));
   keys("up", camera.up, any_number, "up in the image: not parallel to the line of sight", defaulted);
   keys("fov_y", camera.fov_y_degrees, Range{0, 180, Ends::excluded}, "vertical field of view, degrees", defaulted);
-  keys("near", camera.near, Range{.ends = Ends::excluded}, "distance of the near plane", defaulted);
-  keys("far", camera.far, Range{.ends = Ends::excluded}, "distance of the far plane: beyond the near one", defaulted);
+  keys("near", camera.near, Range{.ends = Ends::excluded}, "distance of the near plane; with `fit` before the nearest vertex",
+       defaulted);
+  keys("far", camera.far, Range{.ends = Ends::excluded}, "distance of the far plane: beyond the near one; with `fit` behind the farthest vertex", defaulted);
   keys("movement_speed", Ignored{}, any_number, "for the lecture's interactive framework; not used",
        otherwise("nothing"));
   keys("mouse_sensitivity", Ignored{}, any_number, "for the lecture's interactive framework; not used",
        otherwise("nothing"));
-  keys.check(camera);
+  keys.check(camera, view);
 }
 
 template <class Light>
-void light_keys(Light& light, auto&& keys) {
+void light_keys(Light& light, LightSpace& space, auto&& keys) {
   Light::fields(light,
                 [&]<class Value>(std::string_view key, Value& value, const Range& range, std::string_view meaning) {
                   keys(key, value, range, meaning, NamedEnum<Value> ? defaulted : required);
                 });
+  keys("space", space, Range{},
+       "`\"camera\"`: x to the right, y up, z toward the viewer, from the eye: the light moves with the camera",
+       defaulted);
   keys.check_light(light);
 }
 
@@ -214,10 +262,21 @@ void material_keys(auto& text, auto&& keys) {
        needs_table ? required : otherwise("nothing"));
   for (std::size_t i = 0; i < texture_slots.size(); ++i) {
     const TextureSlot& slot = texture_slots[i];
-    keys(slot.file_key, text.texture_files[i], Range{}, slot.meaning, otherwise("white"));
-    keys(slot.filter_key, text.object.material.*slot.filter, Range{}, "how the texture is read between its texels",
-         defaulted);
+    if (slot.file_key.empty()) {
+      keys.map(slot.key, text.maps[i], slot.meaning, {});
+      continue;
+    }
+    keys(slot.file_key, text.maps[i].path, Range{}, slot.meaning, otherwise("white"));
+    keys(slot.filter_key, text.maps[i].map.filter, Range{}, "how the texture is read between its texels", defaulted);
+    keys.map(slot.key, text.maps[i], "the same texture with all that can be said of it, instead of those two keys",
+             slot.file_key);
   }
+  Double3& emissive = text.object.material.emissive;
+  for (std::size_t i = 0; i < texture_slots.size(); ++i)
+    if (texture_slots[i].multiplied == &Material::emissive && !text.maps[i].path.given.empty()) emissive = Double3(1);
+  keys("emissive", emissive, Range{},
+       "light of its own, r g b, added to the ambient term; for `phong` and `blinn_phong`",
+       otherwise("`\"0 0 0\"`; `\"1 1 1\"` beside an `emissive_map`"));
 }
 
 void object_keys(auto& text, auto&& keys) {
@@ -262,18 +321,33 @@ void object_keys(auto& text, auto&& keys) {
   keys.check(text);
 }
 
-void scene_keys(auto& scene, std::vector<ObjectText>& objects, UserFunctions user_functions, auto&& keys) {
-  keys.object("camera", required, "", [&](auto& inner) { camera_keys(scene.camera, inner); });
+void picture_keys(Picture& picture, auto&& keys) {
+  const Range side{1, double(limit::frame_side.value)};
+  keys("width", picture.width, side, "pixels", defaulted);
+  keys("height", picture.height, side, "pixels", defaulted);
+  keys("samples", SampleCount{picture.samples}, Range{}, "a pixel", defaulted);
+  keys("srgb", picture.transfer, Range{}, "whether an 8-bit image has the sRGB curve", defaulted);
+}
+
+void scene_keys(auto& scene, SceneView& view, std::vector<ObjectText>& objects, UserFunctions user_functions, auto&& keys) {
+  keys.object("camera", required, "", [&](auto& inner) { camera_keys(scene.camera, view, inner); });
   keys("background", scene.background, Range{}, "colour where there is no surface", defaulted);
   for_each_light_list(scene, [&]<class Light>(std::vector<Light>& lights) {
     keys.list(Light::names.key, Light::names.need == Need::required ? required : otherwise("none"),
-              limit::lights<Light>, "may be empty", lights, [](Light& light, auto& k) { light_keys(light, k); });
+              limit::lights<Light>, "may be empty", lights, [&](Light& light, auto& k) {
+                LightSpace space = LightSpace::world;
+                light_keys(light, space, k);
+                if (space == LightSpace::camera) view.moving<Light>().push_back(lights.size() - 1);
+              });
   });
   keys.list("objects", required, limit::objects, "drawn in this order; may be empty", objects,
             [&](auto& object, auto& k) {
               object.fragment_function.user_functions = user_functions;
               object_keys(object, k);
             });
+  keys.object("picture", otherwise("its keys' defaults"),
+              "the image that is made where no option of the command asks for another",
+              [&](auto& inner) { picture_keys(view.picture, inner); });
 }
 
 } // namespace refraster

@@ -22,6 +22,9 @@ std::string text_of(int x) {
 std::string text_of(const Double3& v) {
   return '"' + text_of(v.x) + ' ' + text_of(v.y) + ' ' + text_of(v.z) + '"';
 }
+std::string text_of(const Double2& v) {
+  return '"' + text_of(v.x) + ' ' + text_of(v.y) + '"';
+}
 std::string text_of(const std::string& text) {
   return '"' + text + '"';
 }
@@ -30,6 +33,9 @@ std::string text_of(const PathText&) {
 }
 std::string text_of(const FragmentFunctionName&) {
   return "nothing";
+}
+std::string text_of(const SampleCount& samples) {
+  return text_of(samples.count);
 }
 std::string text_of(const Ignored&) {
   return "nothing";
@@ -56,9 +62,17 @@ public:
   }
 
   template <class Declare>
-  void object(std::string_view key, Presence, std::string_view meaning, Declare&& declare) {
-    row(key, "an object", "", meaning);
+  void object(std::string_view key, Presence presence, std::string_view meaning, Declare&& declare) {
+    row(key, "an object", presence.otherwise, meaning);
     inside(place_ + '/' + std::string(key), declare);
+  }
+
+  template <class Content, class Declare>
+  void optional_object(std::string_view key, const std::optional<Content>&, std::string_view meaning,
+                       Declare&& declare) {
+    row(key, "an object", "nothing", meaning);
+    Content content;
+    inside(place_ + '/' + std::string(key), [&](MarkdownKeys& keys) { declare(content, keys); });
   }
 
   template <class Item, class Declare>
@@ -78,6 +92,14 @@ public:
   void normals(std::string_view key, MeshNormals& normals, std::string_view meaning) {
     row(key, expected_normals(), code(text_of(normals.from)), meaning);
     inside(place_ + '/' + std::string(key), [&](MarkdownKeys& keys) { crease_keys(normals, keys); });
+  }
+
+  /// What an object may have there is told once, where there is a short form.
+  void map(std::string_view key, MapText& text, std::string_view meaning, std::string_view short_form) {
+    row(key, expected_map(), "white", meaning);
+    if (!short_form.empty())
+      inside(place_ + '/' + std::string(key) + ", and every other texture",
+             [&](MarkdownKeys& keys) { map_keys(text, keys); });
   }
 
   void expect_material(std::string_view, const ObjectText&) const {}
@@ -106,7 +128,7 @@ public:
   /// The page is about those of the library.
   void parameters(UserFunction&, Use) {}
 
-  void check(const auto&) const {}
+  void check(const auto&...) const {}
   void check_light(const auto&) const {}
 
   std::string text() const {
@@ -149,9 +171,10 @@ private:
 
 std::string scene_format_markdown() {
   Scene scene;
+  SceneView view;
   std::vector<ObjectText> objects;
   MarkdownKeys top("/scene");
-  scene_keys(scene, objects, {}, top);
+  scene_keys(scene, view, objects, {}, top);
   return top.text();
 }
 

@@ -2,6 +2,7 @@
 
 #include "io/file/nearest.h"
 #include "io/file/text.h"
+#include "io/scene/scene_edits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -65,16 +66,13 @@ bool SceneReader::is_known(std::string_view key) const {
 }
 
 std::string SceneReader::path_of(std::string_view key) const {
-  return path_ + '/' + pointer_part(key);
+  return path_ + '/' + shown_part(key);
 }
 
-std::string SceneReader::pointer_part(std::string_view key) {
-  std::string result;
-  for (const char c : key.substr(0, 60)) { // the escapes of a JSON pointer, RFC 6901
-    if (c == '~') result += "~0";
-    else if (c == '/') result += "~1";
-    else result += static_cast<unsigned char>(c) < 0x20 ? '?' : c;
-  }
+std::string SceneReader::shown_part(std::string_view key) {
+  std::string result = pointer_part(key.substr(0, 60));
+  for (char& c : result)
+    if (static_cast<unsigned char>(c) < 0x20) c = '?';
   return result;
 }
 
@@ -170,6 +168,19 @@ void SceneReader::shape(std::string_view key, std::optional<Shape>& shape, std::
   });
 }
 
+void SceneReader::map(std::string_view key, MapText& text, std::string_view, std::string_view short_form) {
+  const std::string expected = expected_map();
+  const JsonIndex found = claim(key, defaulted, expected);
+  if (!found) return;
+  if (!short_form.empty() && find(short_form))
+    return fault(key, std::string(key) + " beside " + std::string(short_form), "one of the two");
+  const JsonNode& node = document_[found];
+  if (node.kind == JsonKind::object)
+    return read_object(found, path_of(key), [&](SceneReader& keys) { map_keys(text, keys); });
+  if (!read_value(document_, node, Range{}, text.path)) return not_expected(found, key, expected);
+  text.path.offset = node.begin, text.path.json_path = path_of(key);
+}
+
 void SceneReader::normals(std::string_view key, MeshNormals& normals, std::string_view) {
   const std::string expected = expected_normals();
   const JsonIndex found = claim(key, defaulted, expected);
@@ -192,8 +203,10 @@ void SceneReader::expect_material(std::string_view key, ObjectText& text) const 
   text.material_from = from_file ? MaterialFrom::file : MaterialFrom::scene;
 }
 
-void SceneReader::check(Camera& camera) {
+void SceneReader::check(Camera& camera, SceneView& view) {
   if (!sound_) return;
+  if (is_zero(camera.up)) return fault("up", "a vector of length 0", "a direction");
+  if (view.fit) return check_fit(camera, *view.fit);
   if (!find("target")) camera.target = camera.position + Double3(0, 0, -1);
   if (camera.near >= camera.far)
     fault(find("far") ? "far" : "near", "a far plane that is not beyond the near one", "near < far");
@@ -204,13 +217,21 @@ void SceneReader::check(Camera& camera) {
     return fault(find("target") ? "target" : "position",
                  distance > 0 ? "a line of sight too long for a double" : "the camera's position",
                  "a target away from the position");
-  if (is_zero(camera.up)) return fault("up", "a vector of length 0", "a direction");
   // Each unit vector's components are within 3 ulp (scale exact, root, reciprocal and product half an ulp each and a
   // sum), so the cross product of two that are parallel stays below 2 * 2 * 3 half-ulps of 1. Closer than that to the
   // line of sight, "up" gives no direction but rounding noise.
   constexpr double noise = 12 * std::numeric_limits<double>::epsilon();
   if (!(length(cross(normalize(sight), normalize(camera.up))) > noise))
     fault(find("up") ? "up" : "target", "an up vector along the line of sight", "up not parallel to target - position");
+}
+
+void SceneReader::check_fit(const Camera& camera, CameraFit& fit) {
+  if (find("position")) fault("position", "both position and fit", "one of the two");
+  if (find("target")) fit.target = camera.target;
+  if (find("near")) fit.near = camera.near;
+  if (find("far")) fit.far = camera.far;
+  if (fit.near && fit.far && *fit.near >= *fit.far)
+    fault("far", "a far plane that is not beyond the near one", "near < far");
 }
 
 void SceneReader::check_direction(std::string_view key, const Double3& value, const Range& range) {

@@ -5,6 +5,7 @@
 #include "io/file/limits.h"
 #include "io/scene/value_kinds.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -34,6 +35,12 @@ public:
     if (found) read_object(found, path_of(key), declare);
   }
 
+  template <class Content, class Declare>
+  void optional_object(std::string_view key, std::optional<Content>& content, std::string_view, Declare&& declare) {
+    const JsonIndex found = claim(key, defaulted, "an object");
+    if (found) read_object(found, path_of(key), [&](SceneReader& keys) { declare(content.emplace(), keys); });
+  }
+
   template <class Item, class Declare>
   void list(std::string_view key, Presence presence, const Limit& most, std::string_view, std::vector<Item>& items,
             Declare&& declare) {
@@ -50,6 +57,8 @@ public:
 
   void shape(std::string_view key, std::optional<Shape>& shape, std::string_view);
   void normals(std::string_view key, MeshNormals& normals, std::string_view);
+  /// `short_form`: a key that says the same, if there is one, of which not both may be there.
+  void map(std::string_view key, MapText& text, std::string_view, std::string_view short_form);
 
   /// Looks ahead: other keys may be left out where the materials are those of a file.
   void expect_material(std::string_view key, ObjectText& text) const;
@@ -76,7 +85,7 @@ public:
       one.material_from = text.material_from; // as long as the fragment function is asked for
       one.object.material.name = document_[i].key;
       one.material_place = {one.object.material.name, document_[i].key_begin,
-                            path_of(key) + '/' + pointer_part(document_[i].key)};
+                            path_of(key) + '/' + shown_part(document_[i].key)};
       if (!is_from_file(i))
         read_material(i, one.material_place.json_path, [&](SceneReader& keys) { declare(one, keys); });
       one.material_from = is_from_file(i) ? MaterialFrom::file : MaterialFrom::scene;
@@ -95,7 +104,7 @@ public:
   void parameters(UserFunction& function, Use use);
 
   // Judged only where every key is sound by itself.
-  void check(Camera& camera);
+  void check(Camera& camera, SceneView& view);
   void check(ObjectText& text);
   template <class Light>
   void check_light(const Light& light) {
@@ -113,7 +122,8 @@ public:
 private:
   static constexpr std::string_view expected_material = "an object, or \"from_file\"";
   bool is_from_file(JsonIndex node) const;
-  static std::string pointer_part(std::string_view key);
+  /// A part of a JSON pointer for a message: cut where it is long.
+  static std::string shown_part(std::string_view key);
 
   template <class Declare>
   void read_material(JsonIndex node, std::string path, Declare&& declare) {
@@ -137,6 +147,8 @@ private:
   JsonIndex find(std::string_view key) const;
   std::string path_of(std::string_view key) const;
 
+  /// Of a camera that stands where its fit says; hands over to it what the camera says otherwise.
+  void check_fit(const Camera& camera, CameraFit& fit);
   void check_direction(std::string_view key, const Double3& value, const Range& range);
 
   void missing(std::string_view key, const std::string& expected);

@@ -1,6 +1,7 @@
 #include "io/scene/value_kinds.h"
 
 #include "io/file/number_text.h"
+#include "raster/samples.h"
 
 #include <array>
 #include <charconv>
@@ -29,21 +30,36 @@ std::string range_text(const Range& range) {
   return "";
 }
 
-/// Three words, each a number in the range, between blanks: "0.0 0.0 6.0".
-bool read_words(std::string_view text, const Range& range, Double3& value) {
+/// As many words as the vector has components, each a number in the range, between blanks: "0.0 0.0 6.0".
+template <class Vector>
+bool read_words(std::string_view text, const Range& range, Vector& value) {
   constexpr std::string_view blanks = " \t\r\n";
-  Double3 read;
+  Vector read;
   int count = 0;
   for (std::size_t begin = text.find_first_not_of(blanks); begin != std::string_view::npos;) {
     const std::size_t end = std::min(text.find_first_of(blanks, begin), text.size());
     double number = 0;
-    if (count == 3 || read_number(text.substr(begin, end - begin), number) != NumberText::good) return false;
+    if (count == Vector::length() || read_number(text.substr(begin, end - begin), number) != NumberText::good)
+      return false;
     if (!range.contains(number)) return false;
     read[count++] = number;
     begin = text.find_first_not_of(blanks, end);
   }
-  if (count == 3) value = read;
-  return count == 3;
+  if (count == Vector::length()) value = read;
+  return count == Vector::length();
+}
+
+/// The words, or an array of as many numbers.
+template <class Vector>
+bool read_vector(const JsonDocument& document, const JsonNode& node, const Range& range, Vector& value) {
+  if (node.kind == JsonKind::string) return read_words(node.string, range, value);
+  if (node.kind != JsonKind::array || node.children != static_cast<std::uint32_t>(Vector::length())) return false;
+  Vector read;
+  JsonIndex child = node.first_child;
+  for (int i = 0; i < Vector::length(); ++i, child = document[child].next)
+    if (!read_value(document, document[child], range, read[i])) return false;
+  value = read;
+  return true;
 }
 
 } // namespace
@@ -61,6 +77,12 @@ std::string expected_value(const Ignored&, const Range& range) {
 }
 std::string expected_value(const int&, const Range& range) {
   return "a whole number" + range_text(range);
+}
+std::string expected_value(const SampleCount&, const Range&) {
+  return "1, 2, 4, 8 or 16";
+}
+std::string expected_value(const Double2&, const Range& range) {
+  return "two numbers" + range_text(range);
 }
 std::string expected_value(const Double3&, const Range& range) {
   return "three numbers" + range_text(range);
@@ -87,6 +109,10 @@ std::string expected_normals() {
   return expected_value(NormalsFrom::file, Range{}) + " or an object with crease_degrees";
 }
 
+std::string expected_map() {
+  return "the path of a file, or an object with one";
+}
+
 bool read_value(const JsonDocument&, const JsonNode& node, const Range& range, double& value) {
   if (node.kind != JsonKind::number || !range.contains(node.number)) return false;
   value = node.number;
@@ -104,15 +130,18 @@ bool read_value(const JsonDocument&, const JsonNode& node, const Range& range, i
   return true;
 }
 
-bool read_value(const JsonDocument& document, const JsonNode& node, const Range& range, Double3& value) {
-  if (node.kind == JsonKind::string) return read_words(node.string, range, value);
-  if (node.kind != JsonKind::array || node.children != 3) return false;
-  Double3 read;
-  JsonIndex child = node.first_child;
-  for (int i = 0; i < 3; ++i, child = document[child].next)
-    if (!read_value(document, document[child], range, read[i])) return false;
-  value = read;
+bool read_value(const JsonDocument& document, const JsonNode& node, const Range&, SampleCount& value) {
+  int count = 0;
+  if (!read_value(document, node, Range{1, 16}, count) || !is_sample_count(count)) return false;
+  value.count = count;
   return true;
+}
+
+bool read_value(const JsonDocument& document, const JsonNode& node, const Range& range, Double2& value) {
+  return read_vector(document, node, range, value);
+}
+bool read_value(const JsonDocument& document, const JsonNode& node, const Range& range, Double3& value) {
+  return read_vector(document, node, range, value);
 }
 
 bool read_value(const JsonDocument&, const JsonNode& node, const Range&, std::string& value) {

@@ -13,6 +13,8 @@ namespace refraster {
 std::string expected_value(const double&, const Range& range);
 std::string expected_value(const Ignored&, const Range& range);
 std::string expected_value(const int&, const Range& range);
+std::string expected_value(const SampleCount&, const Range&);
+std::string expected_value(const Double2&, const Range& range);
 std::string expected_value(const Double3&, const Range& range);
 std::string expected_value(const std::string&, const Range&);
 std::string expected_value(const PathText&, const Range&);
@@ -25,6 +27,9 @@ std::string json_word(std::string_view word);
 /// What may stand at the key "normals".
 std::string expected_normals();
 
+/// What may stand where a texture does.
+std::string expected_map();
+
 template <NamedEnum Enum>
 std::string expected_value(const Enum&, const Range&) {
   std::string result;
@@ -36,6 +41,8 @@ std::string expected_value(const Enum&, const Range&) {
 bool read_value(const JsonDocument&, const JsonNode& node, const Range& range, double& value);
 bool read_value(const JsonDocument&, const JsonNode& node, const Range& range, Ignored& value);
 bool read_value(const JsonDocument&, const JsonNode& node, const Range& range, int& value);
+bool read_value(const JsonDocument&, const JsonNode& node, const Range&, SampleCount& value);
+bool read_value(const JsonDocument&, const JsonNode& node, const Range& range, Double2& value);
 bool read_value(const JsonDocument&, const JsonNode& node, const Range& range, Double3& value);
 bool read_value(const JsonDocument&, const JsonNode& node, const Range&, std::string& value);
 bool read_value(const JsonDocument&, const JsonNode& node, const Range&, PathText& value);

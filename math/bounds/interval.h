@@ -164,6 +164,9 @@ struct BoundsTraits {
   static constexpr bool has_lanes = false, decides = false, is_ieee = false;
   static constexpr double largest = Budget::largest;
   /// How the device reads textures.
+  /// Of a product or a sum of a device, relative.
+  static double device_rounding() requires requires { Budget::texture(); }
+  { return Budget::relative; }
   static const TextureErrors& texture_errors() requires requires { Budget::texture(); }
   { return Budget::texture(); }
 };

@@ -76,13 +76,15 @@ template <class Real>
       t.row[static_cast<std::size_t>(max_uv_row + c)][3] = Real(0);
       continue;
     }
-    const auto uv = uv_component(mesh, {indices[corner[0]], indices[corner[1]], indices[corner[2]]}, c).value;
+    const auto uv = uv_component(mesh, {indices[corner[0]], indices[corner[1]], indices[corner[2]]}, c,
+                                 repeats_of(context, ref.object, ref.triangle))
+                        .value;
     row = {static_cast<Real>(uv[0]), static_cast<Real>(uv[1] - uv[0]), static_cast<Real>(uv[2] - uv[0]),
            static_cast<Real>(std::min({uv[0], uv[1], uv[2]}))};
     t.row[static_cast<std::size_t>(max_uv_row + c)][3] = static_cast<Real>(std::max({uv[0], uv[1], uv[2]}));
   }
   static_assert(attribute_rows == uv_row + 2 + 3, "a frame is to know whether there is another attribute");
-  if (context.has_vertex_colours) [[unlikely]]
+  if (context.uses.vertex_colours) [[unlikely]]
     for_each_further_attribute(mesh, context.geometry.transforms[ref.object],
                                {indices[corner[0]], indices[corner[1]], indices[corner[2]]},
                                [&](int row, const auto& value) {
@@ -93,8 +95,7 @@ template <class Real>
                                });
 }
 
-LargeEdges large_edges(const Vertices& vertices, const auto& vertex,
-                       const std::array<std::uint8_t, 3>& corner) {
+LargeEdges large_edges(const Vertices& vertices, const auto& vertex, const std::array<std::uint8_t, 3>& corner) {
   std::array<WindowVertex, 3> v;
   for (std::size_t k = 0; k < 3; ++k) v[k] = vertices.window[vertex[corner[k]]];
   return {set_up_snapped(v).value().edge}; // in order already: corners keep their places
@@ -164,7 +165,8 @@ template <class Real>
       if ((state(0) | state(1) | state(2)) & outcode::unsnapped) [[unlikely]] {
         const ProjectiveTriangle& projective = context.bins.projective_triangle(number);
         t.projective = &uncommon.projective.emplace_back(projective);
-        set_attributes<Real>(context, vertices, ref, corners, projective.corner, {1, 1, 1}, t); // its edge functions bring their weights
+        set_attributes<Real>(context, vertices, ref, corners, projective.corner, {1, 1, 1},
+                             t); // its edge functions bring their weights
         continue;
       }
       const auto corner_at = [&](std::size_t k) { return static_cast<std::uint8_t>(set_up.corner[k].submitted[lane]); };
@@ -220,12 +222,14 @@ template <class Real>
 void set_up_attributes(const FrameContext& context, std::span<const VisibleTriangle> triangles,
                        std::span<AttributeSetup<Real>> setups, UncommonEdges& uncommon) {
   if (context.geometry.all_stored()) [[likely]] {
-    const auto in_geometry = [&](std::size_t i) -> const auto& { return triangles[i].ref.vertex; };
+    const auto in_geometry = [&](std::size_t i) -> const auto& {
+      return triangles[i].ref.vertex;
+    };
     set_up_from<Real>(context.geometry, in_geometry, context, triangles, setups, uncommon);
   } else {
     set_up_on_demand<Real>(context, triangles, setups, uncommon);
   }
-  if (context.any_two_sided) [[unlikely]]
+  if (context.uses.two_sided) [[unlikely]]
     turn_normals(context, triangles, setups);
 }
 
@@ -239,7 +243,8 @@ std::array<double, 2> whole_repeats(const FrameContext& context, std::uint32_t n
   const Mesh& mesh = *context.scene.objects[ref.object].mesh;
   const auto& vertices = mesh.triangles[ref.triangle];
   if (!has_uvs(mesh, vertices)) return {};
-  return {uv_component(mesh, vertices, 0).whole, uv_component(mesh, vertices, 1).whole};
+  const Repeats repeats = repeats_of(context, ref.object, ref.triangle);
+  return {uv_component(mesh, vertices, 0, repeats).whole, uv_component(mesh, vertices, 1, repeats).whole};
 }
 
 Double3 face_normal(const FrameContext& context, std::uint32_t number) {
@@ -262,7 +267,7 @@ Double3 face_normal(const FrameContext& context, std::uint32_t number) {
   };
   const Double3 normal =
       context.geometry.transforms[ref.object].world_from_normal * Double3(minor(1, 2), minor(2, 0), minor(0, 1));
-  return context.any_two_sided && is_turned(context, ref, number) ? -normal : normal;
+  return context.uses.two_sided && is_turned(context, ref, number) ? -normal : normal;
 }
 
 } // namespace refraster

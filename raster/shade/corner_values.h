@@ -58,18 +58,29 @@ void for_each_further_attribute(const Mesh& mesh, const ObjectTransform& transfo
   });
 }
 
+/// Whether whole repeats of texture coordinates are taken off before they are interpolated: not where a texture of the
+/// triangle's is not at each of them the same.
+enum class Repeats { taken_off, kept };
+inline Repeats repeats_of(const FrameContext& context, std::uint32_t object, std::uint32_t triangle) {
+  if (!context.uses.placed_textures) return Repeats::taken_off;
+  const Material& material = material_of(context.scene.objects[object], triangle);
+  return any_texture(material, [](const TextureMap& map) { return map.is_placed(); }) ? Repeats::kept
+                                                                                      : Repeats::taken_off;
+}
+
 /// Component c of the corners' texture coordinates, without whole repeats.
 struct UvComponent {
   std::array<double, 3> value;
   double whole = 0;
 };
-inline UvComponent uv_component(const Mesh& mesh, const std::array<std::uint32_t, 3>& vertices, int c) {
+inline UvComponent uv_component(const Mesh& mesh, const std::array<std::uint32_t, 3>& vertices, int c,
+                                Repeats repeats) {
   UvComponent uv;
   for (std::size_t k = 0; k < 3; ++k) uv.value[k] = static_cast<double>(mesh.uvs[vertices[k]][c]);
   const double least = std::min({uv.value[0], uv.value[1], uv.value[2]});
   uv.whole = abs(least) < 1e300 ? std::floor(least) : 0; // only a finite uv has whole repeats
   // Exact: uv is a float and the difference of two doubles this close to it. Small negative ones stay as they are.
-  if (least > -1 && least < 1) uv.whole = 0;
+  if ((least > -1 && least < 1) || repeats == Repeats::kept) uv.whole = 0;
   for (double& value : uv.value) value -= uv.whole;
   return uv;
 }

@@ -84,7 +84,7 @@ public:
       corner_ = snapped_->corner;
     }
     set_rows(corners(window));
-    if (context.any_two_sided && is_turned(context, ref_, number)) turn_where(T(0) <= T(0));
+    if (context.uses.two_sided && is_turned(context, ref_, number)) turn_where(T(0) <= T(0));
   }
 
   /// To the sample at (x, y), in subpixels of the window, and as far from it as dx, dy say.
@@ -216,8 +216,10 @@ private:
     }
     if (!may_have_texture_coordinates()) return result;
     const auto& indices = mesh.triangles[ref_.triangle];
+    const Repeats repeats = repeats_of(context_, ref_.object, ref_.triangle);
     for (int c = 0; c < 2; ++c) {
-      const UvComponent uv = uv_component(mesh, {indices[corner_[0]], indices[corner_[1]], indices[corner_[2]]}, c);
+      const UvComponent uv =
+          uv_component(mesh, {indices[corner_[0]], indices[corner_[1]], indices[corner_[2]]}, c, repeats);
       for (std::size_t k = 0; k < 3; ++k) result.uv[k][c] = as<T>(uv.value[k]);
     }
     return result;

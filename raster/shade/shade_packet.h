@@ -5,9 +5,6 @@
 #include "shading/sum_light.h"
 #include "shading/texture.h"
 
-#include <array>
-#include <tuple>
-
 namespace refraster {
 
 /// The interpolated normal at unit length; where that is 0, the triangle's own; where that is 0 too, 0.
@@ -26,25 +23,31 @@ Vec3<T> shading_normal(const FrameContext& context, const Data& data, const Vec3
 /// Reads a texture as it is to be shown.
 struct SampleTexture {
   template <class T>
-  Rgb<T> operator()(const Texture& texture, TextureFilter filter, const Vec2<T>& uv, const Vec2<T>& right,
-                    const Vec2<T>& down) const {
-    return sample(texture, filter, uv, right, down);
+  Rgb<T> operator()(const TextureMap& map, const Vec2<T>& uv, const Vec2<T>& right, const Vec2<T>& down) const {
+    return sample(*map.texture, map.filter, uv, right, down);
+  }
+};
+/// The same, wherever it is placed. Out of line: few packets ask for it.
+struct SamplePlaced {
+  template <class T>
+  [[gnu::noinline]] Rgb<T> operator()(const TextureMap& map, const Vec2<T>& uv, const Vec2<T>& right,
+                                      const Vec2<T>& down) const {
+    return sample(map, uv, right, down);
   }
 };
 
 /// The colour of a texture that the material has; white where the triangle has no texture coordinates. Those are looked
-/// for only where some are not finite, which those are not. read(texture, filter, uv, right, down) reads it, at a point
-/// and with what that changes by for a pixel to the right and down, 0 unless the filter asks.
-template <const TextureSlot& slot, class Data, class Read = SampleTexture, class T = typename Data::Number>
-Rgb<T> texture_colour(const Material& material, const Data& data, const PacketBarycentrics<T>& at,
+/// for only where some are not finite, which those are not. read(map, uv, right, down) reads it, at a point and with
+/// what that changes by for a pixel to the right and down, 0 unless the filter asks.
+template <class Data, class Read = SampleTexture, class T = typename Data::Number>
+Rgb<T> texture_colour(const TextureMap& map, const Data& data, const PacketBarycentrics<T>& at,
                       const UndefinedTally<T>& tally, const Read& read = {}) {
-  const TextureFilter filter = material.*slot.filter;
   const auto uv = [&](int c) { return interpolated_uv(data, c, at); };
   const Vec2<T> point(uv(0), uv(1));
   const auto finite = [](const T& x) { return abs(x) <= largest_number<T>(); };
   const MaskOf<T> bad = !(finite(point.x) & finite(point.y));
   Vec2<T> right(T(0)), down(T(0));
-  if (filter == TextureFilter::trilinear) {
+  if (map.filter == TextureFilter::trilinear) {
     const auto component = [&](int row, const Barycentric<T>& by) {
       const T change = changed(data.row(row), by);
       if constexpr (NumberTraits<T>::decides) return change;
@@ -57,12 +60,17 @@ Rgb<T> texture_colour(const Material& material, const Data& data, const PacketBa
     down = change(at.down);
     if constexpr (!NumberTraits<T>::decides) data.turn(right, down);
   }
-  const Rgb<T> colour = read(*(material.*slot.texture), filter, point, right, down);
+  const Rgb<T> colour = read(map, point, right, down);
   if (!any(bad)) [[likely]]
     return colour;
   const MaskOf<T> none = without_uv(data);
   tally.note(Undefined::bad_uv, bad & !none);
   return select<T>(none, Rgb<T>(T(1)), colour);
+}
+
+/// What a trilinear filter reads wants to know how coordinates change.
+inline bool needs_derivatives(const TextureMap& map) {
+  return map.texture && map.filter == TextureFilter::trilinear;
 }
 
 /// The vertices' colour at the pixel's centre; white where the mesh has none. Out of line: few packets ask for it.
@@ -74,27 +82,42 @@ template <class Data, class T = typename Data::Number>
   return {max0(colour.x), max0(colour.y), max0(colour.z)};
 }
 
+/// What every fragment of a material starts from.
 template <class Data, class T = typename Data::Number>
 PacketSurface<T> packet_surface(const FrameContext& context, const Material& material, const Data& data,
                                 const UndefinedTally<T>& tally) {
-  // Unrolled: what is asked is known to the compiler.
-  const bool derivatives = std::apply(
-      [&](const auto&... slot) {
-        return ((material.*slot.texture && material.*slot.filter == TextureFilter::trilinear) || ...);
-      },
-      texture_slots);
+  const TextureMap& base = material.diffuse_map;
   const PacketBarycentrics<T> at =
-      derivatives ? barycentrics<Derivatives::yes>(data) : barycentrics<Derivatives::no>(data);
+      needs_derivatives(base) ? barycentrics<Derivatives::yes>(data) : barycentrics<Derivatives::no>(data);
   PacketSurface<T> surface;
   surface.position = attribute_value<&Mesh::positions>(context, data, at.at);
   surface.normal = shading_normal(context, data, attribute_value<&Mesh::normals>(context, data, at.at), tally);
   surface.to_eye = normalize(as<T>(context.scene.camera.position) - surface.position);
   tally.note(Undefined::eye_at_surface, dot(surface.to_eye, surface.to_eye) <= T(0));
-  const bool shows_texture = material.*base_texture.texture && data.may_have_texture_coordinates();
-  surface.texture = shows_texture ? texture_colour<base_texture>(material, data, at, tally) : Rgb<T>(T(1));
-  if (context.has_vertex_colours) [[unlikely]]
+  const bool shows_texture = base.texture && data.may_have_texture_coordinates();
+  if (!shows_texture) surface.texture = Rgb<T>(T(1));
+  else if (!context.uses.placed_textures) [[likely]] surface.texture = texture_colour(base, data, at, tally);
+  else surface.texture = texture_colour(base, data, at, tally, SamplePlaced{});
+  if (context.uses.vertex_colours) [[unlikely]]
     surface.texture = surface.texture * vertex_colour(context, data, at);
   return surface;
+}
+
+/// What further textures of a material say of the same fragments: of one with has_fragment_maps(). Of coordinates that
+/// are not finite each texture counts. Out of line: few materials have them. Interpolates once more, by the same
+/// operations: to a bounds number, whose symbols are those of the first time, these are the same numbers.
+template <class Data, class T = typename Data::Number, class Read = SamplePlaced>
+[[gnu::noinline]] FragmentMaps<T> fragment_maps(const Material& material, const Data& data,
+                                                const UndefinedTally<T>& tally, const Read& read = {}) {
+  const TextureMap &specular = material.specular_map, &emissive = material.emissive_map;
+  const bool derivatives = needs_derivatives(specular) || needs_derivatives(emissive);
+  const PacketBarycentrics<T> at =
+      derivatives ? barycentrics<Derivatives::yes>(data) : barycentrics<Derivatives::no>(data);
+  const auto colour = [&](const TextureMap& map) {
+    return map.texture && data.may_have_texture_coordinates() ? texture_colour(map, data, at, tally, read)
+                                                              : Rgb<T>(T(1));
+  };
+  return {colour(specular), as<T>(within_range<T>(material.emissive)) * colour(emissive)};
 }
 
 } // namespace refraster

@@ -65,11 +65,11 @@ public:
     colours_.resize(fragments);
     for (const auto& group : setups_.groups()) {
       const Material& material = *group.material;
-      const auto shade = [&](const auto& function) {
-        shade_group(context, visible.tile, material, function, group, counts.undefined);
+      const auto shade = [&]<Maps maps>(std::integral_constant<Maps, maps>, const auto& function) {
+        shade_group<maps>(context, visible.tile, material, function, group, counts.undefined);
       };
-      if (material.user_function) shade(*material.user_function);
-      else std::visit(shade, material.fragment_function);
+      if (material.user_function) shade(std::integral_constant<Maps, Maps::no>{}, *material.user_function);
+      else with_maps(material, shade);
       counts.lane_slots += (group.fragments + lanes - 1) / lanes * lanes;
     }
     counts.fragments += fragments;
@@ -86,7 +86,7 @@ private:
   using Group = typename TileAttributes<Real>::Group;
   static constexpr std::uint32_t lanes = NumberTraits<T>::lanes;
 
-  template <class SomeFunction>
+  template <Maps maps, class SomeFunction>
   void shade_group(const FrameContext& context, const PixelRect& tile, const Material& material,
                    const SomeFunction& function, const Group& group, UndefinedCounts& undefined) {
     batch_.packets = 0; // of a frame that an exception ended
@@ -94,33 +94,40 @@ private:
       const Scene& scene = context.scene;
       if constexpr (std::is_same_v<SomeFunction, UserFunction>)
         user_shading_.sum_light(scene, function, batch_, undefined);
-      else if constexpr (has_lanes) add_light(light_spans(scene), function, batch_, undefined);
-      else refraster::sum_light(light_spans(scene), function, batch_, undefined);
+      else if constexpr (has_lanes) add_light<maps>(light_spans(scene), function, batch_, undefined);
+      else refraster::sum_light<maps>(light_spans(scene), function, batch_, undefined);
       for (int i = 0; i < batch_.packets; ++i)
         colours_.store(batch_.first_fragment + static_cast<std::uint32_t>(i) * lanes,
                        batch_.sum[static_cast<std::size_t>(i)]);
       batch_.packets = 0;
     };
-    // surface_of(tally) interpolates what `in_use` says is there.
-    const auto add = [&](std::uint32_t first, const MaskOf<T>& in_use, const auto& surface_of) {
+    // surface_of(tally, surface) interpolates what `in_use` says is there, maps_of(tally) what else is read there.
+    const auto add = [&](std::uint32_t first, const MaskOf<T>& in_use, const auto& surface_of, const auto& maps_of) {
       if (batch_.packets == 0) batch_.first_fragment = first;
       const auto at = static_cast<std::size_t>(batch_.packets++);
       batch_.in_use[at] = in_use;
-      surface_of(UndefinedTally<T>(undefined, batch_.in_use[at]), batch_.surface[at]);
+      const UndefinedTally<T> tally(undefined, batch_.in_use[at]);
+      surface_of(tally, batch_.surface[at]);
+      if constexpr (maps == Maps::yes) batch_.maps[at] = maps_of(tally);
       if (batch_.packets == batch_.capacity) shade_batch();
     };
     if constexpr (has_lanes) {
       for_each_packet<T>(setups_, group, tile, [&](const Packet<T>& packet, std::uint32_t first) {
-        add(first, first_lanes<Real, NumberTraits<T>::lanes>(packet.count), [&](const auto& tally, auto& surface) {
-          if (packet.triangles == Triangles::one)
-            interpolate(context, material, PacketData<T, Triangles::one>(packet), tally, surface);
-          else interpolate(context, material, PacketData<T, Triangles::many>(packet), tally, surface);
-        });
+        add(
+            first, first_lanes<Real, NumberTraits<T>::lanes>(packet.count),
+            [&](const auto& tally, auto& surface) {
+              if (packet.triangles == Triangles::one)
+                interpolate(context, material, PacketData<T, Triangles::one>(packet), tally, surface);
+              else interpolate(context, material, PacketData<T, Triangles::many>(packet), tally, surface);
+            },
+            [&](const auto& tally) { return fragment_maps(material, PacketData<T, Triangles::many>(packet), tally); });
       });
     } else {
       for_each_sample(context, group, tile, [&](const SampleData<T>& data, std::uint32_t number) {
-        add(number, T(0) <= T(0),
-            [&](const auto& tally, auto& surface) { surface = packet_surface(context, material, data, tally); });
+        add(
+            number, T(0) <= T(0),
+            [&](const auto& tally, auto& surface) { surface = packet_surface(context, material, data, tally); },
+            [&](const auto& tally) { return fragment_maps(material, data, tally); });
       });
     }
     if (batch_.packets > 0) shade_batch();

@@ -93,7 +93,7 @@ std::string fault_of(const Mesh& mesh) {
 }
 
 std::string fault_of(const Texture& texture) {
-  if (texture.full_scale != 255 && texture.full_scale != 65535) return "texture: full scale";
+  if (texture.full_scale != 255 && texture.full_scale != 65535 && texture.full_scale != 1) return "texture: full scale";
   if (texture.levels.empty()) return "texture: no level";
   for (std::size_t k = 0; k < texture.levels.size(); ++k) {
     const TextureLevel& level = texture.levels[k];
@@ -108,6 +108,14 @@ std::string fault_of(const Texture& texture) {
   }
   const TextureLevel& last = texture.levels.back();
   return texture.levels.size() == 1 || (last.width == 1 && last.height == 1) ? "" : "texture: levels end early";
+}
+
+std::string fault_of(const TextureMap& map) {
+  if (std::string fault = fault_of(*map.texture); !fault.empty()) return fault;
+  if (!std::isfinite(map.scale.x + map.scale.y) || !std::isfinite(map.offset.x + map.offset.y)) return "texture: place";
+  const TextureLevel& level = map.texture->levels.back();
+  const bool has_levels = level.width == 1 && level.height == 1;
+  return map.filter != TextureFilter::trilinear || has_levels ? "" : "texture: no mip chain";
 }
 
 std::string fault_of(const Scene& scene) {
@@ -129,12 +137,12 @@ std::string fault_of(const Scene& scene) {
     last_mesh = object.mesh.get();
     const auto judge = [](const auto& function) { return function_fault(function); };
     if (std::string fault = std::visit(judge, object.material.fragment_function); !fault.empty()) return fault;
-    if (!object.material.texture) continue;
-    if (std::string fault = fault_of(*object.material.texture); !fault.empty()) return fault;
-    if (object.material.texture_filter == TextureFilter::trilinear) {
-      const TextureLevel& level = object.material.texture->levels.back();
-      if (level.width != 1 || level.height != 1) return "texture: no mip chain";
-    }
+    if (!at_least_0(object.material.emissive)) return "material: emissive";
+    std::string of_textures;
+    for_each_texture(object.material, [&](const TextureMap& map) {
+      if (of_textures.empty()) of_textures = fault_of(map);
+    });
+    if (!of_textures.empty()) return of_textures;
   }
   return "";
 }

@@ -75,7 +75,7 @@ PixelBounds PixelBounder::bounds(const DeviceTriangle& triangle, int x, int y, B
   data.set_place_in_block(x & 1, (frame_.height() - y) & 1);
   if (causes.has(BoundCause::interpolation)) {
     const Mesh& mesh = *frame_.scene().objects[triangle.ref().object].mesh;
-    const bool reads_uv = data.may_have_texture_coordinates() && material.texture;
+    const bool reads_uv = data.may_have_texture_coordinates() && is_textured(material);
     const int rows = mesh.colours.empty() ? uv_row + 2 : attribute_rows;
     for (int r = 0; r < rows; ++r) {
       if (r >= uv_row && r < uv_row + 2 && !reads_uv) continue;
@@ -85,7 +85,7 @@ PixelBounds PixelBounder::bounds(const DeviceTriangle& triangle, int x, int y, B
       data.add_error(r, error);
     }
   }
-  if (causes.has(BoundCause::sample_shift) && material.texture && material.texture_filter == TextureFilter::trilinear) {
+  if (causes.has(BoundCause::sample_shift) && any_texture(material, needs_derivatives)) {
     const double turned = triangle.turned();
     if (!(turned < 1)) return unknown;
     data.set_stretched(turned);
@@ -107,9 +107,12 @@ PixelBounds PixelBounder::bounds(const DeviceTriangle& triangle, int x, int y, B
   PacketBatch<Bounds>& batch = scratch_->batch;
   batch.packets = 1;
   batch.in_use[0] = Certainty::yes;
-  batch.surface[0] = packet_surface(context, material, data, UndefinedTally<Bounds>(undefined, Certainty::yes));
-  std::visit([&](const auto& function) { sum_light(light_spans(frame_.scene()), function, batch, undefined); },
-             material.fragment_function);
+  const UndefinedTally<Bounds> tally(undefined, Certainty::yes);
+  batch.surface[0] = packet_surface(context, material, data, tally);
+  with_maps(material, [&]<Maps maps>(std::integral_constant<Maps, maps>, const auto& function) {
+    if constexpr (maps == Maps::yes) batch.maps[0] = fragment_maps(material, data, tally);
+    sum_light<maps>(light_spans(frame_.scene()), function, batch, undefined);
+  });
   PixelBounds result;
   for (int c = 0; c < 3; ++c) result.colour.lo[c] = batch.sum[0][c].lo, result.colour.hi[c] = batch.sum[0][c].hi;
   result.open = Forks::open_comparisons() != met;

@@ -69,7 +69,9 @@ template <PhongLike Function>
 double lobe_value(const Function& function, const Plain& at, const Vec3<T>& direction) {
   Function only = function;
   only.kd = Double3(0), only.ks = Double3(1);
-  return plain(reflected(only, at, Incident<T>{direction, Rgb<T>(T(1))}).x);
+  Plain without_maps = at;
+  without_maps.maps = nullptr;
+  return plain(reflected(only, without_maps, Incident<T>{direction, Rgb<T>(T(1))}).x);
 }
 
 LobeStory lobe_story(const Phong& phong, const Plain& at, const Vec3<T>& l) {
@@ -142,13 +144,14 @@ LightStory light_story(const Light& light, std::size_t index, const Plain& at) {
 
 void add_lights(const Scene& scene, const FragmentTerms<T>& terms, const auto& function, FragmentStory& story) {
   const PacketSurface<T>& s = terms.surface;
-  const Plain at{s.position, s.normal, s.to_eye, s.texture, nullptr};
+  const Plain at{s.position, s.normal, s.to_eye, s.texture, nullptr, terms.maps ? &*terms.maps : nullptr};
   std::size_t number = 0;
   for_each_light(scene, [&](const auto& light, std::size_t, std::size_t index) {
     LightStory of = light_story(light, index, at);
     const LightTerm<T>& term = terms.lights[number++];
     of.reflected = plain(term.reflected);
     of.undefined = term.undefined;
+    if (terms.maps) of.specular_map = plain(terms.maps->specular);
     if constexpr (!std::same_as<std::remove_cvref_t<decltype(function)>, UserFunction>)
       add_parts(function, at, arriving(within_range<T>(prepared_light(light)), at).direction, of);
     story.lights.push_back(std::move(of));
@@ -157,20 +160,23 @@ void add_lights(const Scene& scene, const FragmentTerms<T>& terms, const auto& f
 
 /// Reads a texture and writes down how.
 struct TellReading {
-  FragmentStory& story;
+  std::optional<TextureStory>& story;
 
-  Rgb<T> operator()(const Texture& texture, TextureFilter filter, const Vec2<T>& uv, const Vec2<T>& right,
-                    const Vec2<T>& down) const {
+  Rgb<T> operator()(const TextureMap& map, const Vec2<T>& uv, const Vec2<T>& right, const Vec2<T>& down) const {
+    const Texture& texture = *map.texture;
+    const TextureFilter filter = map.filter;
     TextureStory told;
     const TextureLevel& image = texture.levels[0];
     told.filter = filter;
     told.width = image.width, told.height = image.height;
     told.levels = static_cast<int>(texture.levels.size());
     told.uv_right = plain_of(right), told.uv_down = plain_of(down);
-    if (filter == TextureFilter::trilinear) told.level_of_detail = plain(level_of_detail(image, right, down));
-    told.texels = texels_read(texture, filter, plain_of(uv), told.uv_right, told.uv_down);
-    story.texture = std::move(told);
-    return sample(texture, filter, uv, right, down);
+    const auto scaled = [&](const Vec2<T>& by) { return Vec2<T>(by.x * T(map.scale.x), by.y * T(map.scale.y)); };
+    if (filter == TextureFilter::trilinear)
+      told.level_of_detail = plain(level_of_detail(image, scaled(right), scaled(down)));
+    told.texels = texels_read(map, plain_of(uv), told.uv_right, told.uv_down);
+    story = std::move(told);
+    return sample(map, uv, right, down);
   }
 };
 
@@ -181,7 +187,7 @@ void add_surface(const FrameContext& context, const Material& material, std::uin
     const PacketBarycentrics<T> at = barycentrics<Derivatives::yes>(data);
     story.weights = in_order_of_mesh(at.at, corner_order(context, number));
     const TriangleRef ref = TriangleFinder(context.scene, context.geometry).at(number);
-    story.turned = context.any_two_sided && is_turned(context, ref, number);
+    story.turned = context.uses.two_sided && is_turned(context, ref, number);
     story.interpolated_normal = plain(attribute_value<&Mesh::normals>(context, data, at.at));
     if (!context.scene.objects[data.object()].mesh->colours.empty())
       story.vertex_colour = plain(vertex_colour(context, data, at));
@@ -191,7 +197,12 @@ void add_surface(const FrameContext& context, const Material& material, std::uin
     story.uv = Double2(uv(0), uv(1));
     UndefinedCounts uncounted; // the terms have counted these
     const UndefinedTally<T> tally(uncounted, first_lane<T>());
-    if (material.texture) texture_colour<base_texture>(material, data, at, tally, TellReading{story});
+    const auto tell = [&](const TextureMap& map, std::optional<TextureStory>& how) {
+      if (map.texture) texture_colour(map, data, at, tally, TellReading{how});
+    };
+    tell(material.diffuse_map, story.texture);
+    if (!material.has_fragment_maps()) return;
+    tell(material.specular_map, story.specular_map), tell(material.emissive_map, story.emissive_map);
   });
 }
 
@@ -242,6 +253,8 @@ FragmentStory fragment_story(const FrameContext& context, std::uint32_t number, 
     add_lights(context.scene, terms, function, story);
   });
   story.ambient = plain(terms.ambient);
+  if (terms.maps && material.specular_map.texture) story.specular_colour = plain(terms.maps->specular);
+  if (terms.maps && material.emissive != Double3(0)) story.emission = plain(terms.maps->emission);
   story.radiance = plain(terms.radiance);
   story.undefined = terms.undefined;
   story.exact = exact_terms(context, number, centre(x), centre(y));

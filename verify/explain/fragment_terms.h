@@ -9,6 +9,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -28,6 +29,7 @@ struct LightTerm {
 template <class T>
 struct FragmentTerms {
   PacketSurface<T> surface;
+  std::optional<FragmentMaps<T>> maps; // of a material that has any
   Rgb<T> ambient{T(0)};
   std::vector<LightTerm<T>> lights; // in the order of light_lists
   Rgb<T> radiance{T(0)};
@@ -102,11 +104,12 @@ template <class T, class Function>
 void sum_terms(const Scene& scene, const Function& function, FragmentTerms<T>& terms) {
   const auto at = [&](const UndefinedTally<T>& tally) {
     const PacketSurface<T>& s = terms.surface;
-    return Fragment<T>{s.position, s.normal, s.to_eye, s.texture, &tally};
+    return Fragment<T>{s.position, s.normal, s.to_eye, s.texture, &tally, terms.maps ? &*terms.maps : nullptr};
   };
   const UndefinedTally<T> tally(terms.undefined, first_lane<T>());
   terms.ambient = ambient(function, at(tally));
   terms.radiance = terms.ambient;
+  if (terms.maps) terms.radiance += terms.maps->emission;
   for_each_light(scene, [&](const auto& light, std::size_t, std::size_t) {
     LightTerm<T> term;
     const UndefinedTally<T> own(term.undefined, first_lane<T>());
@@ -155,8 +158,10 @@ FragmentTerms<T> fragment_terms(const FrameContext& context, std::uint32_t numbe
   const Material& material = material_of(context.scene.objects[ref.object], ref.triangle);
   FragmentTerms<T> terms;
   const UndefinedTally<T> tally(terms.undefined, first_lane<T>());
-  with_sample<T>(context, number, x, y,
-                 [&](const auto& data) { terms.surface = packet_surface(context, material, data, tally); });
+  with_sample<T>(context, number, x, y, [&](const auto& data) {
+    terms.surface = packet_surface(context, material, data, tally);
+    if (material.has_fragment_maps()) terms.maps = fragment_maps(material, data, tally);
+  });
   with_function(material, [&](const auto& function) { sum_terms(context.scene, function, terms); });
   return terms;
 }

@@ -57,10 +57,9 @@ std::string level_text(const TextureStory& t) {
   return "between levels " + general(below, 6) + " and " + general(below + 1, 6);
 }
 
-std::string texture_text(const FragmentStory& f) {
-  if (!f.texture) return row("texture colour t, no texture", f.texture_colour);
-  const TextureStory& t = *f.texture;
-  std::string text = heading("TEXTURE of " + std::to_string(t.width) + " x " + std::to_string(t.height) + " texels, " +
+/// How one was read; `name` is its heading.
+std::string reading_text(const std::string& name, const TextureStory& t) {
+  std::string text = heading(name + " of " + std::to_string(t.width) + " x " + std::to_string(t.height) + " texels, " +
                              std::string(name_of(t.filter)));
   if (t.level_of_detail) {
     text += row("u v by a pixel to the right", std::vector<double>{t.uv_right.x, t.uv_right.y});
@@ -75,7 +74,17 @@ std::string texture_text(const FragmentStory& f) {
             left("(" + std::to_string(texel.i) + ", " + std::to_string(texel.j) + ")", 14) +
             right(fixed(texel.weight, 6), 10) + right(number(texel.value.x), number_width) +
             right(number(texel.value.y), number_width) + right(number(texel.value.z), number_width) + "\n";
-  return text + row("colour t", f.texture_colour);
+  return text;
+}
+
+std::string textures_text(const FragmentStory& f) {
+  std::string text = f.texture ? reading_text("TEXTURE", *f.texture) + row("colour t", f.texture_colour)
+                               : row("texture colour t, no texture", f.texture_colour);
+  if (f.specular_map) text += reading_text("SPECULAR MAP", *f.specular_map);
+  if (f.specular_colour) text += row("colour that multiplies ks", *f.specular_colour);
+  if (f.emissive_map) text += reading_text("EMISSIVE MAP", *f.emissive_map);
+  if (f.emission) text += row("light of its own", *f.emission);
+  return text;
 }
 
 std::string parameters_text(const std::vector<ParameterStory>& parameters) {
@@ -145,7 +154,7 @@ std::string light_block(const LightStory& light) {
     text += row(lobe_name, std::vector<double>{light.lobe->value});
   }
   text += row(light.n_l > 0 ? "diffuse   kd t <n.l>" : "diffuse   kd t <n.l>, <n.l> = 0", *light.diffuse);
-  text += row("specular  ks " + lobe_name, *light.specular);
+  text += row("specular  ks " + lobe_name + (light.specular_map == Double3(1) ? "" : ", map"), *light.specular);
   return text + row("(diffuse + specular) C", light.reflected);
 }
 
@@ -171,6 +180,7 @@ std::string lights_left_out(const FragmentStory& f, std::size_t count) {
 std::string sum_text(const FragmentStory& f) {
   std::string text = heading_rgb("SUM");
   text += row(f.user_function ? "without any light" : "ambient", f.ambient);
+  if (f.emission) text += row("light of its own", *f.emission);
   const auto gives = [](const LightStory& light) { return size_of(light.reflected); };
   const std::vector<std::size_t> shown = largest(f.lights, max_rows, gives);
   std::size_t dark = 0, others = 0;
@@ -201,7 +211,7 @@ std::string light_text(const LightStory& light) {
 }
 
 std::string fragment_text(const FragmentStory& f, const StoryTextOptions& options) {
-  std::string text = surface_text(f) + texture_text(f) + material_text(f);
+  std::string text = surface_text(f) + textures_text(f) + material_text(f);
   for (const std::size_t i : described_lights(f, options.lights)) text += light_block(f.lights[i]);
   return text + lights_left_out(f, options.lights) + sum_text(f);
 }

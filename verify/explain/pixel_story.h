@@ -129,6 +129,7 @@ struct LightStory {
   std::optional<LobeStory> lobe;
   /// Of a function with kd and ks, per unit of C: kd t <n.l> and ks <r.v>^s. (diffuse + specular) C is `reflected`.
   std::optional<Double3> diffuse, specular;
+  Double3 specular_map{1}; // what multiplies ks in it
   std::optional<MerlStory> merl;
   Double3 reflected{0}; // toward the eye: what is added to the sum
   UndefinedCounts undefined;
@@ -156,14 +157,17 @@ struct FragmentStory {
   std::optional<TextureStory> texture;
   std::optional<Double3> vertex_colour; // of the mesh, interpolated
   Double3 texture_colour{1};            // t: the texture's times the vertices'; white without
-  std::string material;                 // its name, where a file has one
-  std::string function;                 // "phong"
+  std::optional<TextureStory> specular_map, emissive_map;
+  std::optional<Double3> specular_colour; // of specular_map, which multiplies ks
+  std::optional<Double3> emission;        // light of its own, where the material has any
+  std::string material;                   // its name, where a file has one
+  std::string function;                   // "phong"
   std::vector<ParameterStory> parameters;
   bool user_function = false; // the formula is not known here: its lights were told apart by asking for them one by one
   Double3 ambient{0};
   std::vector<LightStory> lights; // in the order of the sum
-  Double3 radiance{0};            // ambient and all lights, summed in this order: what the frame has, bit for bit
-  UndefinedCounts undefined;      // all that was met, the lights' too
+  Double3 radiance{0};       // ambient, emission and all lights, summed in this order: what the frame has, bit for bit
+  UndefinedCounts undefined; // all that was met, the lights' too
   ExactTerms exact;
 };
 

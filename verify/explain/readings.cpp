@@ -17,11 +17,11 @@ double weight_of(const Traced& x, std::size_t number) {
 
 } // namespace
 
-std::vector<Texel> texels_read(const Texture& texture, TextureFilter filter, const Double2& uv, const Double2& right,
-                               const Double2& down) {
+std::vector<Texel> texels_read(const TextureMap& map, const Double2& uv, const Double2& right, const Double2& down) {
+  const Texture& texture = *map.texture;
   ReadLog log;
   const auto place = [&](const Double2& p) { return Vec2<Traced>(Traced(p.x, log), Traced(p.y, log)); };
-  const Rgb<Traced> colour = sample(texture, filter, place(uv), place(right), place(down));
+  const Rgb<Traced> colour = sample(map, place(uv), place(right), place(down));
   std::vector<Texel> texels;
   for (std::size_t number = 0; number < log.reads.size(); ++number) {
     const ReadLog::Read& read = log.reads[number];

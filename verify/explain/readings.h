@@ -9,9 +9,8 @@
 
 namespace refraster {
 
-/// The texels that `filter` reads at uv, and their weights.
-std::vector<Texel> texels_read(const Texture& texture, TextureFilter filter, const Double2& uv, const Double2& right,
-                               const Double2& down);
+/// The texels that are read of a texture at uv, and their weights.
+std::vector<Texel> texels_read(const TextureMap& map, const Double2& uv, const Double2& right, const Double2& down);
 
 /// The samples that `lookup` reads at a point, and their weights in what it interpolates (f, or its logarithm).
 std::vector<MerlTap> taps_read(const MerlTable& table, MerlLookup lookup, const MerlPoint<double>& at);

@@ -185,6 +185,12 @@ private:
       json_.optional("texture", f.texture, [&](const TextureStory& texture) { write(texture); });
       json_.optional("vertex_colour", f.vertex_colour, [&](const Double3& colour) { json_.value(listed(colour)); });
       json_.member("texture_colour", listed(f.texture_colour));
+      const auto further = [&](std::string_view name, const std::optional<TextureStory>& texture) {
+        if (texture) json_.optional(name, texture, [&](const TextureStory& t) { write(t); });
+      };
+      further("specular_map", f.specular_map), further("emissive_map", f.emissive_map);
+      if (f.specular_colour) json_.member("specular_colour", listed(*f.specular_colour));
+      if (f.emission) json_.member("emission", listed(*f.emission));
       json_.object("material", [&] {
         if (!f.material.empty()) json_.member("name", f.material);
         json_.member("fragment_function", f.function);

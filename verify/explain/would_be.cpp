@@ -209,7 +209,7 @@ private:
     const Double3 kd = colour("kd"), ks = colour("ks"), matt = group.sum_of_lights(diffuse);
     Double3 per_kd(0);
     for (int c = 0; c < 3; ++c) per_kd[c] = kd[c] > 0 ? matt[c] / kd[c] : 0;
-    const auto per_ks = [](const LightStory& light) { return light.arriving * light.lobe->value; };
+    const auto per_ks = [](const LightStory& light) { return light.arriving * light.specular_map * light.lobe->value; };
     try_channels("ka", colour("ka"), group.sum([](const FragmentStory& f) { return f.texture_colour; }), infinity_,
                  Rank::parameter);
     try_channels("kd", kd, per_kd, infinity_, Rank::parameter);

@@ -230,7 +230,7 @@ bool is_in(const Scene& scene, Concerns concerns) {
   case Concerns::measured:
     return any_object([](const Material& m) { return m.measured() != nullptr; });
   case textures:
-    return any_object([](const Material& m) { return m.texture != nullptr && !m.measured(); });
+    return any_object([](const Material& m) { return m.diffuse_map.texture != nullptr && !m.measured(); });
   case point_lights:
     return !scene.point_lights.empty();
   case attenuation:

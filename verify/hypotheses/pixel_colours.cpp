@@ -110,8 +110,8 @@ bool PixelColours::has_mip_levels(const Steps& steps) const {
   for (std::size_t t = 0; t < taps_.size(); ++t)
     if (const std::optional<Covering> first = seen(steps, 0, t)) {
       const Material& material = material_of_covering(*first);
-      if (material.texture && steps.texture_filter.value_or(material.texture_filter) == TextureFilter::trilinear)
-        return true;
+      const TextureMap& map = material.diffuse_map;
+      if (map.texture && steps.texture_filter.value_or(map.filter) == TextureFilter::trilinear) return true;
     }
   return false;
 }

@@ -25,14 +25,14 @@ Prepared::Prepared(const Scene& scene) {
   for_each_material(scene, [this](const Material& material) {
     if (const Merl* const merl = material.measured(); merl && merl->table)
       if (!tables_.contains(merl->table.get())) tables_[merl->table.get()] = read_all_the_same(*merl->table);
-    if (!material.texture || mip_mapped_.contains(material.texture.get())) return;
-    auto mapped = material.texture;
+    if (!material.diffuse_map.texture || mip_mapped_.contains(material.diffuse_map.texture.get())) return;
+    auto mapped = material.diffuse_map.texture;
     if (mapped->levels.size() == 1) {
       Texture with_levels = *mapped;
       build_mip_levels(with_levels);
       mapped = std::make_shared<const Texture>(std::move(with_levels));
     }
-    mip_mapped_[material.texture.get()] = std::move(mapped);
+    mip_mapped_[material.diffuse_map.texture.get()] = std::move(mapped);
   });
 }
 

@@ -149,6 +149,7 @@ Rgb<double> plastic_colour(const Scene& scene, const Function& material, const F
   const bool unit = surface.unit && steps.light_direction != LightDirection::not_normalised;
   const Rgb<double> own = ambient(function, at);
   Rgb<double> sum = steps.ambient == Ambient::each_light ? Rgb<double>(0) : own;
+  if (at.maps) sum += at.maps->emission;
   for_each_light(scene, steps, [&](const auto& light) {
     const Incident<double> arrived = incident(light, at, steps);
     sum += reflected_with(function, at, arrived, steps, nudge, unit);
@@ -187,7 +188,8 @@ Rgb<double> user_colour(const Scene& scene, const UserFunction& function, const 
 
 Rgb<double> colour_of(const Scene& scene, const Material& material, const Prepared& prepared, const Surface& surface,
                       const Steps& steps, const Nudge& nudge) {
-  const Fragment<double> at{surface.position, surface.normal, surface.to_eye, surface.texture, nullptr};
+  const Fragment<double> at{surface.position, surface.normal, surface.to_eye,
+                            surface.texture,  nullptr,        surface.maps ? &*surface.maps : nullptr};
   if (material.user_function) return user_colour(scene, *material.user_function, at, steps);
   const bool exchanged = steps.lobe == Lobe::exchanged;
   if (const Phong* const phong = std::get_if<Phong>(&material.fragment_function))

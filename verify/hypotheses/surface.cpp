@@ -3,6 +3,7 @@
 #include "raster/shade/shade_packet.h"
 #include "shading/half_of.h"
 
+#include <array>
 #include <cmath>
 
 namespace refraster::hypotheses {
@@ -93,16 +94,20 @@ double half_texel(double u, int side, TexturePlace place) {
 }
 
 TexturePoint texture_point(const FrameContext& context, const SampleData<double>& data,
-                           const PacketBarycentrics<double>& at, const TextureLevel& image, const Steps& steps,
-                           const Nudge& nudge, std::uint32_t triangle) {
-  const Mesh& mesh = *context.scene.objects[data.object()].mesh;
+                           const PacketBarycentrics<double>& at, const TextureMap& map, const Steps& steps,
+                           const Nudge& nudge) {
+  const TextureLevel& image = map.texture->levels[0];
+  const std::array<double, 2> whole =
+      whole_repeats(context, context.geometry.first_triangle[data.object()] + data.triangle());
   TexturePoint point;
   for (int c = 0; c < 2; ++c) {
     // Where texture coordinates do not simply repeat, those whole repeats count that interpolation leaves out.
-    point.uv[c] = interpolated_uv(data, c, at) + uv_component(mesh, mesh.triangles[triangle], c).whole;
+    point.uv[c] = interpolated_uv(data, c, at) + whole[static_cast<std::size_t>(c)];
     point.right[c] = changed(data.row(uv_row + c), at.right), point.down[c] = changed(data.row(uv_row + c), at.down);
   }
   if (steps.varyings == Varyings::in_half_precision) point.uv = in_half_precision(point.uv);
+  point.uv = point.uv * map.scale + map.offset;
+  point.right *= map.scale, point.down *= map.scale;
   const double bias = nudge.detail + (steps.mip_bias == MipBias::coarser ? 1
                                       : steps.mip_bias == MipBias::finer ? -1
                                                                          : 0);
@@ -134,8 +139,12 @@ double wrapped(double u, int side, TextureWrap wrap) {
 }
 
 /// As sample() of shading/texture.h, with another rule beyond the texture's edges.
-Rgb<double> sample_wrapped(const Texture& texture, TextureFilter filter, const TexturePoint& at, TextureWrap wrap) {
-  if (wrap == TextureWrap::right) return sample(texture, filter, at.uv, at.right, at.down);
+Rgb<double> sample_wrapped(const Texture& texture, TextureFilter filter, const TexturePoint& at,
+                           refraster::TextureWrap of_map, TextureWrap wrap) {
+  if (wrap == TextureWrap::right)
+    return of_map == refraster::TextureWrap::repeat
+               ? sample(texture, filter, at.uv, at.right, at.down)
+               : sample<refraster::TextureWrap::clamp>(texture, filter, at.uv, at.right, at.down);
   const auto place = [&](const TextureLevel& level) {
     return Double2(wrapped(at.uv.x, level.width, wrap), wrapped(at.uv.y, level.height, wrap));
   };
@@ -158,16 +167,17 @@ Rgb<double> sample_wrapped(const Texture& texture, TextureFilter filter, const T
 
 Rgb<double> texture_colour(const FrameContext& context, const SampleData<double>& data,
                            const PacketBarycentrics<double>& at, const Prepared& prepared, const Steps& steps,
-                           const Nudge& nudge, std::uint32_t triangle) {
+                           const Nudge& nudge) {
   const Material& material = material_of(context.scene.objects[data.object()], data.triangle());
-  if (!material.texture || material.measured() || !data.may_have_texture_coordinates() ||
+  if (!material.diffuse_map.texture || material.measured() || !data.may_have_texture_coordinates() ||
       steps.texture_use == TextureUse::missing)
     return Rgb<double>(1);
-  const TextureFilter filter = steps.texture_filter.value_or(material.texture_filter);
-  const Texture& texture =
-      filter == TextureFilter::trilinear ? prepared.with_mip_levels(*material.texture) : *material.texture;
-  const TexturePoint point = texture_point(context, data, at, texture.levels[0], steps, nudge, triangle);
-  Rgb<double> colour = sample_wrapped(texture, filter, point, steps.texture_wrap) + nudge.texel;
+  const TextureFilter filter = steps.texture_filter.value_or(material.diffuse_map.filter);
+  const Texture& texture = filter == TextureFilter::trilinear ? prepared.with_mip_levels(*material.diffuse_map.texture)
+                                                              : *material.diffuse_map.texture;
+  const TexturePoint point = texture_point(context, data, at, material.diffuse_map, steps, nudge);
+  Rgb<double> colour =
+      sample_wrapped(texture, filter, point, material.diffuse_map.wrap, steps.texture_wrap) + nudge.texel;
   if (steps.texture_curve != TextureCurve::right) {
     const double exponent = steps.texture_curve == TextureCurve::decoded ? 2.2 : 1 / 2.2;
     for (int c = 0; c < 3; ++c) colour[c] = std::pow(max0(colour[c]), exponent);
@@ -211,8 +221,12 @@ Surface surface_at(const FrameContext& context, const SampleData<double>& data, 
   const bool away = steps.normal_side == NormalSide::toward_eye && dot(normal, way) < 0;
   surface.normal = steps.normal_side == NormalSide::reversed || away ? -normal : normal;
   surface.unit = steps.normal_length == NormalLength::unit && steps.eye != Eye::not_normalised;
-  surface.texture =
-      texture_colour(context, data, at, prepared, steps, nudge, data.triangle()) * vertex_colour(context, data, at);
+  surface.texture = texture_colour(context, data, at, prepared, steps, nudge) * vertex_colour(context, data, at);
+  if (const Material& material = material_of(context.scene.objects[object], data.triangle());
+      material.has_fragment_maps()) {
+    UndefinedCounts uncounted;
+    surface.maps = fragment_maps(material, data, UndefinedTally<double>(uncounted, true));
+  }
   return surface;
 }
 

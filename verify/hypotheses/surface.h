@@ -6,6 +6,8 @@
 #include "verify/hypotheses/prepared.h"
 #include "verify/hypotheses/steps.h"
 
+#include <optional>
+
 namespace refraster::hypotheses {
 
 /// How far inputs are moved that a right device rounds: to see how much the colour moves.
@@ -19,7 +21,8 @@ struct Nudge {
 struct Surface {
   Double3 position{0}, normal{0}, to_eye{0};
   Rgb<double> texture{1};
-  bool unit = true; // normal and direction to the eye are unit, or 0
+  bool unit = true;                         // normal and direction to the eye are unit, or 0
+  std::optional<FragmentMaps<double>> maps; // of a material that has any: as they are right
 };
 
 /// At the sample that `data` was moved to.

@@ -61,7 +61,8 @@ PixelClass PixelJudge::by_own_surface(const PixelCase& pixel, std::uint32_t numb
     return stored_.is_integer() && apart <= stored_.step() ? PixelClass::rounding : found;
   };
   const DeviceTriangle triangle(frame_, number);
-  if (material.texture) {
+  const bool textured = is_textured(material);
+  if (textured) {
     const BoundCauses as_filtered =
         BoundCauses::all().without(BoundCause::texture).without(BoundCause::level_of_detail);
     const PixelBounds bounds = bounder_.bounds(triangle, pixel.at.x, pixel.at.y, as_filtered);
@@ -74,7 +75,7 @@ PixelClass PixelJudge::by_own_surface(const PixelCase& pixel, std::uint32_t numb
   if (!is_within(bounds.colour, pixel)) return bounds.undefined ? PixelClass::undefined : PixelClass::unexplained;
   if (!bounds.open) {
     if (!(detail.allowed.width() <= unverifiable_levels)) return PixelClass::unverifiable;
-    return explained(material.texture ? PixelClass::texel : PixelClass::shading);
+    return explained(textured ? PixelClass::texel : PixelClass::shading);
   }
   double width = 0;
   const bool found = bounder_.for_each_path(triangle, pixel.at.x, pixel.at.y, [&](const PixelBounds& path) {
@@ -84,7 +85,8 @@ PixelClass PixelJudge::by_own_surface(const PixelCase& pixel, std::uint32_t numb
   });
   if (!found) return bounds.undefined ? PixelClass::undefined : PixelClass::unexplained;
   if (!(width <= unverifiable_levels)) return PixelClass::unverifiable;
-  const bool of_texels = material.texture && material.texture_filter == TextureFilter::nearest;
+  const bool of_texels =
+      any_texture(material, [](const TextureMap& map) { return map.filter == TextureFilter::nearest; });
   return explained(of_texels ? PixelClass::texel : PixelClass::branch);
 }
 

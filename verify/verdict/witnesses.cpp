@@ -20,13 +20,12 @@ Image<float> frame_with(const Scene& scene, const RenderOptions& options, double
   Scene changed = scene;
   std::map<const Texture*, std::shared_ptr<const Texture>> done;
   for_each_material(changed, [&](Material& material) {
-    for (const TextureSlot& slot : texture_slots) {
-      std::shared_ptr<const Texture>& texture = material.*slot.texture;
-      if (!texture || material.*slot.filter == TextureFilter::nearest) continue;
-      std::shared_ptr<const Texture>& copy = done[texture.get()];
-      if (!copy) copy = moved(*texture, by);
-      texture = copy;
-    }
+    for_each_texture(material, [&](TextureMap& map) {
+      if (map.filter == TextureFilter::nearest) return;
+      std::shared_ptr<const Texture>& copy = done[map.texture.get()];
+      if (!copy) copy = moved(*map.texture, by);
+      map.texture = copy;
+    });
   });
   return render(changed, options).radiance;
 }
@@ -37,9 +36,7 @@ std::optional<Witnesses> texel_witnesses(const Scene& scene, const RenderOptions
                                          const DeviceProfile& profile) {
   const double error = profile.texture.filter_error;
   const bool any_filtered = any_material(scene, [](const Material& material) {
-    return std::any_of(texture_slots.begin(), texture_slots.end(), [&](const TextureSlot& slot) {
-      return material.*slot.texture && material.*slot.filter != TextureFilter::nearest;
-    });
+    return any_texture(material, [](const TextureMap& map) { return map.filter != TextureFilter::nearest; });
   });
   if (!any_filtered || error == 0) return std::nullopt;
   RenderOptions plain = options;

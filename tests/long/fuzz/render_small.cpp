@@ -42,8 +42,8 @@ Scene showing(std::shared_ptr<const Mesh> mesh, std::shared_ptr<const Texture> t
   scene.direction_lights.push_back({{0.3, -0.5, -1}, {0.5, 0.6, 0.7}});
   Object& object = scene.objects.emplace_back();
   object.mesh = std::move(mesh);
-  object.material.texture = std::move(texture);
-  object.material.texture_filter = filter;
+  object.material.diffuse_map.texture = std::move(texture);
+  object.material.diffuse_map.filter = filter;
   return scene;
 }
 

@@ -79,11 +79,11 @@ Scene without_attenuation(Scene scene, const FaultImageSize&) {
 
 Scene mip_mapped(Scene scene, const FaultImageSize&) {
   for (Object& object : scene.objects) {
-    if (!object.material.texture) continue;
-    Texture texture = *object.material.texture;
+    if (!object.material.diffuse_map.texture) continue;
+    Texture texture = *object.material.diffuse_map.texture;
     if (texture.levels.size() == 1) build_mip_levels(texture);
-    object.material.texture = std::make_shared<const Texture>(std::move(texture));
-    object.material.texture_filter = TextureFilter::trilinear;
+    object.material.diffuse_map.texture = std::make_shared<const Texture>(std::move(texture));
+    object.material.diffuse_map.filter = TextureFilter::trilinear;
   }
   return scene;
 }

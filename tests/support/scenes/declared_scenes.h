@@ -50,7 +50,7 @@ inline std::vector<DeclaredEntry> declared_entries() {
   using namespace declared_detail;
   std::vector<DeclaredEntry> entries;
   Scene plain = half_textured(TextureFilter::bilinear);
-  plain.objects[0].material.texture = nullptr;
+  plain.objects[0].material.diffuse_map.texture = nullptr;
   change_mesh(plain, [](Mesh& mesh) { mesh.uvs.resize(mesh.positions.size(), Float2(0.3f, 0.6f)); });
 
   for_each_light_list(plain, [&]<class Light>(std::vector<Light>& lights) {
@@ -59,7 +59,7 @@ inline std::vector<DeclaredEntry> declared_entries() {
       if constexpr (requires { all = lights; }) all = {some_light<Light>(), some_light<Light>()};
       else all.clear();
     });
-    entry.with.objects[0].material.texture = nullptr;
+    entry.with.objects[0].material.diffuse_map.texture = nullptr;
     for_each_light_list(entry.without, [](auto& all) { all.clear(); });
     entries.push_back(std::move(entry));
   });
@@ -70,7 +70,9 @@ inline std::vector<DeclaredEntry> declared_entries() {
       change_mesh(*scene, [](Mesh& mesh) {
         for (std::size_t v = 0; v < mesh.uvs.size(); ++v) mesh.uvs[v] = Float2(mesh.positions[v]);
       });
-    entry.with.objects[0].material.*slot.texture = some_texture(i);
+    for (Scene* const scene : {&entry.with, &entry.without})
+      if (slot.multiplied) scene->objects[0].material.*slot.multiplied = Double3(1);
+    (entry.with.objects[0].material.*slot.map).texture = some_texture(i);
     entries.push_back(std::move(entry));
   }
   for_each_vertex_attribute([&]<class Value>(const VertexAttribute<Value>& attribute) {
@@ -78,7 +80,7 @@ inline std::vector<DeclaredEntry> declared_entries() {
     DeclaredEntry entry{std::string(attribute.words), plain, plain};
     for (Scene* const scene : {&entry.with, &entry.without}) {
       for (std::size_t i = 0; i < texture_slots.size(); ++i)
-        scene->objects[0].material.*texture_slots[i].texture = some_texture(i);
+        (scene->objects[0].material.*texture_slots[i].map).texture = some_texture(i);
       change_mesh(*scene, [&](Mesh& mesh) { (mesh.*attribute.values).clear(); });
     }
     change_mesh(entry.with, [&](Mesh& mesh) { // of half of the vertices, as an optional attribute may be

@@ -67,8 +67,8 @@ Function plastic(const Double3& ka, const Double3& kd, const Double3& ks, double
 }
 
 void show(Object& object, int width, int height, TextureFilter filter) {
-  object.material.texture = patches(width, height, filter);
-  object.material.texture_filter = filter;
+  object.material.diffuse_map.texture = patches(width, height, filter);
+  object.material.diffuse_map.filter = filter;
 }
 
 Scene plastics(SpecularGate gate) {

@@ -26,7 +26,7 @@ inline Scene half_textured(TextureFilter filter) {
   object.name = "knot";
   object.mesh = std::make_shared<const Mesh>(std::move(mesh));
   object.material.fragment_function = function;
-  object.material.texture = std::move(texture), object.material.texture_filter = filter;
+  object.material.diffuse_map.texture = std::move(texture), object.material.diffuse_map.filter = filter;
   scene.objects = {object};
   return scene;
 }

@@ -77,8 +77,8 @@ Scene textured(TextureFilter filter) {
   Object ball = object(shared(sphere_mesh(24, 12)), {0, 0.3, 0}, {0, 40, 10}, {0.5, 0.6, 0.5},
                        glossy<BlinnPhong>({1, 1, 1}, {}, 1));
   for (Object* o : {&floor, &ball}) {
-    o->material.texture = noise_texture(37, 16);
-    o->material.texture_filter = filter;
+    o->material.diffuse_map.texture = noise_texture(37, 16);
+    o->material.diffuse_map.filter = filter;
   }
   return with(scene, {floor, ball});
 }
@@ -112,7 +112,7 @@ Scene thrown(int triangles) {
     mesh.triangles.push_back({first, first + 1, first + 2});
   }
   Object o = object(shared(mesh), {}, {}, Double3(1), glossy<BlinnPhong>({0.7, 0.8, 0.9}, {0.4, 0.3, 0.2}, 40));
-  o.material.texture = noise_texture(8, 8);
+  o.material.diffuse_map.texture = noise_texture(8, 8);
   return with(lit(), {o});
 }
 
@@ -140,7 +140,7 @@ Scene extremes() {
            {0, 0}); // through the eye plane and the far one
   Scene scene = lit();
   Object o = object(shared(wall), {}, {}, Double3(1), glossy<Phong>({0.5, 0.6, 0.7}, {0.5, 0.5, 0.5}, 0));
-  o.material.texture = noise_texture(1, 3);
+  o.material.diffuse_map.texture = noise_texture(1, 3);
   scene.objects.push_back(o);
   const MeshPointer ball = shared(sphere_mesh(12, 6));
   scene.objects.push_back(

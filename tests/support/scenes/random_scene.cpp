@@ -112,6 +112,28 @@ std::shared_ptr<const Texture> random_texture(Random& random, TextureFilter filt
   return texture;
 }
 
+/// Those beside the diffuse one, and where they all are placed. From a generator of its own, which the other only
+/// seeds.
+void add_further_textures(const Random& random, Material& material) {
+  Random peek = random, own(static_cast<std::uint64_t>(peek.below(1 << 30)));
+  for (const TextureSlot& slot : texture_slots) {
+    TextureMap& map = material.*slot.map;
+    if (slot.map != &Material::diffuse_map && one_in(own, 4)) {
+      constexpr TextureFilter filters[] = {TextureFilter::nearest, TextureFilter::bilinear, TextureFilter::trilinear};
+      map.filter = filters[own.below(3)];
+      Texture texture = *random_texture(own, TextureFilter::bilinear);
+      if (one_in(own, 3)) decode_srgb(texture);
+      if (map.filter == TextureFilter::trilinear) build_mip_levels(texture);
+      map.texture = std::make_shared<const Texture>(std::move(texture));
+    }
+    if (slot.multiplied && one_in(own, 3)) material.*slot.multiplied = Double3(own.log_uniform(1e-3, 10), 0, 1);
+    if (!one_in(own, 4)) continue;
+    map.wrap = one_in(own, 2) ? TextureWrap::repeat : TextureWrap::clamp;
+    const auto scale = [&] { return one_in(own, 8) ? own.log_uniform(1e-300, 1e300) : own.uniform(-4, 4); };
+    map.scale = {scale(), scale()}, map.offset = {scale(), scale()};
+  }
+}
+
 /// One for all scenes: it has 105 MB. A third of it was never measured.
 std::shared_ptr<const MerlTable> ragged_table() {
   static const auto table = [] {
@@ -183,8 +205,10 @@ Object random_object(Random& random) {
   object.cull = any_of<Cull>(random);
   object.two_sided = object.position.y < 0 ? TwoSided::yes : TwoSided::no; // no other number is drawn for it
   object.material.fragment_function = random_function(random);
-  object.material.texture_filter = any_of<TextureFilter>(random);
-  if (!one_in(random, 3)) object.material.texture = random_texture(random, object.material.texture_filter);
+  object.material.diffuse_map.filter = any_of<TextureFilter>(random);
+  if (!one_in(random, 3))
+    object.material.diffuse_map.texture = random_texture(random, object.material.diffuse_map.filter);
+  add_further_textures(random, object.material);
   return object;
 }
 

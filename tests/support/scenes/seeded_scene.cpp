@@ -218,9 +218,21 @@ FragmentFunction random_function(Random& random) {
 Material random_material(Random& random) {
   Material material;
   material.fragment_function = random_function(random);
+  material.diffuse_map.filter = any_of<TextureFilter>(random);
+  if (!one_in(random, 3)) material.diffuse_map.texture = random_texture(random, material.diffuse_map.filter);
+  // No other number is drawn for what follows.
+  Random peek = random, own(static_cast<std::uint64_t>(peek.below(1 << 30)));
   for (const TextureSlot& slot : texture_slots) {
-    material.*slot.filter = any_of<TextureFilter>(random);
-    if (!one_in(random, 3)) material.*slot.texture = random_texture(random, material.*slot.filter);
+    TextureMap& map = material.*slot.map;
+    const bool is_base = slot.map == &Material::diffuse_map;
+    if (!is_base && one_in(own, 3)) {
+      map.filter = any_of<TextureFilter>(own);
+      map.texture = random_texture(own, map.filter);
+      if (slot.multiplied) material.*slot.multiplied = vector(own, 0, 1);
+    }
+    if (!one_in(own, 3)) continue;
+    map.wrap = any_of<TextureWrap>(own);
+    map.scale = {own.uniform(-3, 3), own.uniform(-3, 3)}, map.offset = {own.uniform(-1, 1), own.uniform(-1, 1)};
   }
   return material;
 }

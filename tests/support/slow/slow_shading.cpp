@@ -19,20 +19,30 @@ int wrapped(Real cell, int n) {
   return std::min(static_cast<int>(rest), n - 1);
 }
 
-Vec texel(const TextureLevel& level, Real x, Real y) {
-  const auto at = 3 * (static_cast<std::size_t>(wrapped(y, level.height)) * static_cast<std::size_t>(level.width) +
-                       static_cast<std::size_t>(wrapped(x, level.width)));
+int placed(Real cell, int n, TextureWrap wrap) {
+  return wrap == TextureWrap::repeat ? wrapped(cell, n)
+                                     : static_cast<int>(std::clamp(cell, Real(0), static_cast<Real>(n - 1)));
+}
+
+Vec texel(const TextureLevel& level, Real x, Real y, TextureWrap wrap) {
+  const auto at = 3 * (static_cast<std::size_t>(placed(y, level.height, wrap)) * static_cast<std::size_t>(level.width) +
+                       static_cast<std::size_t>(placed(x, level.width, wrap)));
   return {real(level.rgb[at]), real(level.rgb[at + 1]), real(level.rgb[at + 2])};
 }
 
-Vec bilinear(const TextureLevel& level, Real u, Real v) {
+Vec bilinear(const TextureLevel& level, Real u, Real v, TextureWrap wrap) {
   const Real x = u * level.width - Real(0.5), y = v * level.height - Real(0.5);
   const Real s = x - std::floor(x), t = y - std::floor(y), i = std::floor(x), j = std::floor(y);
-  return texel(level, i, j) * ((1 - s) * (1 - t)) + texel(level, i + 1, j) * (s * (1 - t)) +
-         texel(level, i, j + 1) * ((1 - s) * t) + texel(level, i + 1, j + 1) * (s * t);
+  return texel(level, i, j, wrap) * ((1 - s) * (1 - t)) + texel(level, i + 1, j, wrap) * (s * (1 - t)) +
+         texel(level, i, j + 1, wrap) * ((1 - s) * t) + texel(level, i + 1, j + 1, wrap) * (s * t);
 }
 
-Vec trilinear(const Texture& texture, const Seen& at) {
+/// Where an image is read, and how that changes by a pixel to the right and down.
+struct Place {
+  Real u, v, u_right, v_right, u_down, v_down;
+};
+
+Vec trilinear(const Texture& texture, const Place& at, TextureWrap wrap) {
   const TextureLevel& image = texture.levels[0];
   const Real right = std::hypot(at.u_right * image.width, at.v_right * image.height);
   const Real down = std::hypot(at.u_down * image.width, at.v_down * image.height);
@@ -40,22 +50,29 @@ Vec trilinear(const Texture& texture, const Seen& at) {
   const Real detail = std::clamp(std::log2(std::max(right, down)), Real(0), last);
   const auto lower = static_cast<std::size_t>(detail), upper = std::min(lower + 1, texture.levels.size() - 1);
   const Real share = detail - real(lower);
-  return bilinear(texture.levels[lower], at.u, at.v) * (1 - share) +
-         bilinear(texture.levels[upper], at.u, at.v) * share;
+  return bilinear(texture.levels[lower], at.u, at.v, wrap) * (1 - share) +
+         bilinear(texture.levels[upper], at.u, at.v, wrap) * share;
 }
 
-Vec texture_colour(const Material& material, const Seen& at) {
-  if (!material.texture || !at.has_uv) return {1, 1, 1};
-  const Texture& texture = *material.texture;
+Vec texture_colour(const TextureMap& map, const Seen& seen) {
+  if (!map.texture || !seen.has_uv) return {1, 1, 1};
+  const Real a = real(map.scale.x), b = real(map.scale.y);
+  const Place at{seen.u * a + real(map.offset.x),
+                 seen.v * b + real(map.offset.y),
+                 seen.u_right * a,
+                 seen.v_right * b,
+                 seen.u_down * a,
+                 seen.v_down * b};
+  const Texture& texture = *map.texture;
   const TextureLevel& image = texture.levels[0];
   const Real scale = 1 / real(texture.full_scale);
-  switch (material.texture_filter) {
+  switch (map.filter) {
   case TextureFilter::nearest:
-    return texel(image, std::floor(at.u * image.width), std::floor(at.v * image.height)) * scale;
+    return texel(image, std::floor(at.u * image.width), std::floor(at.v * image.height), map.wrap) * scale;
   case TextureFilter::bilinear:
-    return bilinear(image, at.u, at.v) * scale;
+    return bilinear(image, at.u, at.v, map.wrap) * scale;
   case TextureFilter::trilinear:
-    return trilinear(texture, at) * scale;
+    return trilinear(texture, at, map.wrap) * scale;
   }
   return {};
 }
@@ -155,13 +172,14 @@ Real highlight_cosine(const BlinnPhong&, Vec n, Vec l, Vec v) {
 template <class Function>
   requires std::derived_from<Function, PhongParameters> std::optional<Shaded> shaded_by(const Function& function,
                                                                                         const Lit& at) {
-    Shaded result{vec(function.ka) * at.texture, vec(function.ka)};
+    Shaded result{vec(function.ka) * at.texture + at.emission, vec(function.ka) + at.emission};
     for (const Arriving& light : at.lights) {
       const Real n_l = dot(at.normal, light.direction);
       const Real cosine = std::max(highlight_cosine(function, at.normal, light.direction, at.to_eye), Real(0));
       const bool cut = function.specular_gate == SpecularGate::cut_below_horizon && !(n_l > 0);
       const Real highlight = cut ? 0 : std::pow(cosine, real(function.glossiness));
-      const Vec diffuse = vec(function.kd) * std::max(n_l, Real(0)), specular = vec(function.ks) * highlight;
+      const Vec diffuse = vec(function.kd) * std::max(n_l, Real(0)),
+                specular = vec(function.ks) * at.specular * highlight;
       result.radiance = result.radiance + (diffuse * at.texture + specular) * light.radiance;
       result.magnitude = result.magnitude + (diffuse + specular) * light.radiance;
     }
@@ -189,8 +207,12 @@ concept HasFormula = requires(const Function& function, const Lit& at) {
 } // namespace
 
 Lit lit(const Scene& scene, const Seen& seen) {
-  return {seen.normal, unit(vec(scene.camera.position) - seen.position),
-          texture_colour(*seen.material, seen) * seen.colour, lights_at(scene, seen.position)};
+  return {seen.normal,
+          unit(vec(scene.camera.position) - seen.position),
+          texture_colour(seen.material->diffuse_map, seen) * seen.colour,
+          lights_at(scene, seen.position),
+          texture_colour(seen.material->specular_map, seen),
+          vec(seen.material->emissive) * texture_colour(seen.material->emissive_map, seen)};
 }
 
 bool has_formula(const FragmentFunction& function) {

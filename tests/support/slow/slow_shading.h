@@ -13,8 +13,9 @@ struct Arriving {
 
 /// What a formula is given.
 struct Lit {
-  Vec normal, to_eye, texture;  // unit vectors; the texture's colour, times the vertices'
-  std::vector<Arriving> lights; // all of the scene
+  Vec normal, to_eye, texture;              // unit vectors; the texture's colour, times the vertices'
+  std::vector<Arriving> lights;             // all of the scene
+  Vec specular{1, 1, 1}, emission{0, 0, 0}; // what multiplies ks; light of its own, of Phong and Blinn-Phong
 };
 Lit lit(const Scene& scene, const Seen& seen); // seen.object is not null
 

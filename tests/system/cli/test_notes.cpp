@@ -72,15 +72,15 @@ TEST_CASE("the README's first scene needs no other file, shows something everywh
   CHECK(text_of(folder / "r.json").find("\"shaded\": 2304,") != std::string::npos); // 64 * 36
 }
 
-TEST_CASE("a mesh for a scene: render, gl and bench say how to get one, and the scene can be copied") {
+TEST_CASE("an OBJ file of another name: render, gl and bench say how to get a scene, and it can be copied") {
   const TemporaryFolder folder;
-  save_text(folder / "model.obj", "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\n");
+  save_text(folder / "model.txt", "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\n");
   std::string advice;
   for (const char* const command : {"render", "gl", "bench"}) {
-    const Finished run = run_program(folder.path, {command, "model.obj"});
+    const Finished run = run_program(folder.path, {command, "model.txt"});
     CHECK(run.exit_code == 3);
     CHECK(run.out.empty());
-    CHECK_MESSAGE(run.err.starts_with("refraster: model.obj: found an OBJ file, expected a scene file\n"), run.err);
+    CHECK_MESSAGE(run.err.starts_with("refraster: model.txt: found an OBJ file, expected a scene file\n"), run.err);
     CHECK((advice.empty() || advice == run.err));
     advice = run.err;
   }

@@ -319,8 +319,8 @@ TEST_CASE("C10: derivatives are the plane's own: no neighbour is asked, and none
     std::vector<Float2> uvs;
     for (const Float3& p : corners) uvs.emplace_back(p.x, p.z);
     Object& object = window.add(corners, Double3(1), uvs);
-    object.material.texture = texture;
-    object.material.texture_filter = TextureFilter::trilinear;
+    object.material.diffuse_map.texture = texture;
+    object.material.diffuse_map.filter = TextureFilter::trilinear;
     RenderOptions options = window.options({Aov::object});
     options.crop = crop;
     return render(window.scene, options);

@@ -198,8 +198,8 @@ TEST_CASE("I4: on an edge where the texture coordinate is 0 the first texel is s
   // Quads with sides through sample centres; the coordinate is 0 along the top and the left side, which own them. The
   // exact value there is 0: rounding must not make it negative.
   const auto nearest_texels = [](WindowScene& window, Object& object) {
-    object.material.texture = index_texture(4, 4);
-    object.material.texture_filter = TextureFilter::nearest;
+    object.material.diffuse_map.texture = index_texture(4, 4);
+    object.material.diffuse_map.filter = TextureFilter::nearest;
     std::vector<Frame> frames;
     for (const Precision precision : {Precision::double_, Precision::float_}) {
       RenderOptions options = window.options();
@@ -266,8 +266,8 @@ TEST_CASE("I6: a texture coordinate of 1e7 is taken as the float it is, and repe
     WindowScene window(32);
     Object& object = window.add({window.place(0, 0, 1), window.place(32, 0, 4), window.place(0, 32, 2)}, Double3(1),
                                 {{base, base}, {base + 1, base}, {base, base + 1}});
-    object.material.texture = texture;
-    object.material.texture_filter = TextureFilter::bilinear;
+    object.material.diffuse_map.texture = texture;
+    object.material.diffuse_map.filter = TextureFilter::bilinear;
     return window.frame().radiance.values;
   };
   const std::vector<float> expected = seen(0);
@@ -321,8 +321,8 @@ TEST_CASE("I8: a texture coordinate that is NaN or infinite gives the colour at 
         WindowScene window(8);
         Object& object = window.add({window.place(-8, -8, 1), window.place(24, -8, 1), window.place(-8, 24, 1)},
                                     Double3(1), {{bad, 0.375f}, {bad, 0.375f}, {bad, 0.375f}});
-        object.material.texture = texture;
-        object.material.texture_filter = filter;
+        object.material.diffuse_map.texture = texture;
+        object.material.diffuse_map.filter = filter;
         RenderOptions options = window.options();
         options.precision = precision;
         const Frame frame = render(window.scene, options);
@@ -345,8 +345,8 @@ TEST_CASE("I9: a triangle without texture coordinates is white, and nothing is c
                                      window.place(24, -8, 1), window.place(24, 40, 1), window.place(8, 8, 1)},
                                     Double3(1), std::vector<Float2>(textured, Float2(0.375f)));
         std::get<Phong>(object.material.fragment_function).kd = Double3(1); // no light: for the albedo
-        object.material.texture = texture;
-        object.material.texture_filter = filter;
+        object.material.diffuse_map.texture = texture;
+        object.material.diffuse_map.filter = filter;
         RenderOptions options = window.options({Aov::triangle, Aov::uv, Aov::albedo});
         options.precision = precision;
         const Frame frame = render(window.scene, options);

@@ -38,8 +38,8 @@ Image<float> evaluated(const std::string& formulas, std::shared_ptr<const Textur
   Object object;
   object.mesh = std::make_shared<const Mesh>(plane_mesh(1));
   object.material.fragment_function = Phong{};
-  object.material.texture = std::move(texture);
-  object.material.texture_filter = TextureFilter::bilinear;
+  object.material.diffuse_map.texture = std::move(texture);
+  object.material.diffuse_map.filter = TextureFilter::bilinear;
   object.vertex_shader_path = folder / "vs.glsl";
   object.fragment_shader_path = folder / "fs.glsl";
   scene.objects = {object};

@@ -79,6 +79,50 @@ TEST_CASE("a scene through llvmpipe shows the same surfaces, in colours that are
   for (const std::string& path : quick_scenes()) check_scene(path, 112, 63, entered("llvmpipe"));
 }
 
+TEST_CASE("an object that is lit from both sides shows them through llvmpipe as here, mirrored or not") {
+  Scene scene = ball(Phong{});
+  Mesh half = *scene.objects[0].mesh; // open: its inside is seen, too
+  half.triangles.resize(half.triangles.size() / 2);
+  scene.objects[0].mesh = std::make_shared<const Mesh>(std::move(half));
+  scene.objects[0].two_sided = TwoSided::yes;
+  const DeviceProfile profile = entered("llvmpipe");
+  for (const Double3& scale : {Double3(1.5, 1, 0.7), Double3(-1.5, 1, 0.7), Double3(1.5, -1, -0.7), Double3(-1)}) {
+    scene.objects[0].scale = scale;
+    for (const double turn : {0.0, 180.0}) {
+      scene.objects[0].rotate_degrees = {20, turn, 0};
+      check_scene("both sides", scene, 96, 64, profile);
+    }
+  }
+  // The test can fail: one side alone is another picture.
+  Scene one_side = scene;
+  one_side.objects[0].two_sided = TwoSided::no;
+  CHECK_FALSE(judge(scene, in_float(drawn(one_side, 96, 64, profile)), profile, {}).is_explained());
+}
+
+TEST_CASE("every texture of a material, wherever it is placed and whatever its numbers mean, is explained") {
+  for (const TextureFilter filter : {TextureFilter::nearest, TextureFilter::bilinear, TextureFilter::trilinear})
+    for (const ColourSpace colour_space : {ColourSpace::linear, ColourSpace::srgb})
+      for (const TextureWrap wrap : {TextureWrap::repeat, TextureWrap::clamp}) {
+        Scene scene = half_textured(filter);
+        Material& material = scene.objects[0].material;
+        Texture texture{255, {material.diffuse_map.texture->levels[0]}};
+        if (colour_space == ColourSpace::srgb) decode_srgb(texture);
+        build_mip_levels(texture);
+        TextureMap map{std::make_shared<const Texture>(texture), filter, wrap, {1.5, -2}, {0.25, 1.125}};
+        material.diffuse_map = material.specular_map = map;
+        map.scale = Double2(1), map.offset = Double2(0);
+        material.emissive_map = map;
+        material.emissive = {0.3, 0.2, 0.1};
+        check_scene(std::string(name_of(filter)) + " " + std::string(name_of(wrap)), scene, 112, 63,
+                    entered("llvmpipe"));
+        // The test can fail: without one of them it is another picture.
+        Scene without = scene;
+        without.objects[0].material.specular_map = {};
+        const DeviceProfile profile = entered("llvmpipe");
+        CHECK_FALSE(judge(scene, in_float(drawn(without, 112, 63, profile)), profile, {}).is_explained());
+      }
+}
+
 TEST_CASE("images of one row, of one column and of odd sides show the same surfaces, in colours that are explained") {
   for (const std::string& path : quick_scenes())
     for (const auto& [width, height] : {std::pair(64, 1), std::pair(1, 63), std::pair(31, 33), std::pair(1, 1)})
@@ -166,8 +210,8 @@ TEST_CASE("a ground seen edge on through llvmpipe without its shortcuts has leve
   ground.position = {0, -1, 0};
   ground.scale = {20, 1, 20};
   ground.rotate_degrees = Double3(0);
-  ground.material.texture = std::make_shared<const Texture>(stripes);
-  ground.material.texture_filter = TextureFilter::trilinear;
+  ground.material.diffuse_map.texture = std::make_shared<const Texture>(stripes);
+  ground.material.diffuse_map.filter = TextureFilter::trilinear;
   for (const auto& [width, height] : {std::pair(32, 32), std::pair(32, 33), std::pair(33, 35)}) {
     check_scene("stripes", scene, width, height, entered("llvmpipe-precise"));
   }

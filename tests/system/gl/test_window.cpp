@@ -246,8 +246,8 @@ TEST_CASE("a texture is seen the way up that its file has") {
   plane.rotate_degrees = {90, 0, 0};
   plane.position = {0, 0, -1};
   plane.material = shining({}).material;
-  plane.material.texture = std::make_shared<const Texture>(texture);
-  plane.material.texture_filter = TextureFilter::nearest;
+  plane.material.diffuse_map.texture = std::make_shared<const Texture>(texture);
+  plane.material.diffuse_map.filter = TextureFilter::nearest;
   const std::string lecture = std::string(REFRASTER_SOURCE_DIR) + "/scenes/lecture/shader/";
   const std::string shaders[][2] = {{"", ""}, {text_of(lecture + "vertex.glsl"), text_of(lecture + "phong_fs.glsl")}};
   for (const GlRenderer renderer : software_renderers)

@@ -33,7 +33,7 @@ void for_each_spoiled(auto&& body) {
   const Scene sound = half_textured(TextureFilter::bilinear);
   for (const TextureSlot& slot : texture_slots) {
     Scene scene = sound;
-    scene.objects[0].material.*slot.texture = std::make_shared<const Texture>();
+    (scene.objects[0].material.*slot.map).texture = std::make_shared<const Texture>();
     body("the texture " + std::string(slot.name), scene);
   }
   for_each_vertex_attribute([&]<class Value>(const VertexAttribute<Value>& attribute) {
@@ -79,7 +79,7 @@ TEST_CASE("random scenes have every type of light, texture and vertex attribute,
     const auto any_object = [&](auto&& has) { return std::any_of(scene.objects.begin(), scene.objects.end(), has); };
     for (const TextureSlot& slot : texture_slots)
       count("the texture " + std::string(slot.name),
-            any_object([&](const Object& object) { return object.material.*slot.texture != nullptr; }));
+            any_object([&](const Object& object) { return (object.material.*slot.map).texture != nullptr; }));
     for_each_vertex_attribute([&](const auto& attribute) {
       count(std::string(attribute.words),
             any_object([&](const Object& object) { return !(object.mesh.get()->*attribute.values).empty(); }));

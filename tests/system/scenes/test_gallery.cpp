@@ -160,7 +160,7 @@ TEST_CASE("the lecture's file says what the lecture says") {
   CHECK(phong->kd == Double3(1));
   CHECK(phong->ks == Double3(1));
   CHECK(phong->glossiness == 8);
-  CHECK(cube.material.texture != nullptr);
+  CHECK(cube.material.diffuse_map.texture != nullptr);
 }
 
 TEST_CASE("the committed textures are those that make_textures makes") {

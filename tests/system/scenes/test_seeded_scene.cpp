@@ -43,7 +43,7 @@ private:
   static void add(const Object& object, const Camera& camera, std::set<std::string>& found) {
     const Material& material = object.material;
     found.insert(std::string(material.function_name()));
-    found.insert(material.texture ? std::string(name_of(material.texture_filter)) : "white");
+    found.insert(material.diffuse_map.texture ? std::string(name_of(material.diffuse_map.filter)) : "white");
     found.insert("cull " + std::string(name_of(object.cull)));
     found.insert("two_sided " + std::string(name_of(object.two_sided)));
     if (const Merl* const merl = material.measured())

@@ -63,21 +63,21 @@ void write_uniforms(JsonWriter& json, const UniformValues& values) {
 
 void write_texture(JsonWriter& json, const Material& material) {
   json.key("texture");
-  if (!material.texture) return json.null();
+  if (!material.diffuse_map.texture) return json.null();
   json.object([&] {
-    json.member("filter", name_of(material.texture_filter));
+    json.member("filter", name_of(material.diffuse_map.filter));
     json.array("levels", [&] {
-      for (const TextureLevel& level : material.texture->levels) {
+      for (const TextureLevel& level : material.diffuse_map.texture->levels) {
         std::vector<std::uint8_t> values;
         for (const float value : level.rgb)
-          values.push_back(
-              static_cast<std::uint8_t>(std::lround(static_cast<double>(value) * 255 / material.texture->full_scale)));
+          values.push_back(static_cast<std::uint8_t>(
+              std::lround(static_cast<double>(value) * 255 / material.diffuse_map.texture->full_scale)));
         json.object([&] {
           json.member("width", level.width);
           json.member("height", level.height);
           json.member("rgb", packed(values));
         });
-        if (material.texture_filter != TextureFilter::trilinear) break;
+        if (material.diffuse_map.filter != TextureFilter::trilinear) break;
       }
     });
   });
@@ -104,7 +104,7 @@ std::string scene_json(const Scene& scene, int width, int height) {
         if (!object.materials.empty())
           throw std::runtime_error(object.name + ": the page draws no mesh of several materials");
         Material material = object.material;
-        if (object.mesh->uvs.empty()) material.texture = nullptr;
+        if (object.mesh->uvs.empty()) material.diffuse_map.texture = nullptr;
         else if (object.mesh->uvs.size() < object.mesh->positions.size())
           throw std::runtime_error(object.name + ": the page draws no mesh of which only some triangles have a vt");
         json.object([&] {

@@ -74,8 +74,8 @@ TEST_CASE("textures are taken off, or put on, where they show") {
   CHECK(shows_textures(scene));
   const Scene textured = with_textures(scene);
   CHECK(has_textures(textured));
-  CHECK(textured.objects[0].material.texture);
-  CHECK_FALSE(textured.objects[1].material.texture);
+  CHECK(textured.objects[0].material.diffuse_map.texture);
+  CHECK_FALSE(textured.objects[1].material.diffuse_map.texture);
   CHECK_FALSE(has_textures(without_textures(textured)));
   CHECK_FALSE(shows_textures(balls({measured(MerlLookup::nearest)})));
 }

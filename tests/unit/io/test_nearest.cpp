@@ -105,7 +105,7 @@ TEST_CASE("a mistyped key or shape of a scene is told with the one that is meant
       const auto fault = std::find_if(error.faults().begin(), error.faults().end(), is_here);
       return fault == error.faults().end() ? "nothing is said of " + place : fault->expected;
     };
-    CHECK(expected_at("/scene/camera/positon").starts_with("one of position, "));
+    CHECK(expected_at("/scene/camera/positon").starts_with("one of fit, position, "));
     CHECK(expected_at("/scene/camera/positon").ends_with("; did you mean position?"));
     CHECK(expected_at("/scene/objects/0/mesh").ends_with("; did you mean sphere?"));
   }

@@ -5,6 +5,7 @@
 
 #include "io/scene/example_scene.h"
 #include "io/scene/not_a_scene.h"
+#include "io/scene/scene_source.h"
 #include "raster/explain/explain_dark.h"
 #include "tests/support/files/malformed_inputs.h"
 
@@ -44,9 +45,9 @@ std::string scene_in(const std::string& advice) {
 
 /// Whether the scene shows a surface, and none that is nearly black.
 bool shows_something(const std::string& path) {
-  const Scene scene = read_scene(path);
   RenderOptions options;
   options.width = 120, options.height = 90;
+  const Scene scene = read_scene_source(path, {}).placed(options.width, options.height);
   const Frame frame = render(scene, options);
   return frame.counts.shaded > 500 &&
          explain_dark_image(scene, options, {frame.rgb8, frame.radiance}, frame.counts.shaded).empty();
@@ -84,8 +85,8 @@ TEST_CASE("meshes are known by their content, whatever their name is") {
 
 TEST_CASE("meshes are known by their name, where their content says nothing") {
   const std::vector<std::pair<std::string, std::string>> names = {
-      {"a.obj", "an OBJ file"}, {"A.OBJ", "an OBJ file"}, {"a.stl", "an STL file"},    {"a.ply", "a PLY file"},
-      {"a.glb", "a glTF file"}, {"a.fbx", "an FBX file"}, {"a.dae", "a COLLADA file"}, {"a.3ds", "a 3DS file"}};
+      {"a.stl", "an STL file"}, {"a.ply", "a PLY file"},     {"a.glb", "a glTF file"},
+      {"a.fbx", "an FBX file"}, {"a.dae", "a COLLADA file"}, {"A.3DS", "a 3DS file"}};
   for (const auto& one : names) {
     const std::string &name = one.first, &found = one.second;
     CAPTURE(name);
@@ -139,40 +140,17 @@ TEST_CASE("a folder: which scenes are in it") {
   CHECK(scene_in(said_of(folder, "none").advice) == example_scene());
 }
 
-TEST_CASE("the scene that is advised for an OBJ file shows it, however large and far away it is") {
-  const auto moved = [](const std::string& scale, const std::string& at) {
-    return "v " + at + " 0 0\nv " + scale + " 0 0\nv " + at + " " + scale + " 0\nf 1 2 3\n";
-  };
-  for (const std::string& content :
-       {triangle, moved("1e6", "0"), moved("1e-6", "0"), "v 100000 0 -7\nv 100010 0 -7\nv 100000 10 -7\nf 1 2 3"s}) {
-    CAPTURE(content);
-    const TemporaryFolder folder;
-    write_files(folder.path, {{"a \"mesh\".obj", content}});
-    const Said said = said_of(folder, "a \"mesh\".obj");
-    CHECK(said.found == "an OBJ file");
-    CHECK(said.advice.find("save it as " + (folder / "a \"mesh\".json")) != std::string::npos);
-    write_files(folder.path, {{"a \"mesh\".json", scene_in(said.advice)}});
-    CHECK(shows_something(folder / "a \"mesh\".json"));
-    // The name that is advised is not one of a file that is there.
-    CHECK(said_of(folder, "a \"mesh\".obj").advice.find("save it as " + (folder / "a \"mesh\".scene.json")) !=
-          std::string::npos);
-  }
-}
-
-TEST_CASE("the box around the vertices of an OBJ file, whatever else is in it") {
+TEST_CASE("an OBJ file of another name: the scene that is advised shows it") {
   const TemporaryFolder folder;
-  const std::string comment = "#" + std::string(1 << 20, '-') + "\n"; // beyond what is read at once
-  write_files(folder.path, {{"a.obj", "v 1 2 3\r\n" + comment + "vn 9 9 9\n\tv -4 5e0 .5 1\nv nan 0 0\nv 1 2\nf 1 x"},
-                            {"none.obj", "vn 1 2 3\n"},
-                            {"last.obj", "v 1 2 3"}});
-  const std::optional<Box> box = obj_vertex_box(folder / "a.obj");
-  REQUIRE(box);
-  CHECK(box->least == Double3(-4, 2, 0.5));
-  CHECK(box->most == Double3(1, 5, 3));
-  CHECK_FALSE(obj_vertex_box(folder / "none.obj"));
-  CHECK_FALSE(obj_vertex_box(folder / "not there"));
-  REQUIRE(obj_vertex_box(folder / "last.obj"));
-  CHECK(obj_vertex_box(folder / "last.obj")->most == Double3(1, 2, 3));
+  write_files(folder.path, {{"a \"mesh\".txt", triangle}});
+  const Said said = said_of(folder, "a \"mesh\".txt");
+  CHECK(said.found == "an OBJ file");
+  CHECK(said.advice.find("save it as " + (folder / "a \"mesh\".json")) != std::string::npos);
+  write_files(folder.path, {{"a \"mesh\".json", scene_in(said.advice)}});
+  CHECK(shows_something(folder / "a \"mesh\".json"));
+  // The name that is advised is not one of a file that is there.
+  CHECK(said_of(folder, "a \"mesh\".txt").advice.find("save it as " + (folder / "a \"mesh\".scene.json")) !=
+        std::string::npos);
 }
 
 TEST_CASE("a file that is named for nothing is noted, with its line") {

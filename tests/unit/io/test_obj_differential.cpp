@@ -43,7 +43,7 @@ OtherReading read_by_other(const std::string& text) {
 /// Whether both hold the same numbers. tinyobjloader rounds a decimal number several times, so that its own may be the
 /// float beside the nearest one.
 template <glm::length_t N>
-bool same_points(const std::vector<glm::vec<N, float, glm::defaultp>>& ours, const std::vector<float>& others) {
+bool same_points(const RawVector<glm::vec<N, float, glm::defaultp>>& ours, const std::vector<float>& others) {
   if (others.size() != ours.size() * static_cast<std::size_t>(N)) return false;
   for (std::size_t i = 0; i < others.size(); ++i) {
     const float a = ours[i / N][static_cast<glm::length_t>(i % N)], b = others[i];
@@ -59,7 +59,7 @@ void check_same(const std::string& text) {
   CHECK(same_points(ours.v, other.points.vertices));
   CHECK(same_points(ours.vn, other.points.normals));
   CHECK(same_points(ours.vt, other.points.texcoords));
-  CHECK(ours.faces.begin == other.begin);
+  CHECK(std::equal(ours.faces.begin.begin(), ours.faces.begin.end(), other.begin.begin(), other.begin.end()));
   REQUIRE(ours.faces.corners.size() == other.corners.size());
   for (std::size_t i = 0; i < other.corners.size(); ++i) {
     CAPTURE(i);

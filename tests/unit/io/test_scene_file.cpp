@@ -60,9 +60,9 @@ TEST_CASE("the lecture's own file loads unchanged") {
   CHECK(phong.ka == Double3(0.05));
   CHECK(phong.glossiness == 8);
   CHECK(phong.specular_gate == SpecularGate::open);
-  CHECK(cube.material.texture_filter == TextureFilter::bilinear);
-  REQUIRE(cube.material.texture);
-  CHECK(cube.material.texture->levels.size() == 1);
+  CHECK(cube.material.diffuse_map.filter == TextureFilter::bilinear);
+  REQUIRE(cube.material.diffuse_map.texture);
+  CHECK(cube.material.diffuse_map.texture->levels.size() == 1);
 }
 
 TEST_CASE("vectors are strings or arrays") {
@@ -144,8 +144,58 @@ TEST_CASE("choices are read by their names") {
           .objects[0];
   CHECK(object.cull == Cull::back);
   CHECK(object.name == "ball");
-  CHECK(object.material.texture_filter == TextureFilter::nearest);
+  CHECK(object.material.diffuse_map.filter == TextureFilter::nearest);
   CHECK(std::get<Phong>(object.material.fragment_function).specular_gate == SpecularGate::cut_below_horizon);
+}
+
+TEST_CASE("a texture is a path, or an object with all that can be said of it") {
+  const TemporaryFolder folder;
+  const auto read = [&](const std::string& keys) {
+    write_files(folder.path, {{"s.json", scene_with("\"glossiness\": 8}", "\"glossiness\": 8, " + keys + "}")},
+                              {"a.png", png_bytes(2, 2, 1, 8, {0, 188, 255, 20})},
+                              {"b.png", grey_pixel}});
+    return read_scene(folder / "s.json").objects[0].material;
+  };
+  const auto refused = [&](const std::string& keys) {
+    try {
+      read(keys);
+    } catch (const InputError& error) {
+      const InputFault& fault = error.faults().at(0);
+      return fault.json_path + ": " + fault.found + ", " + fault.expected;
+    }
+    return std::string();
+  };
+  const Material plain = read("\"diffuse_map\": \"a.png\", \"specular_map\": {\"path\": \"b.png\"}");
+  CHECK(plain.diffuse_map.texture->full_scale == 255);
+  CHECK_FALSE(plain.diffuse_map.is_placed());
+  CHECK(plain.specular_map.texture->levels[0].width == 2);
+  CHECK_FALSE(plain.emissive_map.texture);
+  CHECK(plain.emissive == Double3(0));
+  const Material full = read("\"diffuse_map\": {\"path\": \"a.png\", \"filter\": \"trilinear\", \"wrap\": \"clamp\", "
+                             "\"scale\": [2, -3], \"offset\": \"0.5 1\", \"color_space\": \"srgb\"}, "
+                             "\"emissive_map\": \"a.png\"");
+  const TextureMap& map = full.diffuse_map;
+  CHECK(map.filter == TextureFilter::trilinear);
+  CHECK(map.wrap == TextureWrap::clamp);
+  CHECK(map.scale == Double2(2, -3));
+  CHECK(map.offset == Double2(0.5, 1));
+  CHECK(map.texture->full_scale == 1);
+  REQUIRE(map.texture->levels.size() == 2);
+  // IEC 61966-2-1, by hand: 188 is ((188 / 255 + 0.055) / 1.055)^2.4 = 0.5029; 20 is ((20 / 255 + 0.055) / 1.055)^2.4.
+  CHECK(static_cast<double>(map.texture->levels[0].rgb[9]) == doctest::Approx(0.502886458));
+  CHECK(static_cast<double>(map.texture->levels[0].rgb[3]) == doctest::Approx(0.006995410));
+  CHECK(full.emissive_map.texture != map.texture); // as stored
+  CHECK(full.emissive_map.texture->full_scale == 255);
+  CHECK(full.emissive == Double3(1)); // beside a map
+  CHECK(read("\"emissive_map\": \"a.png\", \"emissive\": \"0.5 0 0\"").emissive == Double3(0.5, 0, 0));
+  const std::string at = "/scene/objects/0/material/";
+  CHECK(refused("\"diffuse_map\": \"a.png\", \"texture_file_path\": \"b.png\"") ==
+        at + "diffuse_map: diffuse_map beside texture_file_path, one of the two");
+  CHECK(refused("\"specular_map\": 3") == at + "specular_map: 3, the path of a file, or an object with one");
+  CHECK(refused("\"specular_map\": {}").starts_with(at + "specular_map/path: "));
+  CHECK(refused("\"specular_map\": {\"path\": \"a.png\", \"scale\": [1]}").starts_with(at + "specular_map/scale: "));
+  CHECK(refused("\"specular_map\": {\"path\": \"a.png\", \"wrap\": \"mirror\"}") ==
+        at + "specular_map/wrap: \"mirror\", \"repeat\" or \"clamp\"");
 }
 
 TEST_CASE("shapes are made with their parameters, and equal ones once") {
@@ -204,11 +254,11 @@ TEST_CASE("a file that is used twice is loaded once, however its path is written
   const std::vector<Object> objects = read_scene(folder / "s.json").objects;
   CHECK(objects[0].mesh == objects[1].mesh);
   CHECK(objects[0].mesh == objects[2].mesh);
-  CHECK(objects[0].material.texture == objects[1].material.texture);
-  CHECK(objects[0].material.texture != objects[2].material.texture);
+  CHECK(objects[0].material.diffuse_map.texture == objects[1].material.diffuse_map.texture);
+  CHECK(objects[0].material.diffuse_map.texture != objects[2].material.diffuse_map.texture);
   // Mip levels are there where anyone asks for them.
-  CHECK(objects[0].material.texture->levels.size() == 2);
-  CHECK(objects[2].material.texture->levels.size() == 1);
+  CHECK(objects[0].material.diffuse_map.texture->levels.size() == 2);
+  CHECK(objects[2].material.diffuse_map.texture->levels.size() == 1);
 }
 
 TEST_CASE("faults beyond the first hundred are counted") {

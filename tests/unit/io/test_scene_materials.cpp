@@ -80,8 +80,8 @@ TEST_CASE("without a material each triangle has that of the file, in Blinn-Phong
       CHECK(kd(object, i) == expected[i]);
       CHECK(std::holds_alternative<BlinnPhong>(material_of(object, i).fragment_function));
     }
-    CHECK(material_of(object, 4).texture);
-    CHECK_FALSE(material_of(object, 2).texture);
+    CHECK(material_of(object, 4).diffuse_map.texture);
+    CHECK_FALSE(material_of(object, 2).diffuse_map.texture);
     CHECK(material_of(object, 4).name == "green");
     CHECK(object.mesh->materials.at(1).diffuse_map.path == "t.png");
     CHECK(folder.noted() == "m.obj: found 1 triangle without vt, on which the texture is not shown\n");
@@ -117,7 +117,7 @@ TEST_CASE("a scene may name materials: the others are what `material` says") {
   CHECK(kd(other.object(), 0) == Double3(0, 0, 1));
   CHECK(kd(other.object(), 2) == Double3(0, 0, 1));
   CHECK(kd(other.object(), 4) == green);
-  CHECK(material_of(other.object(), 4).texture);
+  CHECK(material_of(other.object(), 4).diffuse_map.texture);
   CHECK(ModelFolder(", \"materials\": {\"gren\": \"from_file\"}").refused() ==
         "s.json:3:71: /scene/objects/0/materials/gren: found a material that the OBJ file does not name, expected one "
         "of red, green; did you mean green?");
@@ -136,14 +136,35 @@ TEST_CASE("what is missing is drawn in grey or without, with one note a kind") {
   CHECK(unnamed.noted() == "m.obj: found usemtl without mtllib, drawn in grey: no file describes its materials\n");
   ModelFolder textures("", "newmtl red\nmap_Kd gone.png\nnewmtl green\nKd 0 1 0\nmap_Kd m.mtl\n");
   const Object object = textures.object();
-  CHECK_FALSE(material_of(object, 2).texture);
+  CHECK_FALSE(material_of(object, 2).diffuse_map.texture);
   CHECK(kd(object, 2) == Double3(1));
-  CHECK_FALSE(material_of(object, 4).texture);
+  CHECK_FALSE(material_of(object, 4).diffuse_map.texture);
   const std::string noted = textures.noted();
   CHECK(noted.find("m.mtl:2: found the texture \"gone.png\", there is no such file: drawn without it\n") !=
         std::string::npos);
   CHECK(noted.find("m.mtl: found ") != std::string::npos);
   CHECK(noted.find("drawn without it: expected ") != std::string::npos);
+}
+
+TEST_CASE("maps of a library are textures with their options; those of colours are sRGB") {
+  ModelFolder folder("", "newmtl green\nmap_Kd -s 2 3 -o 0.5 t.png\nmap_Ks -clamp on t.png\nmap_Ke t.png\n");
+  const Object object = folder.object();
+  const Material& material = material_of(object, 4);
+  CHECK(material.diffuse_map.scale == Double2(2, 3));
+  CHECK(material.diffuse_map.offset == Double2(0.5, 0));
+  CHECK(material.diffuse_map.wrap == TextureWrap::repeat);
+  CHECK(material.diffuse_map.texture->full_scale == 1);
+  CHECK(material.specular_map.wrap == TextureWrap::clamp);
+  CHECK(material.specular_map.texture->full_scale == 255);
+  CHECK(material.emissive_map.texture == material.diffuse_map.texture);
+  CHECK(material.emissive == Double3(1));
+  CHECK(std::get<BlinnPhong>(material.fragment_function).ks == Double3(1));
+  const Material dark = [] {
+    ModelFolder of_colours("", "newmtl green\nKs 0.5 0 0\nmap_Ks t.png\nKe 0 0 2\n");
+    return material_of(of_colours.object(), 4);
+  }();
+  CHECK(dark.emissive == Double3(0, 0, 2));
+  CHECK(std::get<BlinnPhong>(dark.fragment_function).ks == Double3(0.5, 0, 0));
 }
 
 TEST_CASE("a texture is found with / for \\, by its last component, without regard to case; never outside") {
@@ -155,7 +176,7 @@ TEST_CASE("a texture is found with / for \\, by its last component, without rega
     std::filesystem::copy_file(folder.path / "t.png", beside);
     std::filesystem::create_symlink(beside, folder.path / "link.png");
     folder.options.outside = outside;
-    const bool is_there = material_of(folder.object(), 4).texture != nullptr;
+    const bool is_there = material_of(folder.object(), 4).diffuse_map.texture != nullptr;
     std::filesystem::remove(beside);
     std::string noted = folder.noted();
     const std::size_t begin = noted.find("m.mtl:2: ");

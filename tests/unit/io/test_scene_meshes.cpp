@@ -118,7 +118,7 @@ TEST_CASE("a path with backslashes names the file that it names with slashes, if
       object_of("\"obj_file_path\": \".\\\\models\\\\m.obj\"", ", \"texture_file_path\": \".\\\\t.png\""));
   const std::vector<Object> objects = folder.objects();
   CHECK(objects[0].mesh == objects[1].mesh);
-  CHECK(objects[1].material.texture);
+  CHECK(objects[1].material.diffuse_map.texture);
   const Texts reported = folder.reported();
   CHECK(std::find(reported.begin(), reported.end(),
                   "s.json:3: found \"models\\m.obj\", read with / for \\ (3 times)") != reported.end());

@@ -29,7 +29,7 @@ TEST_CASE("on the edge opposite a corner next to the eye, what is seen is that e
     auto texture = std::make_shared<Texture>();
     texture->full_scale = 1;
     texture->levels.push_back({1, 1, {0.5f, 0.5f, 0.5f}});
-    object.material.texture = texture;
+    object.material.diffuse_map.texture = texture;
     RenderOptions options = window.options({Aov::object});
     options.precision = precision;
     const Frame frame = render(window.scene, options);

@@ -77,7 +77,7 @@ TEST_CASE("render refuses the first fault of a scene that validate() calls refus
       [](Scene& s) { s.objects[0].mesh = nullptr; },
       [](Scene& s) { s.camera.far = std::numeric_limits<double>::infinity(); },
       [](Scene& s) { s.objects[0].material.fragment_function = Merl{}; },
-      [](Scene& s) { s.objects[0].material.texture = std::make_shared<Texture>(); },
+      [](Scene& s) { s.objects[0].material.diffuse_map.texture = std::make_shared<Texture>(); },
       [](Scene& s) {
         auto mesh = std::make_shared<Mesh>(*s.objects[0].mesh);
         mesh->triangles.back()[1] = 4000000000;

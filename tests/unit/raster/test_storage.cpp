@@ -59,7 +59,7 @@ template <class Real>
 bool same_setups(const FrameContext& a, const FrameContext& b, std::span<const std::uint32_t> numbers) {
   UncommonEdges uncommon_a, uncommon_b;
   const auto setups_a = setups_of<Real>(a, numbers, uncommon_a), setups_b = setups_of<Real>(b, numbers, uncommon_b);
-  const std::size_t rows = a.has_vertex_colours ? attribute_rows : uv_row + 2; // others are not set
+  const std::size_t rows = a.uses.vertex_colours ? attribute_rows : uv_row + 2; // others are not set
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const AttributeSetup<Real>&x = setups_a[i], &y = setups_b[i];
     if (x.object != y.object || x.number != y.number || x.kind() != y.kind()) return false;

@@ -25,8 +25,8 @@ Scene sound_scene() {
   for (int i = 0; i < 2; ++i) {
     Object object;
     object.mesh = std::make_shared<const Mesh>(sphere_mesh(8, 4));
-    object.material.texture = texture;
-    object.material.texture_filter = TextureFilter::trilinear;
+    object.material.diffuse_map.texture = texture;
+    object.material.diffuse_map.filter = TextureFilter::trilinear;
     scene.objects.push_back(object);
   }
   return scene;
@@ -38,9 +38,9 @@ void change_mesh(Object& object, const std::function<void(Mesh&)>& change) {
   object.mesh = mesh;
 }
 void change_texture(Object& object, const std::function<void(Texture&)>& change) {
-  auto texture = std::make_shared<Texture>(*object.material.texture);
+  auto texture = std::make_shared<Texture>(*object.material.diffuse_map.texture);
   change(*texture);
-  object.material.texture = texture;
+  object.material.diffuse_map.texture = texture;
 }
 
 } // namespace

@@ -77,6 +77,24 @@ TEST_CASE("a texture whose sides are no powers of two repeats without a seam") {
   }
 }
 
+TEST_CASE("a clamped texture goes on as its edge, and one is read at uv times scale plus offset") {
+  TextureMap map{std::make_shared<const Texture>(texture_of(grey(4, 2, {0, 4, 8, 12, 100, 104, 108, 112}))),
+                 TextureFilter::bilinear, TextureWrap::clamp};
+  const auto read = [&](double u, double v) { return sample(map, Double2(u, v), {}, {}).x; };
+  CHECK(read(0.25, 0.25) == 2);
+  CHECK(read(0, 0.25) == 0); // the first texel alone
+  CHECK(read(-7, 0.25) == 0);
+  CHECK(read(1, 0.25) == 12);
+  CHECK(read(1e300, -1e300) == 12);
+  CHECK(read(0.125, 9) == 100);
+  map.filter = TextureFilter::nearest;
+  CHECK(read(1, 1) == 112);
+  CHECK(read(-0.1, 0.6) == 100);
+  map = {map.texture, TextureFilter::bilinear, TextureWrap::repeat, {2, -1}, {0.5, 0.5}};
+  CHECK(read(-0.125, 0.25) == 2); // at (0.25, 0.25)
+  CHECK(read(0.375, 0) == 52);    // at (1.25, 0.5), which is (0.25, 0.5): the mean of 0, 4, 100, 104
+}
+
 TEST_CASE("a texture of one texel is that colour everywhere") {
   Texture texture = texture_of(grey(1, 1, {7}));
   for (const TextureFilter filter : {TextureFilter::nearest, TextureFilter::bilinear, TextureFilter::trilinear})

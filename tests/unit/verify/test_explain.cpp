@@ -197,12 +197,15 @@ TEST_CASE("where the background shows, the nearest outline is named with its dis
 
 TEST_CASE("texels that a filter reads have the weights of the filter") {
   Texture texture{255, {TextureLevel{2, 2, {}}}};
+  const auto read_by = [&](TextureFilter filter, const Double2& uv, const Double2& right, const Double2& down) {
+    return texels_read({.texture = std::make_shared<const Texture>(texture), .filter = filter}, uv, right, down);
+  };
   for (const float grey : {10.f, 20.f, 30.f, 40.f}) // (0, 0), (1, 0), (0, 1), (1, 1)
     for (int c = 0; c < 3; ++c) texture.levels[0].rgb.push_back(grey);
   build_mip_levels(texture);
   const Double2 nothing(0);
   // In texels (0.8, 1.3), less the half of the first: 0.3 of the way from column 0 to 1, 0.8 from row 0 to 1.
-  std::vector<Texel> texels = texels_read(texture, TextureFilter::bilinear, {0.4, 0.65}, nothing, nothing);
+  std::vector<Texel> texels = read_by(TextureFilter::bilinear, {0.4, 0.65}, nothing, nothing);
   REQUIRE(texels.size() == 4);
   constexpr double weights[] = {0.7 * 0.2, 0.3 * 0.2, 0.7 * 0.8, 0.3 * 0.8};
   for (std::size_t k = 0; k < 4; ++k) {
@@ -211,13 +214,13 @@ TEST_CASE("texels that a filter reads have the weights of the filter") {
     CHECK(texels[k].weight == doctest::Approx(weights[k]));
     CHECK(texels[k].value.x == doctest::Approx(10.0 * static_cast<double>(k + 1) / 255));
   }
-  texels = texels_read(texture, TextureFilter::nearest, {-0.3, 0.2}, nothing, nothing); // column -1 is column 1
+  texels = read_by(TextureFilter::nearest, {-0.3, 0.2}, nothing, nothing); // column -1 is column 1
   REQUIRE(texels.size() == 1);
   CHECK(texels[0].i == 1);
   CHECK(texels[0].j == 0);
   CHECK(texels[0].weight == doctest::Approx(1));
   // A pixel of sqrt 2 texels: half of it from either level. Level 1 has one texel, which all four corners are.
-  texels = texels_read(texture, TextureFilter::trilinear, {0.4, 0.65}, {std::sqrt(0.5), 0}, nothing);
+  texels = read_by(TextureFilter::trilinear, {0.4, 0.65}, {std::sqrt(0.5), 0}, nothing);
   REQUIRE(texels.size() == 5);
   for (std::size_t k = 0; k < 4; ++k) CHECK(texels[k].weight == doctest::Approx(weights[k] / 2));
   CHECK(texels[4].level == 1);

@@ -41,7 +41,7 @@ Scene moons() {
     object.mesh = std::make_shared<const Mesh>(sphere_mesh(24, 12));
     object.position = {x, 0.1, 0};
     object.material.fragment_function = refraster::Minnaert{.kd = {0.9, 0.8, 0.7}, .darkening = x < 0 ? 1.0 : 2.25};
-    object.material.texture = texture;
+    object.material.diffuse_map.texture = texture;
     scene.objects.push_back(object);
   }
   return scene;

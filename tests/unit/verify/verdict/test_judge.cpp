@@ -237,7 +237,7 @@ TEST_CASE("where a texel's border runs through a pixel either texel is right, an
   Object& object = window.add({window.place(0.5, -8, 1), window.place(0.5, 24, 1), window.place(16.5, -8, 1),
                                window.place(16.5, -8, 1), window.place(0.5, 24, 1), window.place(16.5, 24, 1)},
                               Double3(0.5), {{0, 0}, {0, 1}, {1, 0}, {1, 0}, {0, 1}, {1, 1}});
-  object.material.texture = texture, object.material.texture_filter = TextureFilter::nearest;
+  object.material.diffuse_map.texture = texture, object.material.diffuse_map.filter = TextureFilter::nearest;
   DeviceImage image;
   image.colour = window.frame().radiance;
   image.full_scale = 1, image.precision = StoredPrecision::floats(0x1p-24);
@@ -318,7 +318,7 @@ TEST_CASE("power says how sharp the check was, and why") {
 
 TEST_CASE("a drift that no pixel shows is found in the whole, and none where there is none") {
   Scene scene = textured_scene();
-  scene.objects[0].material.texture = nullptr;
+  scene.objects[0].material.diffuse_map.texture = nullptr;
   scene.objects[0].mesh = std::make_shared<const Mesh>(sphere_mesh(96, 48));
   scene.objects[0].scale = Double3(1.6);
   DeviceProfile profile = precise();

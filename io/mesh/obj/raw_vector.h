@@ -1,0 +1,48 @@
+#pragma once
+// Lists of millions of numbers, written by several threads.
+
+#include <refraster/memory.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <new>
+#include <utility>
+#include <vector>
+
+namespace refraster {
+
+/// Elements that resize() adds are not cleared: who asks for them writes each before it is read, and so each page is
+/// first touched by the thread that works on it. Large lists lie in large pages: see allocate_memory.
+template <class T>
+struct UninitializedAllocator {
+  using value_type = T;
+
+  UninitializedAllocator() = default;
+  template <class U>
+  UninitializedAllocator(const UninitializedAllocator<U>&) {}
+
+  T* allocate(std::size_t n) {
+    if (n > static_cast<std::size_t>(PTRDIFF_MAX) / sizeof(T)) throw std::bad_alloc();
+    return static_cast<T*>(allocate_memory(n * sizeof(T)));
+  }
+  void deallocate(T* memory, std::size_t) { free_memory(memory); }
+
+  template <class U>
+  void construct(U* at) {
+    ::new (static_cast<void*>(at)) U;
+  }
+  template <class U, class... Arguments>
+  void construct(U* at, Arguments&&... arguments) {
+    ::new (static_cast<void*>(at)) U(std::forward<Arguments>(arguments)...);
+  }
+
+  template <class U>
+  bool operator==(const UninitializedAllocator<U>&) const {
+    return true;
+  }
+};
+
+template <class T>
+using RawVector = std::vector<T, UninitializedAllocator<T>>;
+
+} // namespace refraster

@@ -1,0 +1,21 @@
+#pragma once
+// Textures as materials want them.
+
+#include <refraster/memory.h>
+#include <refraster/notes.h>
+#include <refraster/texture.h>
+
+#include <memory>
+#include <string>
+
+namespace refraster {
+
+/// Whether a texture has all its smaller levels, for a trilinear filter.
+enum class MipLevels { none, all };
+
+/// Reads an image, decodes what is sRGB, and makes the levels that are wanted: in this order, so that means are those
+/// of light. Throws InputError. Notes go nowhere if `notes` is null.
+std::shared_ptr<const Texture> material_texture(const std::string& path, ColourSpace colour_space, MipLevels levels,
+                                                const MemoryBudget& memory, NoteList* notes);
+
+} // namespace refraster
