@@ -12,9 +12,14 @@
 
 #include <doctest/doctest.h>
 
+#include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <thread>
+
+#include <sys/wait.h>
 
 namespace refraster {
 namespace {
@@ -162,9 +167,9 @@ TEST_CASE("a film by ffmpeg, with the digests of its frames; without ffmpeg a li
 TEST_CASE("interrupted, it leaves whole frames, and goes on with the rest") {
   const Table table;
   Running running(table.path, {"turntable", "s.json", "-o", "out/####.png", "--frames", "400", "--size", "640x480"});
-  while (!fs::exists(table / "out/0003.png")) {
-  }
-  running.send(2); // SIGINT
+  for (int tries = 0; tries < 6000 && !fs::exists(table / "out/0003.png"); ++tries)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  running.send(SIGINT);
   const Finished stopped = running.wait();
   CHECK(stopped.exit_code == 130);
   std::size_t frames = 0;
