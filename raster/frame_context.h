@@ -39,6 +39,11 @@ struct FrameInput {
   SceneUses uses = uses_of(scene);
 };
 
+/// Where there is no surface.
+inline Double3 shown_background(const FrameInput& frame) {
+  return frame.options.background == Background::transparent ? Double3(0) : frame.scene.background;
+}
+
 /// The same, with what the first two stages made of it: everything that stays the same from tile to tile.
 struct FrameContext : FrameInput {
   const Geometry& geometry;

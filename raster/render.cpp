@@ -72,7 +72,7 @@ std::uint64_t image_bytes(const RenderOptions& options, const PixelRect& region)
   if (options.want_radiance) pixel += 3 * sizeof(float);
   if (options.want_radiance_double) pixel += 3 * sizeof(double);
   for (const Aov aov : options.aovs)
-    pixel += static_cast<std::uint64_t>(aov_channels[static_cast<std::size_t>(aov)]) * sizeof(float);
+    pixel += static_cast<std::uint64_t>(kind_of(aov).channels) * sizeof(float);
   return pixel * static_cast<std::uint64_t>(region.width) * static_cast<std::uint64_t>(region.height);
 }
 
@@ -110,7 +110,7 @@ void reshape_images(const RenderOptions& options, const PixelRect& region, Frame
   frame.aovs.resize(options.aovs.size());
   for (std::size_t i = 0; i < options.aovs.size(); ++i) {
     Image<float>& image = frame.aovs[i];
-    reshape(image, region, aov_channels[static_cast<std::size_t>(options.aovs[i])]);
+    reshape(image, region, kind_of(options.aovs[i]).channels);
     std::fill(image.values.begin(), image.values.end(), 0.0f); // tiles write only where there is a surface
   }
 }

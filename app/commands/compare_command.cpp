@@ -190,7 +190,7 @@ Command compare_command() {
              argument("B", a.b, "image of the same size; differences are b - a"),
              alpha_option(a.pair.alpha, a.pair.background, ComparedAlpha::offered),
              premultiplied_option(a.pair.encoding),
-             text_option("--layer", "NAME", a.pair.layer, "of .exr files: the layer whose R, G and B are compared")}},
+             text_option("--layer", "NAME", a.pair.layer, "of .exr files: the layer or the channel that is compared, as N or Z")}},
            {"Limits",
             {parsed_option("--max-abs", "X", a.limits.max_abs, distance_from, "a number >= 0",
                            "largest difference of a value that is allowed, in --unit"),

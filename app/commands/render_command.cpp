@@ -34,7 +34,6 @@ struct RenderArguments {
   PictureArguments asked; // what of the next three does not follow from the scene
   Size size;
   std::optional<PixelRect> crop;
-  std::vector<Aov> aovs;
   std::string precision = "double";
   int samples = 1, threads = 0, tile_size = 64;
   Transfer transfer = Transfer::linear;
@@ -60,7 +59,8 @@ void check_together(RenderArguments& arguments) {
     arguments.size = *arguments.asked.size, arguments.samples = arguments.asked.samples.value_or(1);
     check_crop(arguments);
   }
-  check_output(arguments.files, arguments.output, arguments.asked.transfer.value_or(Transfer::linear));
+  check_output(arguments.files, arguments.output, arguments.asked.transfer.value_or(Transfer::linear),
+               arguments.diagnostics);
 }
 
 RenderOptions options_from(const RenderArguments& arguments) {
@@ -74,7 +74,6 @@ RenderOptions options_from(const RenderArguments& arguments) {
   options.tile_size = arguments.tile_size;
   ask_for_output(arguments.files, arguments.output, options);
   options.transfer = arguments.transfer;
-  options.aovs = arguments.aovs;
   options.cancel = &interrupted();
   options.memory = arguments.reading.memory;
   return options;
@@ -127,7 +126,7 @@ std::vector<std::string> write_images(const Frame& frame, const RenderArguments&
 
 ExitCode run(RenderArguments& arguments) {
   std::vector<std::string> outputs = {arguments.output, arguments.report};
-  for (const Aov aov : arguments.aovs) outputs.push_back(aov_path(arguments.files, arguments.output, aov));
+  for (const std::string& path : aov_paths(arguments.files, arguments.output)) outputs.push_back(path);
   check_different(outputs, {arguments.scene});
   for (const std::string& path : outputs)
     if (!path.empty()) check_writable(path);
@@ -137,7 +136,8 @@ ExitCode run(RenderArguments& arguments) {
   std::vector<std::string> notes;
   const Scene scene = scene_of(arguments, notes);
   const double read_seconds = reading.seconds();
-  if (std::find(arguments.aovs.begin(), arguments.aovs.end(), Aov::triangle) != arguments.aovs.end())
+  const std::vector<Aov> aovs = options_from(arguments).aovs;
+  if (std::find(aovs.begin(), aovs.end(), Aov::triangle) != aovs.end())
     check_triangle_numbers(arguments.scene, scene, "--aov triangle");
   if (interrupted()) return ExitCode::interrupted;
 
@@ -179,10 +179,6 @@ Command render_command() {
     if (!a.crop) return ValueFault{"x,y,width,height in pixels from the top left"};
     return std::nullopt;
   };
-  const std::vector<std::string> aovs(std::begin(aov_names), std::end(aov_names));
-  const auto set_aovs = [&a](const std::vector<std::size_t>& indices) {
-    for (const std::size_t i : indices) a.aovs.push_back(static_cast<Aov>(i));
-  };
   return {
       .name = "render",
       .meaning = "Make the image of a scene",
@@ -199,11 +195,9 @@ Command render_command() {
              choice_option("--precision", a.precision, precision_names(),
                            "number type of shading; `refraster list precisions`"),
              samples_option(a.asked, "samples a pixel, at the standard positions; shaded once a triangle"),
-             word_list_option("--aov", "NAME,…", aovs, set_aovs,
-                              "more images to write (arbitrary output variables), as NAME.depth.pfm next to NAME.png, "
-                              ".exr next to .exr: depth, normal, position, uv, albedo, triangle, object"),
              srgb_option(a.asked, "apply the sRGB curve (not to floats)"), linear_option(a.asked)}},
-           {"Files", {bits_option(a.files), quality_option(a.files), aov_format_option(a.files)}},
+           {"Files", {bits_option(a.files), quality_option(a.files), transparent_option(a.files)}},
+           {"More images", aov_options(a.files)},
            scene_change_options(a.changes),
            {"Run",
             {number_option("--threads", a.threads, Range{0, double(limit::threads.value)},

@@ -72,6 +72,7 @@ void check_together(TurntableArguments& a) {
   if (is_film(a.output)) {
     if (a.files.bits != 0 && a.files.bits != 8)
       throw UsageError("--bits", std::to_string(a.files.bits), "8, which a film has");
+    if (a.files.background == Background::transparent) throw UsageError("--transparent", "is for images, not for films");
     if (a.report.empty()) a.report = a.output + ".json";
     return;
   }
@@ -79,7 +80,7 @@ void check_together(TurntableArguments& a) {
   if (!names)
     throw UsageError("--output", "\"" + a.output + "\"",
                      "one place for the number of a frame, as in out/####.png; or a film, as out.mp4");
-  check_output(a.files, names->name(0), a.asked.transfer.value_or(Transfer::linear));
+  check_output(a.files, names->name(0), a.asked.transfer.value_or(Transfer::linear), a.diagnostics);
   if (a.report.empty()) a.report = names->report_name();
 }
 
@@ -129,6 +130,7 @@ std::string settings_digest(const TurntableArguments& a, const SceneSource& sour
     json.member("srgb", a.transfer == Transfer::srgb);
     json.member("bits", a.files.bits);
     json.member("quality", a.files.jpeg_quality);
+    json.member("transparent", a.files.background == Background::transparent);
     json.array("lights_of_camera_space", [&] {
       for (const std::size_t i : source.view.moving_point_lights) json.value(i);
       json.value("direction");
@@ -271,7 +273,7 @@ Command turntable_command() {
                    samples_option(a.asked, "samples a pixel, at the standard positions; shaded once a triangle"),
                    srgb_option(a.asked, "apply the sRGB curve (not to floats)"), linear_option(a.asked),
                    number_option("--rate", a.rate, Range{1, 240}, "frames a second of a film")}},
-                 {"Files", {bits_option(a.files), quality_option(a.files)}},
+                 {"Files", {bits_option(a.files), quality_option(a.files), transparent_option(a.files)}},
                  scene_change_options(a.changes),
                  {"Run",
                   {number_option("--threads", a.threads, Range{0, double(limit::threads.value)},

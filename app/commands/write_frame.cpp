@@ -9,7 +9,10 @@
 #include "raster/levels.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
+#include <type_traits>
 
 namespace refraster {
 namespace {
@@ -20,9 +23,23 @@ struct Depth {
 };
 constexpr Depth depths[] = {{8, ImageValues::uint8}, {16, ImageValues::uint16}, {32, ImageValues::floats}};
 
-/// Whole numbers, as which an AOV is kept beside floats.
+bool is_transparent(const FrameFiles& files) {
+  return files.background == Background::transparent;
+}
+
 bool is_number(Aov aov) {
-  return aov == Aov::triangle || aov == Aov::object;
+  return kind_of(aov).values == AovValues::numbers;
+}
+
+std::vector<Aov> all_aovs() {
+  std::vector<Aov> all;
+  for (std::size_t i = 0; i < std::size(aov_kinds); ++i) all.push_back(static_cast<Aov>(i));
+  return all;
+}
+
+/// Those of the options, or all where the file of the image is to hold them and none is named.
+std::vector<Aov> written_aovs(const FrameFiles& files) {
+  return files.aov_place == AovPlace::layers && files.aovs.empty() ? all_aovs() : files.aovs;
 }
 
 /// The formats that AOVs can be asked to have.
@@ -34,12 +51,59 @@ std::vector<std::string> aov_formats() {
   return extensions;
 }
 
+const Image<float>& aov_image(const RenderOptions& options, const Frame& frame, Aov aov) {
+  const auto found = std::find(options.aovs.begin(), options.aovs.end(), aov);
+  return frame.aovs[static_cast<std::size_t>(found - options.aovs.begin())];
+}
+
+/// Colours, and how much of each pixel is theirs: straight, or, of floats, multiplied by it.
+template <class Value>
+Image<Value> with_alpha(const Image<Value>& rgb, const Image<float>& alpha) {
+  Image<Value> image(rgb.width, rgb.height, 4);
+  for (std::size_t i = 0; i < alpha.values.size(); ++i) {
+    const float a = alpha.values[i]; // a multiple of 1/16
+    for (std::size_t c = 0; c < 3; ++c) {
+      const Value value = rgb.values[3 * i + c];
+      if constexpr (std::is_same_v<Value, float>) image.values[4 * i + c] = value * a;
+      else image.values[4 * i + c] = value;
+    }
+    if constexpr (std::is_same_v<Value, float>) image.values[4 * i + 3] = a;
+    else
+      image.values[4 * i + 3] =
+          static_cast<Value>(std::nearbyint(a * static_cast<float>(std::numeric_limits<Value>::max())));
+  }
+  return image;
+}
+
 void write_aov(const std::string& path, Aov aov, const Image<float>& image) {
   if (!is_number(aov) || !format_to_write(path, {{ImageValues::uint32, 1}})) return write_values(path, image);
   Image<std::uint32_t> numbers(image.width, image.height, image.channels);
   std::transform(image.values.begin(), image.values.end(), numbers.values.begin(),
                  [](float value) { return static_cast<std::uint32_t>(value); });
   write_image(path, numbers);
+}
+
+std::vector<std::string> exr_names(Aov aov) {
+  const AovKind& kind = kind_of(aov);
+  return {kind.exr_names.begin(), kind.exr_names.begin() + kind.channels};
+}
+
+void write_layers(const FrameFiles& files, const std::string& output, const RenderOptions& options, const Frame& frame,
+                  const Image<float>& image) {
+  std::vector<ExrLayer> layers = {{&image, default_channels(image.channels)}};
+  for (const Aov aov : written_aovs(files))
+    layers.push_back({&aov_image(options, frame, aov), exr_names(aov),
+                      is_number(aov) ? LayerValues::uint32 : LayerValues::floats});
+  write_exr_layers(output, layers);
+}
+
+void write_whole_numbers(const std::string& output, const auto& rgb, const RenderOptions& options, const Frame& frame,
+                         const WriteOptions& writing) {
+  // PNG is made in memory: filtered, and packed.
+  options.memory.need(3 * sizeof rgb.values[0] * rgb.values.size(), output);
+  if (options.background == Background::transparent)
+    write_image(output, with_alpha(rgb, aov_image(options, frame, Aov::alpha)), writing);
+  else write_image(output, rgb, writing);
 }
 
 } // namespace
@@ -60,10 +124,35 @@ Option quality_option(FrameFiles& files) {
   return number_option("--quality", files.jpeg_quality, Range{1, 100}, "of a .jpg: more is better, and larger");
 }
 
-Option aov_format_option(FrameFiles& files) {
-  return word_option(
-      "--aov-format", aov_formats(), [&files](std::size_t i) { files.aov_format = aov_formats()[i]; },
-      "format of the images of --aov; by default that of the image where it holds floats, else pfm");
+Option transparent_option(FrameFiles& files) {
+  return flag(
+      "--transparent", [&files] { files.background = Background::transparent; },
+      "leave the background out: an alpha channel says how much of a pixel's samples see a surface; colours are straight, "
+      "of floats multiplied by it");
+}
+
+std::vector<Option> aov_options(FrameFiles& files) {
+  std::vector<std::string> names;
+  std::string meaning;
+  for (const AovKind& kind : aov_kinds) {
+    names.emplace_back(kind.name);
+    meaning += "; " + std::string(kind.name) + ": " + std::string(kind.meaning);
+  }
+  const auto set_aovs = [&files](const std::vector<std::size_t>& indices) {
+    for (const std::size_t i : indices) files.aovs.push_back(static_cast<Aov>(i));
+  };
+  return {word_list_option("--aov", "NAME,…", names, set_aovs,
+                           "more images to write (arbitrary output variables), as NAME.depth.pfm next to NAME.png, .exr "
+                           "next to .exr" +
+                               meaning),
+          enum_option("--aov-filter", files.aov_filter,
+                      "of several samples a pixel: the first surface, or the mean of all; numbers are always the first's"),
+          word_option(
+              "--aov-format", aov_formats(), [&files](std::size_t i) { files.aov_format = aov_formats()[i]; },
+              "format of the images of --aov; by default that of the image where it holds floats, else pfm"),
+          flag(
+              "--layers", [&files] { files.aov_place = AovPlace::layers; },
+              "of an .exr: AOVs as layers of its file, N.X, P.X, Z and so on; all of them unless --aov names some")};
 }
 
 std::string output_forms() {
@@ -81,14 +170,22 @@ bool writes_radiance(const FrameFiles& files, const std::string& output) {
   return output_values(files, output) == ImageValues::floats;
 }
 
-void check_output(const FrameFiles& files, const std::string& output, Transfer transfer) {
+void check_output(FrameFiles& files, const std::string& output, Transfer transfer, const Diagnostics& diagnostics) {
   check_extension("--output", output, {rgb8_image, float_rgb_image});
-  const ImageContent content{output_values(files, output), 3};
-  if (!format_to_write(output, {content}))
+  const ImageValues values = output_values(files, output);
+  if (!format_to_write(output, {{values, 3}}))
     throw UsageError("--bits", std::to_string(files.bits) + " of \"" + output + "\"",
-                     "a name ending in " + writable_extensions({content}));
+                     "a name ending in " + writable_extensions({{values, 3}}));
   if (transfer == Transfer::srgb && writes_radiance(files, output))
     throw UsageError("--srgb", "is for " + writable_extensions({rgb8_image}) + "; float images hold linear values");
+  if (files.aov_place == AovPlace::layers && format_of_name(output)->name != "OpenEXR")
+    throw UsageError("--layers", "\"" + output + "\"", "a name ending in .exr");
+  if (is_transparent(files) && !format_to_write(output, {{values, 4}})) {
+    if (values != ImageValues::uint8)
+      throw UsageError("--transparent", "\"" + output + "\"", "a name ending in " + writable_extensions({{values, 4}}));
+    print_note(output + ": a JPEG has no alpha: the image is drawn over the background", diagnostics);
+    files.background = Background::blended;
+  }
 }
 
 void ask_for_output(const FrameFiles& files, const std::string& output, RenderOptions& options) {
@@ -96,12 +193,20 @@ void ask_for_output(const FrameFiles& files, const std::string& output, RenderOp
   options.want_rgb8 = values != ImageValues::floats; // of 16 bits, to see whether it shows anything
   options.want_radiance_double = values == ImageValues::uint16; // which floats would round before
   options.want_radiance = values == ImageValues::floats;
+  options.background = files.background;
+  options.aov_filter = files.aov_filter;
+  options.aovs = written_aovs(files);
+  if (is_transparent(files) && std::find(options.aovs.begin(), options.aovs.end(), Aov::alpha) == options.aovs.end())
+    options.aovs.push_back(Aov::alpha);
 }
 
-std::string aov_path(const FrameFiles& files, const std::string& output, Aov aov) {
-  const std::size_t dot = output.rfind('.');
-  return output.substr(0, dot) + "." + std::string(aov_names[static_cast<std::size_t>(aov)]) +
-         (files.aov_format.empty() ? float_extension_beside(output) : "." + files.aov_format);
+std::vector<std::string> aov_paths(const FrameFiles& files, const std::string& output) {
+  std::vector<std::string> paths;
+  if (files.aov_place == AovPlace::layers) return paths;
+  const std::string extension = files.aov_format.empty() ? float_extension_beside(output) : "." + files.aov_format;
+  for (const Aov aov : files.aovs)
+    paths.push_back(output.substr(0, output.rfind('.')) + "." + std::string(kind_of(aov).name) + extension);
+  return paths;
 }
 
 std::vector<std::string> write_frame(const FrameFiles& files, const std::string& output, const RenderOptions& options,
@@ -110,23 +215,30 @@ std::vector<std::string> write_frame(const FrameFiles& files, const std::string&
                              .jpeg_quality = files.jpeg_quality,
                              .threads = options.threads};
   switch (output_values(files, output)) {
-  case ImageValues::floats:
-    write_values(output, frame.radiance);
-    break;
-  case ImageValues::uint16: {
-    options.memory.need(3 * sizeof(std::uint16_t) * frame.radiance_double.values.size(), output); // and packed
-    write_image(output, levels16(frame.radiance_double, options.transfer, thread_count(options)), writing);
+  case ImageValues::floats: {
+    Image<float> own;
+    if (is_transparent(files)) {
+      options.memory.need(4 * sizeof(float) * frame.radiance.values.size() / 3, output);
+      own = with_alpha(frame.radiance, aov_image(options, frame, Aov::alpha));
+    }
+    const Image<float>& image = own.empty() ? frame.radiance : own;
+    if (files.aov_place == AovPlace::layers) write_layers(files, output, options, frame, image);
+    else write_values(output, image);
     break;
   }
+  case ImageValues::uint16:
+    options.memory.need(sizeof(std::uint16_t) * frame.radiance_double.values.size(), output);
+    write_whole_numbers(output, levels16(frame.radiance_double, options.transfer, thread_count(options)), options,
+                        frame, writing);
+    break;
   default:
-    options.memory.need(2 * frame.rgb8.values.size(), output); // PNG is made in memory: filtered, and packed
-    write_image(output, frame.rgb8, writing);
+    write_whole_numbers(output, frame.rgb8, options, frame, writing);
   }
   std::vector<std::string> paths = {output};
-  for (std::size_t i = 0; i < options.aovs.size(); ++i) {
-    paths.push_back(aov_path(files, output, options.aovs[i]));
-    write_aov(paths.back(), options.aovs[i], frame.aovs[i]);
-  }
+  const std::vector<std::string> beside = aov_paths(files, output);
+  for (std::size_t i = 0; i < beside.size(); ++i)
+    write_aov(beside[i], files.aovs[i], aov_image(options, frame, files.aovs[i]));
+  paths.insert(paths.end(), beside.begin(), beside.end());
   return paths;
 }
 

@@ -3,6 +3,7 @@
 
 #include <refraster/render.h>
 
+#include "app/diagnostics.h"
 #include "app/options/option.h"
 #include "io/image/image_formats.h"
 
@@ -11,40 +12,50 @@
 
 namespace refraster {
 
+/// Whether AOVs stand in files beside the image's, or in its file.
+enum class AovPlace { beside, layers };
+
 /// How the image and its AOVs are written, as the options say.
 struct FrameFiles {
-  int bits = 0;           // of a channel: 8, 16, 32 (float); 0: as many as the format usually has
+  int bits = 0; // of a channel: 8, 16, 32 (float); 0: as many as the format usually has
   int jpeg_quality = 95;
+  std::vector<Aov> aovs;
+  AovFilter aov_filter = AovFilter::nearest;
+  AovPlace aov_place = AovPlace::beside;
   std::string aov_format; // an extension, "npy"; empty: float_extension_beside
+  Background background = Background::blended;
 };
 
 /// --bits.
 Option bits_option(FrameFiles& files);
 /// --quality.
 Option quality_option(FrameFiles& files);
-/// --aov-format.
-Option aov_format_option(FrameFiles& files);
+/// --transparent.
+Option transparent_option(FrameFiles& files);
+/// --aov, --aov-filter, --aov-format, --layers.
+std::vector<Option> aov_options(FrameFiles& files);
 
-/// ".png or .jpg (8 bit), ...": for the help of --output.
+/// ".png or .jpg (whole numbers), ...": for the help of --output.
 std::string output_forms();
 
 /// What the image holds: by the extension of its name, and by --bits.
 ImageValues output_values(const FrameFiles& files, const std::string& output);
 
-/// Throws UsageError where the format of `output` is not one to write an image in, or not with such values.
-void check_output(const FrameFiles& files, const std::string& output, Transfer transfer);
-
 /// Whether the image holds radiance, and not what of it can be shown.
 bool writes_radiance(const FrameFiles& files, const std::string& output);
+
+/// Throws UsageError where the format of `output` is not one to write an image in, or not as the options say. What is
+/// left out without a fault is noted: a JPEG has no alpha.
+void check_output(FrameFiles& files, const std::string& output, Transfer transfer, const Diagnostics& diagnostics);
 
 /// Asks for what write_frame() needs.
 void ask_for_output(const FrameFiles& files, const std::string& output, RenderOptions& options);
 
-/// Next to "ball.png" stands "ball.depth.pfm", next to "ball.exr" "ball.depth.exr".
-std::string aov_path(const FrameFiles& files, const std::string& output, Aov aov);
+/// The files of the AOVs: next to "ball.png" stands "ball.depth.pfm", next to "ball.exr" "ball.depth.exr".
+std::vector<std::string> aov_paths(const FrameFiles& files, const std::string& output);
 
-/// Writes the image and the AOVs of a frame that was rendered with these options, and gives the paths. Throws OutputError,
-/// OutOfMemory.
+/// Writes the image and the AOVs of a frame that was rendered with options that ask_for_output() has completed, and gives
+/// the paths. Throws OutputError, OutOfMemory.
 std::vector<std::string> write_frame(const FrameFiles& files, const std::string& output, const RenderOptions& options,
                                      const Frame& frame);
 

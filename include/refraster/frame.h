@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -30,23 +31,60 @@ struct EnumNames<Precision> {
                                                                      {Precision::exact, "exact"}};
 };
 
-/// Images beside the colour, each of the nearest surface at the pixel centre; 0 where there is none.
-enum class Aov {
-  depth,    ///< 1 channel: window depth in [0, 1]; 1 where there is no surface
-  normal,   ///< 3: unit shading normal, world space: turned to the eye where a two-sided object shows its back
-  position, ///< 3: world space
-  uv,       ///< 2: as interpolated, not wrapped
-  albedo,   ///< 3: texture colour times kd; for a measured BRDF its value at normal incidence times pi
-  triangle, ///< 1: index of the triangle in its object's mesh, counted from 1; see max_exact_triangle_id
-  object,   ///< 1: index of the object in the scene, counted from 1
-  count_
+/// Images beside the colour (arbitrary output variables), each of the nearest surface at the pixel centre; 0 where there
+/// is none, but for depth. aov_kinds says what each is.
+enum class Aov { depth, normal, position, uv, albedo, triangle, object, distance, alpha, material, count_ };
+
+/// What the values of an AOV are: floats, or whole numbers, which are kept as floats too.
+enum class AovValues { floats, numbers };
+
+/// What several samples of a pixel make of an AOV that is resolved over them.
+enum class AovMean {
+  none,   ///< nothing: the value is always that of one surface
+  covered ///< the mean over those samples that see a surface
 };
+
+/// What there is to know of an AOV.
+struct AovKind {
+  std::string_view name = {};                     ///< on the command line and in file names
+  int channels = 1;                               ///< of the image
+  AovValues values = AovValues::floats;           ///< what they are
+  AovMean mean = AovMean::covered;                ///< over samples
+  std::array<std::string_view, 3> exr_names = {}; ///< of the channels, as layers of an EXR file
+  std::string_view meaning = {};                  ///< for help and documentation
+};
+
+/// All of them, in the order of Aov. Help, file formats, the names of layers and docs/aovs.md follow from this list; what
+/// an AOV's value is stands in raster/shade/aov.cpp.
+inline constexpr AovKind aov_kinds[] = {
+    {"depth", 1, AovValues::floats, AovMean::covered, {"depth.Z"},
+     "window depth, 0 at the near plane to 1 at the far plane and where there is no surface: no distance"},
+    {"normal", 3, AovValues::floats, AovMean::covered, {"N.X", "N.Y", "N.Z"},
+     "unit shading normal, world space; turned to the eye where a two-sided object shows its back"},
+    {"position", 3, AovValues::floats, AovMean::covered, {"P.X", "P.Y", "P.Z"}, "world space"},
+    {"uv", 2, AovValues::floats, AovMean::covered, {"uv.U", "uv.V"},
+     "texture coordinates as interpolated, not wrapped"},
+    {"albedo", 3, AovValues::floats, AovMean::covered, {"albedo.R", "albedo.G", "albedo.B"},
+     "texture colour times kd; for a measured BRDF its value at normal incidence times pi"},
+    {"triangle", 1, AovValues::numbers, AovMean::none, {"triangle.ID"},
+     "number of the triangle in its object's mesh, from 1"},
+    {"object", 1, AovValues::numbers, AovMean::none, {"object.ID"}, "number of the object in the scene, from 1"},
+    {"distance", 1, AovValues::floats, AovMean::covered, {"Z"},
+     "from the camera, along the axis of the view, in units of the scene"},
+    {"alpha", 1, AovValues::floats, AovMean::none, {"alpha.A"},
+     "fraction of the pixel's samples that see a surface"},
+    {"material", 1, AovValues::numbers, AovMean::none, {"material.ID"},
+     "number of the material among those of its object's file, from 1; the object's own comes after these"},
+};
+static_assert(std::size(aov_kinds) == static_cast<std::size_t>(Aov::count_));
+
+/// Of one AOV.
+constexpr const AovKind& kind_of(Aov aov) {
+  return aov_kinds[static_cast<std::size_t>(aov)];
+}
+
 /// Up to so many triangles in an object a float tells one from the next; beyond, it is the nearest to the index.
 inline constexpr std::size_t max_exact_triangle_id = std::size_t{1} << 24;
-
-/// Their names on the command line and in file names, and their channels, in the order of the enum.
-inline constexpr std::string_view aov_names[] = {"depth", "normal", "position", "uv", "albedo", "triangle", "object"};
-inline constexpr int aov_channels[] = {1, 3, 3, 2, 3, 1, 1};
 
 /// Seconds of wall time in each stage of a frame.
 struct StageSeconds {

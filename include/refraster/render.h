@@ -24,6 +24,24 @@ struct PixelRect {
 /// How radiance becomes levels: as it is, or by the curve of IEC 61966-2-1.
 enum class Transfer { linear, srgb };
 
+/// What a pixel shows where samples of it see no surface.
+enum class Background {
+  blended,    ///< the scene's background, in proportion to these samples
+  transparent ///< nothing: colours are means over the samples that see a surface, 0 where none does; see Aov::alpha
+};
+
+/// What an AOV shows of a pixel of several samples.
+enum class AovFilter {
+  nearest, ///< the surface of the first sample that sees one
+  resolve  ///< the mean over the samples that see one, where AovKind::mean says so
+};
+
+template <>
+struct EnumNames<AovFilter> {
+  static constexpr std::pair<AovFilter, std::string_view> names[] = {{AovFilter::nearest, "nearest"},
+                                                                     {AovFilter::resolve, "resolve"}};
+};
+
 /// What is asked of a frame.
 struct RenderOptions {
   int width = 1280;                         ///< of the full image: 1 to 16384 pixels
@@ -39,6 +57,8 @@ struct RenderOptions {
   bool want_radiance_double = false;         ///< the same before it is rounded to float, to measure a precision by
   Transfer transfer = Transfer::linear;      ///< of the 8-bit image
   std::vector<Aov> aovs = {};                ///< more images
+  AovFilter aov_filter = AovFilter::nearest; ///< what these show of several samples
+  Background background = Background::blended; ///< of all images of colours
   std::function<void(double)> progress = {}; ///< called with the fraction done, in [0, 1], from one thread at a time
   const std::atomic<bool>* cancel = nullptr; ///< when it becomes true, the frame is given up
   MemoryBudget memory = {};                  ///< asked for images and vertices

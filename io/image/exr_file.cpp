@@ -8,6 +8,7 @@
 #include <exception>
 #include <new>
 #include <stdexcept>
+#include <type_traits>
 
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
@@ -82,12 +83,13 @@ private:
 };
 
 /// Channel c of an image whose first pixel is (0, 0) of the buffer that OpenEXR addresses.
-Imf::Slice slice(const Image<float>& image, int c, int x_origin, int y_origin) {
-  const std::size_t pixel = sizeof(float) * static_cast<std::size_t>(image.channels);
+template <class Value>
+Imf::Slice slice(const Image<Value>& image, int c, int x_origin, int y_origin) {
+  const std::size_t pixel = sizeof(Value) * static_cast<std::size_t>(image.channels);
   const std::size_t row = pixel * static_cast<std::size_t>(image.width);
   // OpenEXR takes one type of pointer for reading and writing; a writer only reads.
-  char* const base = reinterpret_cast<char*>(const_cast<float*>(image.values.data() + c));
-  return {Imf::FLOAT,
+  char* const base = reinterpret_cast<char*>(const_cast<Value*>(image.values.data() + c));
+  return {std::is_same_v<Value, float> ? Imf::FLOAT : Imf::UINT,
           base - static_cast<std::ptrdiff_t>(pixel) * x_origin - static_cast<std::ptrdiff_t>(row) * y_origin, pixel,
           row};
 }
@@ -136,21 +138,35 @@ ImageFile read_exr(const std::string& path, std::string_view bytes, const ImageR
   }
 }
 
-void write_exr(const std::string& path, const Image<float>& image, const std::vector<std::string>& channels) {
+void write_exr_layers(const std::string& path, std::span<const ExrLayer> layers) {
+  std::vector<Image<std::uint32_t>> numbers; // of the layers that are such, in this order
+  for (const ExrLayer& layer : layers) {
+    if (layer.values != LayerValues::uint32) continue;
+    const Image<float>& from = *layer.image;
+    Image<std::uint32_t>& to = numbers.emplace_back(from.width, from.height, from.channels);
+    std::transform(from.values.begin(), from.values.end(), to.values.begin(),
+                   [](float value) { return static_cast<std::uint32_t>(value); });
+  }
+  const Image<float>& first = *layers.front().image;
   AtomicFile file(path);
   ExrStream stream(path, file);
   try {
-    Imf::Header header(image.width, image.height);
+    Imf::Header header(first.width, first.height);
     header.compression() = Imf::ZIP_COMPRESSION; // lossless
     Imf::FrameBuffer buffer;
-    for (int c = 0; c < image.channels; ++c) {
-      const std::string& name = channels[static_cast<std::size_t>(c)];
-      header.channels().insert(name, Imf::Channel(Imf::FLOAT));
-      buffer.insert(name, slice(image, c, 0, 0));
+    std::size_t next_numbers = 0;
+    for (const ExrLayer& layer : layers) {
+      const bool is_float = layer.values == LayerValues::floats;
+      const Image<std::uint32_t>* const whole = is_float ? nullptr : &numbers[next_numbers++];
+      for (int c = 0; c < layer.image->channels; ++c) {
+        const std::string& name = layer.channels[static_cast<std::size_t>(c)];
+        header.channels().insert(name, Imf::Channel(is_float ? Imf::FLOAT : Imf::UINT));
+        buffer.insert(name, is_float ? slice(*layer.image, c, 0, 0) : slice(*whole, c, 0, 0));
+      }
     }
     Imf::OutputFile output(stream, header);
     output.setFrameBuffer(buffer);
-    output.writePixels(image.height);
+    output.writePixels(first.height);
   } catch (const OutputError&) {
     throw;
   } catch (const std::bad_alloc&) {
@@ -161,6 +177,11 @@ void write_exr(const std::string& path, const Image<float>& image, const std::ve
   }
   stream.check(path);
   file.commit();
+}
+
+void write_exr(const std::string& path, const Image<float>& image, const std::vector<std::string>& channels) {
+  const ExrLayer layer{&image, channels};
+  write_exr_layers(path, {&layer, 1});
 }
 
 } // namespace refraster

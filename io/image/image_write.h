@@ -4,7 +4,9 @@
 #include <refraster/image.h>
 
 #include <cstdint>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace refraster {
 
@@ -27,5 +29,18 @@ struct WriteOptions {
 void write_image(const std::string& path, const Image<std::uint8_t>& image, const WriteOptions& options);
 void write_image(const std::string& path, const Image<std::uint16_t>& image, const WriteOptions& options = {});
 void write_image(const std::string& path, const Image<std::uint32_t>& image, const WriteOptions& options = {});
+
+/// What the channels of a layer are stored as.
+enum class LayerValues { floats, uint32 };
+
+/// Some channels of an OpenEXR file.
+struct ExrLayer {
+  const Image<float>* image = nullptr;
+  std::vector<std::string> channels; // their full names, "N.X"; as many as the image has
+  LayerValues values = LayerValues::floats; // uint32: the image holds whole numbers that are
+};
+
+/// Writes images of one size as the layers of one OpenEXR file, as a whole or not at all. Throws OutputError.
+void write_exr_layers(const std::string& path, std::span<const ExrLayer> layers);
 
 } // namespace refraster

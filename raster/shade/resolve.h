@@ -111,19 +111,21 @@ private:
 
   /// A background beyond the largest number of the precision is that number, as any other colour is.
   static Rgb<Real> finite_background(const FrameContext& context) {
-    const Rgb<Real> rgb = as<Real>(context.scene.background);
+    const Rgb<Real> rgb = as<Real>(shown_background(context));
     const Real largest = largest_number<Real>();
     return {min(rgb.x, largest), min(rgb.y, largest), min(rgb.z, largest)};
   }
 
   // One colour for each pixel that any run touches: the first colour plus the mean difference to it, so that equal
   // colours give that colour, bit for bit. Each difference is weighted before it is added: their sum then is no larger
-  // than the largest, which may be the largest number there is. Weights are exact, samples being a power of two.
+  // than the largest, which may be the largest number there is. Weights are exact, samples being a power of two; where
+  // the background is transparent they are rounded, and what then exceeds the largest number is written as that.
   void average(const FrameContext& context, std::span<const FragmentRun> runs, const FragmentColours<T>& colours) {
     const Rgb<Real> background = finite_background(context);
     const int samples = context.options.samples;
-    const auto weight = [samples](int count) {
-      return Real(static_cast<RealOf<Real>>(count)) / Real(static_cast<RealOf<Real>>(samples));
+    const bool is_blended = context.options.background == Background::blended;
+    const auto fraction = [](int count, int all) {
+      return Real(static_cast<RealOf<Real>>(count)) / Real(static_cast<RealOf<Real>>(all));
     };
     pixel_runs_.clear();
     pixels_.resize(static_cast<std::uint32_t>(runs.size()));
@@ -131,12 +133,13 @@ private:
       const FragmentRun& run = runs[i]; // one pixel long
       const Rgb<Real> first = colours[run.first_fragment];
       Rgb<Real> difference(Real(0));
+      const auto is_here = [&](std::size_t k) { return k < runs.size() && runs[k].x == run.x && runs[k].y == run.y; };
       int covered = 0;
-      for (; i < runs.size() && runs[i].x == run.x && runs[i].y == run.y; ++i) {
-        difference += (colours[runs[i].first_fragment] - first) * weight(runs[i].samples);
-        covered += runs[i].samples;
-      }
-      if (covered < samples) difference += (background - first) * weight(samples - covered);
+      for (std::size_t k = i; is_here(k); ++k) covered += runs[k].samples;
+      const int shown = is_blended ? samples : covered; // of which the weights are fractions
+      for (; is_here(i); ++i)
+        difference += (colours[runs[i].first_fragment] - first) * fraction(runs[i].samples, shown);
+      if (covered < shown) difference += (background - first) * fraction(shown - covered, shown);
       const auto pixel = static_cast<std::uint32_t>(pixel_runs_.size());
       pixels_.set(pixel, first + difference);
       pixel_runs_.push_back({0, pixel, run.x, run.y, 1, 1});
@@ -164,7 +167,7 @@ private:
   template <class Value>
   static void write_radiance(const FrameContext& context, const PixelRect& tile, std::span<const FragmentRun> runs,
                              const FragmentColours<T>& colours, int left, int top, Image<Value>& image) {
-    const Rgb<Real> background = as<Real>(context.scene.background);
+    const Rgb<Real> background = as<Real>(shown_background(context));
     const auto put = [](Value* at, const Rgb<Real>& rgb) {
       for (int c = 0; c < 3; ++c) {
         // A finite double may lie beyond a float's.
@@ -190,7 +193,7 @@ private:
         for (int c = 0; c < 3; ++c) image.at(left + x, top + y)[c] = level_of(rgb[c], transfer);
       };
       for (int y = 0; y < tile.height; ++y)
-        for (int x = 0; x < tile.width; ++x) put(x, y, as<T>(context.scene.background));
+        for (int x = 0; x < tile.width; ++x) put(x, y, as<T>(shown_background(context)));
       for (const FragmentRun& run : runs)
         for (std::uint32_t i = 0; i < run.length; ++i)
           put(run.x + static_cast<int>(i), run.y, colours[run.first_fragment + i]);
@@ -207,7 +210,7 @@ private:
         std::memcpy(&packed_[i], &levels, sizeof levels);
       }
       const auto width = static_cast<std::size_t>(tile.width);
-      tile_rgb8_.assign(width * static_cast<std::size_t>(tile.height), packed(as<T>(context.scene.background))[0]);
+      tile_rgb8_.assign(width * static_cast<std::size_t>(tile.height), packed(as<T>(shown_background(context)))[0]);
       for (const FragmentRun& run : runs)
         std::copy_n(&packed_[run.first_fragment], run.length, &tile_rgb8_[run.y * width + run.x]);
       for (int y = 0; y < tile.height; ++y) {

@@ -162,10 +162,11 @@ std::string fault_of(const Frame& frame, const Scene& scene, const RenderOptions
   }
   for (std::size_t i = 0; i < options.aovs.size(); ++i) {
     const Aov aov = options.aovs[i];
-    const std::string name(aov_names[static_cast<std::size_t>(aov)]);
-    if (!is_shaped(frame.aovs[i], region, aov_channels[static_cast<std::size_t>(aov)])) return name + ": shape";
+    const std::string name(kind_of(aov).name);
+    if (!is_shaped(frame.aovs[i], region, kind_of(aov).channels)) return name + ": shape";
     if (!all_finite(frame.aovs[i].values)) return name + ": not finite";
     if (aov == Aov::depth && !within(frame.aovs[i], 0, 1)) return "depth: outside [0, 1]";
+    if (aov == Aov::alpha && !within(frame.aovs[i], 0, 1)) return "alpha: outside [0, 1]";
     if (aov == Aov::triangle && !within(frame.aovs[i], 0, static_cast<double>(max_triangles))) return "triangle";
     if (aov == Aov::object && !within(frame.aovs[i], 0, static_cast<double>(scene.objects.size()))) return "object";
   }

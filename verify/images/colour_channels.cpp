@@ -61,6 +61,20 @@ std::string chosen_layer(const std::string& path, const std::vector<std::string>
       InputFault{path, 0, 0, "", "colours in the layers " + listed(layers), "one of them by --layer NAME"});
 }
 
+/// Those of a layer of this name, or the one channel that is called so.
+std::vector<std::size_t> places_in(const std::vector<std::string>& channels, const std::string& layer) {
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < channels.size(); ++i)
+    if (!layer.empty() && (layer_of(channels[i]) == layer || channels[i] == layer)) places.push_back(i);
+  return places;
+}
+
+void add_others(const std::vector<std::string>& channels, ColourChannels& result) {
+  for (std::size_t i = 0; i < channels.size(); ++i)
+    if (i != result.alpha && std::find(result.compared.begin(), result.compared.end(), i) == result.compared.end())
+      result.others.push_back(i);
+}
+
 } // namespace
 
 std::vector<std::string> colour_layers(const std::vector<std::string>& channels) {
@@ -78,6 +92,14 @@ ColourChannels colour_channels(const std::string& path, const ImageFile& image, 
   const std::vector<std::string>& channels = image.channels;
   const std::vector<std::string> layers = colour_layers(channels);
   ColourChannels result;
+  if (std::find(layers.begin(), layers.end(), layer) == layers.end()) {
+    result.compared = places_in(channels, layer);
+    if (!result.compared.empty()) {
+      result.kind = ColourChannels::Kind::data, result.layer = layer;
+      add_others(channels, result);
+      return result;
+    }
+  }
   result.layer = chosen_layer(path, layers, layer);
   const auto grey = place_of(channels, "", "y", "y");
   if (!layers.empty()) {
@@ -92,9 +114,7 @@ ColourChannels colour_channels(const std::string& path, const ImageFile& image, 
     return result;
   }
   result.alpha = colour_place(channels, result.layer, 3);
-  for (std::size_t i = 0; i < channels.size(); ++i)
-    if (i != result.alpha && std::find(result.compared.begin(), result.compared.end(), i) == result.compared.end())
-      result.others.push_back(i);
+  add_others(channels, result);
   return result;
 }
 

@@ -38,7 +38,7 @@ ColourImage read_colour_image(const std::string& path, const std::string& layer,
   result.path = path;
   result.kind = chosen.kind;
   const std::vector<std::string> layers = colour_layers(file.channels);
-  result.has_layer = std::find(layers.begin(), layers.end(), layer) != layers.end();
+  result.has_layer = chosen.layer == layer || std::find(layers.begin(), layers.end(), layer) != layers.end();
   result.names_channels = file.names_channels;
   result.full_scale = file.full_scale;
   result.precision =

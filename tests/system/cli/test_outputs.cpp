@@ -1,13 +1,16 @@
 // What render writes: bits, formats, what the file says of its colours.
 
 #include <refraster/files.h>
+#include <refraster/frame.h>
 
 #include "tests/support/program/program.h"
 #include "tests/support/program/scenes.h"
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace refraster {
 namespace {
@@ -87,6 +90,72 @@ TEST_CASE("bits that a format has not, and a curve for floats, are wrong usage")
   CHECK(outputs.run({"-o", "a.png", "--bits", "32"}).exit_code == 2);
   CHECK(outputs.run({"-o", "a.npy", "--srgb"}).exit_code == 2);
   CHECK(outputs.run({"-o", "a.npy", "--bits", "8", "--srgb"}).exit_code == 0);
+}
+
+TEST_CASE("a transparent image: straight in PNG, premultiplied in EXR; a JPEG has none, which is noted") {
+  const Outputs outputs;
+  const std::vector<std::string> asked = {"--transparent", "--samples", "4"};
+  const ImageFile png = outputs.image("a.png", asked), wide = outputs.image("w.png", {"--transparent", "--samples", "4", "--bits", "16"}),
+                  exr = outputs.image("a.exr", asked);
+  REQUIRE(png.values.channels == 4);
+  REQUIRE(wide.values.channels == 4);
+  CHECK(exr.channels == std::vector<std::string>{"R", "G", "B", "A"});
+  bool some_part = false;
+  for (std::size_t i = 0; i < 40 * 30; ++i) {
+    const double alpha = static_cast<double>(exr.values.values[4 * i + 3]);
+    CHECK(static_cast<double>(png.values.values[4 * i + 3]) == std::nearbyint(255 * alpha));
+    CHECK(static_cast<double>(wide.values.values[4 * i + 3]) == std::nearbyint(65535 * alpha));
+    some_part = some_part || (alpha > 0 && alpha < 1);
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double premultiplied = static_cast<double>(exr.values.values[4 * i + c]);
+      if (alpha == 0) CHECK(premultiplied == 0);
+      const double straight = alpha == 0 ? 0 : std::min(premultiplied / alpha, 1.0);
+      CHECK(std::abs(static_cast<double>(png.values.values[4 * i + c]) - 255 * straight) <= 0.5001);
+    }
+  }
+  CHECK(some_part);
+  const Finished jpeg = outputs.run({"-o", "a.jpg", "--transparent"});
+  CHECK(jpeg.exit_code == 0);
+  CHECK(jpeg.err == "note: a.jpg: a JPEG has no alpha: the image is drawn over the background\n");
+  CHECK(outputs.run({"-o", "a.pfm", "--transparent"}).exit_code == 2);
+}
+
+TEST_CASE("layers of one EXR: their names, numbers as such, each as the file beside the image; compare takes one") {
+  const Outputs outputs;
+  const ImageFile layers = outputs.image("a.exr", {"--layers"});
+  CHECK(files_in(outputs) == std::vector<std::string>{"a.exr", "s.json"});
+  for (const AovKind& kind : aov_kinds)
+    for (int c = 0; c < kind.channels; ++c)
+      CHECK(std::count(layers.channels.begin(), layers.channels.end(), kind.exr_names[static_cast<std::size_t>(c)]) == 1);
+  CHECK(text_of(outputs / "a.exr").find("object.ID") < 1024);
+  REQUIRE(outputs.run({"-o", "b.exr", "--aov", "normal,distance,object"}).exit_code == 0);
+  const ImageFile normal = read_image(outputs / "b.normal.exr"), object = read_image(outputs / "b.object.exr");
+  const auto plane = [&](const std::string& name) {
+    return static_cast<std::size_t>(std::find(layers.channels.begin(), layers.channels.end(), name) - layers.channels.begin());
+  };
+  const std::size_t count = layers.channels.size();
+  for (std::size_t i = 0; i < 40 * 30; ++i) {
+    CHECK(layers.values.values[i * count + plane("N.Y")] == normal.values.values[3 * i + 1]);
+    CHECK(layers.values.values[i * count + plane("object.ID")] == object.values.values[i]);
+  }
+  const Finished same = run_program(outputs.path, {"compare", "a.exr", "a.exr", "--layer", "N"});
+  CHECK(same.exit_code == 0);
+  CHECK(same.out.find("N.X") + same.err.find("N.X") != 2 * std::string::npos);
+  REQUIRE(run_program(outputs.path, {"render", "s.json", "--size", "40x30", "-o", "c.exr", "--layers", "--samples", "4",
+                                     "--aov-filter", "resolve"})
+              .exit_code == 0);
+  CHECK(run_program(outputs.path, {"compare", "a.exr", "c.exr", "--layer", "Z"}).exit_code == 1);
+  CHECK(run_program(outputs.path, {"compare", "a.exr", "a.exr", "--layer", "Z"}).exit_code == 0);
+  CHECK(outputs.run({"-o", "a.png", "--layers"}).exit_code == 2);
+  if (std::system("exrheader / >/dev/null 2>&1") >> 8 == 127) {
+    MESSAGE("exrheader is not installed (scripts/setup openexr)");
+    return;
+  }
+  const std::string listed = "exrheader " + outputs / "a.exr" + " >" + outputs / "header";
+  REQUIRE(std::system(listed.c_str()) == 0);
+  const std::string header = text_of(outputs / "header");
+  CHECK(header.find("object.ID, 32-bit unsigned integer") != std::string::npos);
+  CHECK(header.find("N.X, 32-bit floating-point") != std::string::npos);
 }
 
 } // namespace refraster

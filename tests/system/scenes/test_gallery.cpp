@@ -44,7 +44,7 @@ void check_same(const Frame& a, const Frame& b) {
   CHECK(same_bits(a.rgb8, b.rgb8));
   CHECK(same_bits(a.radiance, b.radiance));
   REQUIRE(a.aovs.size() == b.aovs.size());
-  for (std::size_t i = 0; i < a.aovs.size(); ++i) CHECK_MESSAGE(same_bits(a.aovs[i], b.aovs[i]), aov_names[i]);
+  for (std::size_t i = 0; i < a.aovs.size(); ++i) CHECK_MESSAGE(same_bits(a.aovs[i], b.aovs[i]), aov_kinds[i].name);
 }
 
 /// The greatest difference between the 8-bit images of the precisions double and float, in levels.
@@ -93,7 +93,7 @@ void check_finite(const Scene& scene) {
       return std::all_of(image.values.begin(), image.values.end(), [](float x) { return std::isfinite(x); });
     };
     CHECK(finite(frame.radiance));
-    for (std::size_t i = 0; i < frame.aovs.size(); ++i) CHECK_MESSAGE(finite(frame.aovs[i]), aov_names[i]);
+    for (std::size_t i = 0; i < frame.aovs.size(); ++i) CHECK_MESSAGE(finite(frame.aovs[i]), aov_kinds[i].name);
     CHECK(frame.counts.undefined[Undefined::not_finite] == 0);
     CHECK(frame.counts.shaded > 0);
   }
@@ -106,7 +106,7 @@ void check_crop(const Scene& scene, const Frame& whole_frame, RenderOptions opti
   CHECK(same_bits(part.rgb8, cut_out(whole_frame.rgb8, crop)));
   CHECK(same_bits(part.radiance, cut_out(whole_frame.radiance, crop)));
   for (std::size_t i = 0; i < part.aovs.size(); ++i)
-    CHECK_MESSAGE(same_bits(part.aovs[i], cut_out(whole_frame.aovs[i], crop)), aov_names[i]);
+    CHECK_MESSAGE(same_bits(part.aovs[i], cut_out(whole_frame.aovs[i], crop)), aov_kinds[i].name);
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 // The list of image formats, and what each format on it must have elsewhere.
 
+#include <refraster/frame.h>
 #include <refraster/notes.h>
 
 #include "io/file/input_file.h"
@@ -226,6 +227,19 @@ TEST_CASE("floats stand beside an image in its own format if that holds grey and
 
 TEST_CASE("docs/image-formats.md has the table of the formats") {
   CHECK(page_part("docs/image-formats.md", "io/image/image_formats.h") == markdown());
+}
+
+TEST_CASE("docs/conventions.md has the table of AOVs") {
+  std::string text = "| AOV | channels | resolved | layer | what it is |\n|---|---|---|---|---|\n";
+  for (const AovKind& kind : aov_kinds) {
+    std::string layers;
+    for (const std::string_view name : kind.exr_names)
+      if (!name.empty()) layers += (layers.empty() ? "`" : ", `") + std::string(name) + "`";
+    text += "| `" + std::string(kind.name) + "` | " + std::to_string(kind.channels) +
+            (kind.values == AovValues::numbers ? ", numbers" : "") + " | " +
+            (kind.mean == AovMean::covered ? "mean" : "no") + " | " + layers + " | " + std::string(kind.meaning) + " |\n";
+  }
+  CHECK(page_part("docs/conventions.md", "include/refraster/frame.h") == text);
 }
 
 } // namespace refraster::test

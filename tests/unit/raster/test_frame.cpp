@@ -23,7 +23,8 @@ using namespace refraster::test;
 namespace {
 
 const std::vector<Aov> every_aov = {Aov::depth,  Aov::normal,   Aov::position, Aov::uv,
-                                    Aov::albedo, Aov::triangle, Aov::object};
+                                    Aov::albedo, Aov::triangle, Aov::object, Aov::distance,
+                                    Aov::alpha,  Aov::material};
 
 RenderOptions everything(Precision precision, int samples) {
   RenderOptions options;
@@ -120,7 +121,7 @@ TEST_CASE("an AOV is the same alone and among others, whatever the precision of 
     for (const Precision precision : {Precision::double_, Precision::float_})
       for (std::size_t i = 0; i < every_aov.size(); ++i) {
         CAPTURE(name_of(precision));
-        CAPTURE(aov_names[i]);
+        CAPTURE(kind_of(every_aov[i]).name);
         options.precision = precision;
         options.aovs = {every_aov[i]};
         const Frame alone = render(scene, options);
