@@ -197,12 +197,12 @@ void add_surface(const FrameContext& context, const Material& material, std::uin
     story.uv = Double2(uv(0), uv(1));
     UndefinedCounts uncounted; // the terms have counted these
     const UndefinedTally<T> tally(uncounted, first_lane<T>());
-    const auto tell = [&](const TextureMap& map, std::optional<TextureStory>& how) {
+    const auto describe = [&](const TextureMap& map, std::optional<TextureStory>& how) {
       if (map.texture) texture_colour(map, data, at, tally, TellReading{how});
     };
-    tell(material.diffuse_map, story.texture);
+    describe(material.diffuse_map, story.texture);
     if (!material.has_fragment_maps()) return;
-    tell(material.specular_map, story.specular_map), tell(material.emissive_map, story.emissive_map);
+    describe(material.specular_map, story.specular_map), describe(material.emissive_map, story.emissive_map);
   });
 }
 
