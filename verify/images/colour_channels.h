@@ -23,10 +23,10 @@ struct ColourChannels {
 std::vector<std::string> colour_layers(const std::vector<std::string>& channels);
 
 /// The channels of the layer of this name, a colour or data as N.X, N.Y and N.Z are, or the one channel of this name, as
-/// Z; or, if it is empty or not in this file, the colour of the layer without a name; of the
-/// only layer with a colour; of the only one called Combined, as Blender calls the image among its passes. Without red,
-/// green and blue, Y is grey (unless X is there too: a vector); else the image is data, and all of its channels count.
-/// Throws InputError if it remains open which layer is meant.
+/// Z; or, if it is empty or not in this file, the colour of the layer without a name; of the only layer with a colour;
+/// of the only one called Combined, as Blender calls the image among its passes. Without red, green and blue, Y is grey
+/// (unless X is there too: a vector); else the image is data, and all of its channels count. Throws InputError if it
+/// remains open which layer is meant.
 ColourChannels colour_channels(const std::string& path, const ImageFile& image, const std::string& layer);
 
 } // namespace refraster
