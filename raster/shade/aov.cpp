@@ -99,7 +99,10 @@ void write_aovs(const FrameContext& context, const VisibleTile& visible, std::sp
   };
   const bool wants_surface = wants({Aov::normal, Aov::position, Aov::albedo, Aov::distance});
   const bool resolves = context.options.aov_filter == AovFilter::resolve && context.options.samples > 1;
-  const auto is_mean = [&](std::size_t i) { return resolves && kind_of(aovs[i]).mean == AovMean::covered; };
+  // Depth is known of each sample.
+  const auto is_mean = [&](std::size_t i) {
+    return resolves && kind_of(aovs[i]).mean == AovMean::covered && aovs[i] != Aov::depth;
+  };
 
   const SampleAovs of_samples(visible, context.options.samples);
   for (std::size_t i = 0; i < aovs.size(); ++i) {
