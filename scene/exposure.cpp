@@ -1,12 +1,13 @@
 #include "scene/exposure.h"
 
-#include <cmath>
+#include "math/elementary.h"
+
 #include <variant>
 
 namespace refraster {
 
 void expose(Scene& scene, double stops) {
-  const double factor = std::exp2(stops);
+  const double factor = exp2(stops); // exact for whole stops, and the same on every machine
   if (factor == 1) return;
   scene.background *= factor;
   for_each_light_list(scene, [&](auto& lights) {
