@@ -89,7 +89,7 @@ TEST_CASE("help prints the defaults") {
   const TemporaryFolder folder;
   const std::string help = run_program(folder.path, {"render", "--help"}).out;
   for (const std::string expected :
-       {"(default 1280x720)", "(default double)", "(default 64)", "(default 0)", "(default 1)"})
+       {"or 1280x720)", "(default double)", "(default 64)", "(default 0)", "or 1)"})
     CHECK_MESSAGE(help.find(expected) != std::string::npos, expected);
 }
 
@@ -128,7 +128,7 @@ TEST_CASE("every wrong argument is answered with exit code 2, one line and a hin
       {"render", "ball.json", "--aov", "depth,colour"},
       {"render", "ball.json", "--aov", "depth,depth"},
       {"render", "ball.json", "--aov", ""},
-      {"render", "ball.json", "-o", "ball.jpg"},
+      {"render", "ball.json", "-o", "ball.gif"},
       {"render", "ball.json", "-o", "ball"},
       {"render", "ball.json", "-o", "ball.json"},
       {"render", "ball.json", "-o", "ball.exr", "--srgb"},
@@ -214,9 +214,8 @@ TEST_CASE("what is wrong is named, with what was meant and what there is") {
     const std::string err = run_program(folder.path, words).err;
     return err.substr(0, err.find('\n'));
   };
-  CHECK(said_of({"rendr"}) == "refraster: found \"rendr\", expected one of render, verify, explain, compare, gl, "
-                              "bench, scene, mesh, merl, list; "
-                              "did you mean render?");
+  CHECK(said_of({"rendr"}) == "refraster: found \"rendr\", expected one of render, turntable, verify, explain, "
+                              "compare, gl, bench, scene, mesh, merl, list; did you mean render?");
   CHECK(said_of({"merl", "sinth"}) ==
         "refraster: merl: found \"sinth\", expected one of info, synth; did you mean synth?");
   CHECK(said_of({"merl"}) == "refraster: merl: found nothing, expected one of info, synth");
@@ -232,12 +231,12 @@ TEST_CASE("what is wrong is named, with what was meant and what there is") {
   CHECK(said_of({"render", "ball.json", "-quiet"}).find("found \"-quiet\"") != std::string::npos);
   CHECK(said_of({"--quiet", "render", "ball.json"}) ==
         "refraster: found \"--quiet\", expected a command before it, "
-        "one of render, verify, explain, compare, gl, bench, mesh, merl, list");
+        "one of render, turntable, verify, explain, compare, gl, bench, scene, mesh, merl, list");
   CHECK(said_of({"render", "ball.json", "--precision", "flaot"}) ==
         "refraster: --precision: found \"flaot\", expected one of double, float, fast, exact; did you mean float?");
   CHECK(said_of({"render", "ball.json", "--aov", "depth,norml"}) ==
-        "refraster: --aov: found \"norml\", expected one of depth, normal, position, uv, albedo, triangle, object; did "
-        "you mean normal?");
+        "refraster: --aov: found \"norml\", expected one of depth, normal, position, uv, albedo, triangle, object, "
+        "distance, alpha, material; did you mean normal?");
   CHECK(said_of({"bench", "--precisions", "double,flot"}).ends_with("; did you mean float?"));
 }
 
