@@ -50,7 +50,9 @@ Reference reference(const Scene& scene, const ExplainRequest& request, Precision
 }
 
 void check_terms(const FragmentStory& f, Numbers numbers) {
-  Double3 sum = f.ambient, exact = f.exact.ambient;
+  const Double3 emission = f.emission.value_or(Double3(0));
+  Double3 sum = f.ambient, exact = f.exact.ambient + emission;
+  if (f.emission) sum += emission;
   UndefinedCounts of_lights;
   REQUIRE(f.exact.reflected.size() == f.lights.size());
   for (std::size_t i = 0; i < f.lights.size(); ++i) {
@@ -71,7 +73,7 @@ void check_terms(const FragmentStory& f, Numbers numbers) {
   }
   if (!f.user_function && f.undefined[Undefined::not_finite] == 0) CHECK(same_bits(sum, f.radiance));
   for (int c = 0; c < 3 && numbers == Numbers::ordinary; ++c) {
-    double size = f.exact.ambient[c];
+    double size = f.exact.ambient[c] + emission[c];
     for (const Double3& term : f.exact.reflected) size += term[c];
     CHECK(std::abs(exact[c] - f.exact.radiance[c]) <= rounding(size, static_cast<int>(f.lights.size())));
   }
