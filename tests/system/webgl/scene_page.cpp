@@ -104,6 +104,8 @@ std::string scene_json(const Scene& scene, int width, int height) {
       for (const Object& object : scene.objects) {
         if (!object.materials.empty())
           throw std::runtime_error(object.name + ": the page draws no mesh of several materials");
+        if (object.material.has_fragment_maps())
+          throw std::runtime_error(object.name + ": the page draws no further textures of a material");
         Material material = object.material;
         if (object.mesh->uvs.empty()) material.diffuse_map.texture = nullptr;
         else if (object.mesh->uvs.size() < object.mesh->positions.size())
@@ -123,6 +125,7 @@ std::string scene_json(const Scene& scene, int width, int height) {
           write_uniforms(json, values);
           write_texture(json, material);
           write_table(json, object.material);
+          json.member("tableUnit", merl_unit);
         });
       }
     });
