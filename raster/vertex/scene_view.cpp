@@ -82,7 +82,7 @@ public:
     for (const Object& object : scene.objects) {
       const Double4x4 world = object_transform(object, Double4x4(1)).world_from_object;
       Part part{object.mesh.get(), {}};
-      for (int row = 0; row < 3; ++row)
+      for (std::size_t row = 0; row < 3; ++row)
         for (int column = 0; column < 4; ++column) part.rows[row][column] = dot(axes[row], Double3(world[column]));
       parts_.push_back(part);
     }
@@ -122,7 +122,7 @@ std::array<double, 2> centre_from(const Points& points, double eye) {
     found = {Support(k[0]), Support(k[1])};
     points.for_each([&](double x, double y, double depth) { found[0].add(x, depth), found[1].add(y, depth); });
     bool moved = false;
-    for (int axis = 0; axis < 2; ++axis) {
+    for (std::size_t axis = 0; axis < 2; ++axis) {
       const Support& at = found[axis];
       const double excess = (at.above + at.below) * 0.5 - at.k * eye;
       const double distance = eye - (at.depth_above * 0.5 + at.depth_below * 0.5);
