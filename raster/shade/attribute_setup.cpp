@@ -57,6 +57,11 @@ template <class Real>
   t.row[5] = {f0[1], f1[1], f2[1], Real(0)};
 }
 
+/// Out of line: a frame without placed textures does not come here.
+[[gnu::noinline]] Repeats placed_repeats(const FrameContext& context, std::uint32_t object, std::uint32_t triangle) {
+  return repeats_of(context, object, triangle);
+}
+
 // Everything but the edge functions. weight: of the corners, in their order.
 template <class Real>
 [[gnu::always_inline]] inline void set_attributes(const FrameContext& context, const Vertices& vertices,
@@ -69,6 +74,8 @@ template <class Real>
   const Mesh& mesh = *context.scene.objects[ref.object].mesh;
   const auto& indices = mesh.triangles[ref.triangle];
   const bool textured = has_uvs(mesh, indices);
+  const Repeats repeats =
+      context.uses.placed_textures ? placed_repeats(context, ref.object, ref.triangle) : Repeats::taken_off;
   for (int c = 0; c < 2; ++c) {
     std::array<Real, 4>& row = t.row[static_cast<std::size_t>(uv_row + c)];
     if (!textured) {
@@ -76,9 +83,8 @@ template <class Real>
       t.row[static_cast<std::size_t>(max_uv_row + c)][3] = Real(0);
       continue;
     }
-    const auto uv = uv_component(mesh, {indices[corner[0]], indices[corner[1]], indices[corner[2]]}, c,
-                                 repeats_of(context, ref.object, ref.triangle))
-                        .value;
+    const auto uv =
+        uv_component(mesh, {indices[corner[0]], indices[corner[1]], indices[corner[2]]}, c, repeats).value;
     row = {static_cast<Real>(uv[0]), static_cast<Real>(uv[1] - uv[0]), static_cast<Real>(uv[2] - uv[0]),
            static_cast<Real>(std::min({uv[0], uv[1], uv[2]}))};
     t.row[static_cast<std::size_t>(max_uv_row + c)][3] = static_cast<Real>(std::max({uv[0], uv[1], uv[2]}));
