@@ -13,6 +13,24 @@
 
 namespace refraster::inline REFRASTER_KIT {
 
+/// Makes the limits of a Boost number that its functions look up. Boost 1.74 makes each at its first use, by a flag that
+/// is set before the value is there, and before main only those of the number without the other kind of expressions, which
+/// eval_log and its kin do not ask for. Two threads whose first logarithm is at the same time would read an epsilon of 0,
+/// or of 1: a series that does not end, or one that ends after a term.
+template <class Backend>
+bool make_limits() {
+  namespace mp = boost::multiprecision;
+  const auto make = []<class Number>(Number) {
+    using Limits = std::numeric_limits<Number>;
+    static_cast<void>((Limits::min)()), static_cast<void>((Limits::max)());
+    static_cast<void>(Limits::epsilon()), static_cast<void>(Limits::round_error());
+    static_cast<void>(Limits::infinity()), static_cast<void>(Limits::quiet_NaN());
+  };
+  make(mp::number<Backend, mp::et_on>());
+  make(mp::number<Backend, mp::et_off>());
+  return true;
+}
+
 /// 60 decimal digits, four times those of double, so that what cancels leaves enough; exponents beyond any that a
 /// formula meets. Nothing is cut off or saturated as the formats of IEEE 754 have it. Boost's cpp_bin_float, in a type
 /// of this namespace, so that the names of math/number.h find it.
@@ -48,6 +66,9 @@ public:
 private:
   Value value_;
 };
+
+/// Before main, or when a library that renders is loaded: before there are threads that render.
+inline const bool exact_limits_are_made = make_limits<Exact::Value::backend_type>();
 
 template <>
 struct NumberTraits<Exact> {

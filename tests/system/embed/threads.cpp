@@ -5,6 +5,7 @@
 #include <refraster/files.h>
 #include <refraster/notes.h>
 
+#include "math/exact.h"
 #include "tests/support/files/malformed_inputs.h"
 #include "tests/support/invariants.h"
 #include "tests/support/scenes/random_scene.h"
@@ -14,6 +15,7 @@
 #include <cstdlib>
 #include <functional>
 #include <thread>
+#include <vector>
 
 namespace {
 using namespace refraster;
@@ -74,6 +76,21 @@ struct Files {
   }
 };
 
+/// The first functions of 60 digits that the program calls, in all threads at once: they look up limits that Boost makes at
+/// their first use.
+void first_functions_of_60_digits() {
+  const auto values = [] {
+    const Exact x(0.3);
+    return std::vector{log2(x), exp2(x), pow(x, 2.5), atan2(x, Exact(0.7)), sqrt(x)};
+  };
+  std::vector<std::vector<Exact>> found(threads);
+  std::vector<std::thread> all;
+  for (std::vector<Exact>& own : found) all.emplace_back([&own, &values] { own = values(); });
+  for (std::thread& thread : all) thread.join();
+  for (const std::vector<Exact>& own : found)
+    require(own == values() ? "" : "other values", "functions of 60 digits in several threads");
+}
+
 void one_thread(int number, const std::vector<Work>& shared, const Files& files) {
   Renderer renderer;
   Frame frame;
@@ -109,6 +126,7 @@ void one_thread(int number, const std::vector<Work>& shared, const Files& files)
 } // namespace
 
 int main() {
+  first_functions_of_60_digits();
   std::vector<Work> shared;
   for (std::uint64_t seed = 0; seed < 24; ++seed) shared.push_back(make_work(seed, 1 + static_cast<int>(seed % 3)));
   const Files files;
