@@ -23,9 +23,12 @@ TileGrid tile_grid(const FrameInput& input) {
 }
 
 const ProjectiveTriangle* Bins::find_projective(std::uint32_t number) const {
-  const auto at = std::lower_bound(projective.begin(), projective.end(), number,
-                                   [](const NumberedProjective& p, std::uint32_t n) { return p.triangle < n; });
-  return at != projective.end() && at->triangle == number ? &at->set_up : nullptr;
+  const auto run = std::partition_point(projective.begin(), projective.end(),
+                                        [number](const auto& of_run) { return of_run.back().triangle < number; });
+  if (run == projective.end()) return nullptr;
+  const auto at =
+      std::partition_point(run->begin(), run->end(), [number](const auto& one) { return one.triangle < number; });
+  return at->triangle == number ? &at->set_up : nullptr;
 }
 
 const ProjectiveTriangle& Bins::projective_triangle(std::uint32_t number) const {
@@ -153,8 +156,8 @@ public:
       vertices = geometry_.window.placed.data() + geometry_.first_vertex[part.object];
     }
     for (std::uint32_t number = part.begin; number < part.end; number += lanes)
-      bin_register(
-          {part.object, number, number - first, std::min<std::uint32_t>(part.end - number, lanes), vertices}, output);
+      bin_register({part.object, number, number - first, std::min<std::uint32_t>(part.end - number, lanes), vertices},
+                   output);
   }
 
 private:
@@ -311,7 +314,8 @@ private:
   // On the lattice.
   std::array<WindowVertex, 3> corners_of(const Batch& batch, int lane) const {
     std::array<WindowVertex, 3> corners;
-    const auto& triangle = scene_.objects[batch.object].mesh->triangles[batch.in_mesh + static_cast<std::uint32_t>(lane)];
+    const auto& triangle =
+        scene_.objects[batch.object].mesh->triangles[batch.in_mesh + static_cast<std::uint32_t>(lane)];
     for (std::size_t k = 0; k < 3; ++k) {
       const PlacedVertex& v = batch.vertices[triangle[k]];
       corners[k] = {v.x(), v.y(), v.z, 0, v.outcode()};
@@ -335,7 +339,7 @@ private:
     const auto set_up = many ? set_up_snapped(corners_of(batch, lane)) : std::nullopt;
     for (int row = top; row <= bottom; ++row)
       for (int column = left; column <= right; ++column)
-        if (!many || edges_touch(set_up->edge, index(column, row))) add(column, row);
+        if (!many || edges_touch(set_up->edge, grid_.tile(index(column, row)))) add(column, row);
   }
 
   void add_projective(const Batch& batch, std::uint32_t number, const Output& output) const {
@@ -352,17 +356,22 @@ private:
       ++output.counts.culled;
     } else {
       ++output.counts.drawn, ++output.counts.clipped;
+      // What a GPU whose lattice is coarser may see beside a pixel of the image is still known to `verify`: hence a
+      // pixel more.
+      const PixelRect around{grid_.x - 1, grid_.y - 1, grid_.width + 2, grid_.height + 2};
+      if (!touches(*set_up, around)) return;
       output.projective.push_back({number, *set_up});
       for (std::size_t tile = 0; tile < grid_.tiles(); ++tile)
-        if (edges_touch(set_up->piece[0].edge, tile) ||
-            (set_up->pieces == 2 && edges_touch(set_up->piece[1].edge, tile)))
-          output.lists.add(tile, TileEntry::projective(number));
+        if (touches(*set_up, grid_.tile(tile))) output.lists.add(tile, TileEntry::projective(number));
     }
   }
 
+  bool touches(const ProjectiveTriangle& triangle, const PixelRect& pixels) const {
+    return edges_touch(triangle.piece[0].edge, pixels) ||
+           (triangle.pieces == 2 && edges_touch(triangle.piece[1].edge, pixels));
+  }
   template <class Edges>
-  bool edges_touch(const Edges& edges, std::size_t tile) const {
-    const PixelRect c = grid_.tile(tile);
+  bool edges_touch(const Edges& edges, const PixelRect& c) const {
     const std::int32_t x0 = c.x * subpixels + first_x_, x1 = (c.x + c.width - 1) * subpixels + last_x_;
     const std::int32_t y0 = c.y * subpixels + first_y_, y1 = (c.y + c.height - 1) * subpixels + last_y_;
     return edges[0].max_over(x0, y0, x1, y1) >= 0 && edges[1].max_over(x0, y0, x1, y1) >= 0 &&
@@ -394,21 +403,19 @@ void bin_triangles(const FrameInput& input, const Geometry& geometry, Bins& bins
       counts.outside += geometry.first_triangle[o + 1] - geometry.first_triangle[o];
   const std::vector<std::vector<RunPart>> parts = runs_of(geometry, threads);
   const std::size_t runs = parts.size();
-  std::vector<std::vector<NumberedProjective>> projective(runs);
+  bins.projective.resize(runs);
+  for (std::vector<NumberedProjective>& of_run : bins.projective) of_run.clear();
   std::vector<FrameCounts> run_counts(runs);
   std::vector<Buffer<PlacedVertex>> placed(static_cast<std::size_t>(threads));
   bins.lists.reset(runs, grid.tiles());
   parallel_for(threads, runs, [&](std::size_t run, int thread) {
     for (const RunPart& part : parts[run])
       binner.bin(part, placed[static_cast<std::size_t>(thread)],
-                 {bins.lists.run(run), projective[run], run_counts[run]});
+                 {bins.lists.run(run), bins.projective[run], run_counts[run]});
   });
 
-  bins.projective.clear();
-  for (std::size_t run = 0; run < runs; ++run) {
-    counts += run_counts[run];
-    bins.projective.insert(bins.projective.end(), projective[run].begin(), projective[run].end());
-  }
+  for (const FrameCounts& of_run : run_counts) counts += of_run;
+  std::erase_if(bins.projective, [](const auto& of_run) { return of_run.empty(); });
 }
 
 } // namespace refraster

@@ -30,10 +30,11 @@ struct NumberedProjective {
 
 struct Bins {
   TileLists lists;
-  std::vector<NumberedProjective> projective; // in order of number: there are few
+  // Those that may be seen in the image, in order of number, by the runs of triangles that have any: there are few.
+  std::vector<std::vector<NumberedProjective>> projective;
 
   const ProjectiveTriangle& projective_triangle(std::uint32_t number) const;
-  /// Null if the triangle needs none, or was dropped.
+  /// Null if the triangle needs none, or was dropped, or lies a pixel or more outside the image.
   const ProjectiveTriangle* find_projective(std::uint32_t number) const;
 };
 

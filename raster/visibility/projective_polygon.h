@@ -7,7 +7,9 @@
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -68,11 +70,17 @@ struct ExactClip {
   }
 };
 
+/// A zero has no exponent of its own. Were it to have that of its bits, 2^-1074, then beside one zero all other numbers
+/// would be a thousand bits long.
 inline ExactClip exact_clip(const Double4& clip) {
-  const Binary x = binary(clip.x), y = binary(clip.y), z = binary(clip.z), w = binary(clip.w);
-  const int exponent = std::min({x.exponent, y.exponent, z.exponent, w.exponent});
-  const auto aligned = [&](const Binary& b) { return Integer(b.mantissa) << (b.exponent - exponent); };
-  return {aligned(x), aligned(y), aligned(z), aligned(w), exponent};
+  const std::array<Binary, 4> parts{binary(clip.x), binary(clip.y), binary(clip.z), binary(clip.w)};
+  std::optional<int> exponent;
+  for (const Binary& part : parts)
+    if (part.mantissa != 0) exponent = std::min(part.exponent, exponent.value_or(part.exponent));
+  const auto aligned = [&](const Binary& part) {
+    return part.mantissa == 0 ? Integer() : Integer(part.mantissa) << (part.exponent - *exponent);
+  };
+  return {aligned(parts[0]), aligned(parts[1]), aligned(parts[2]), aligned(parts[3]), exponent.value_or(0)};
 }
 
 /// A vertex of a piece: a corner of the triangle, or a point where one of its edges is cut.

@@ -87,8 +87,7 @@ CandidateFate fate_of(const Object& object, const Covered& covered, bool is_seen
 /// Whether set-up of attributes knows the triangle.
 bool has_weights(const FrameContext& context, std::uint32_t number, const std::array<WindowVertex, 3>& v) {
   if (!is_unsnapped(v)) return true;
-  return std::any_of(context.bins.projective.begin(), context.bins.projective.end(),
-                     [&](const NumberedProjective& p) { return p.triangle == number; });
+  return context.bins.find_projective(number) != nullptr;
 }
 
 /// Calls visit(number, ref, window corners) with every triangle of finite corners.
