@@ -2,12 +2,12 @@
 
 #include "io/file/input_file.h"
 #include "io/file/limits.h"
+#include "io/file/pieces.h"
 #include "io/mesh/obj/weld.h"
 #include "io/mesh/obj_colours.h"
 #include "io/mesh/obj_faces.h"
 #include "io/mesh/obj_numbers.h"
 #include "math/large_memory.h"
-#include "raster/parallel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -77,7 +77,7 @@ void add_points(const ObjText& obj, const RawVector<TripleIndex::Triple>& vertic
   resize_in_large_pages(mesh.normals, vertices.size());
   resize_in_large_pages(mesh.uvs, static_cast<std::size_t>(textured));
   constexpr std::size_t block = 1 << 14; // vertices that a thread takes at a time
-  parallel_for(threads, (vertices.size() + block - 1) / block, [&](std::size_t b, int) {
+  for_pieces(threads, (vertices.size() + block - 1) / block, [&](std::size_t b, int) {
     for (std::size_t i = b * block; i < std::min((b + 1) * block, vertices.size()); ++i) {
       const auto& [v, vt, vn] = vertices[i];
       mesh.positions[i] = obj.v[static_cast<std::size_t>(v)];

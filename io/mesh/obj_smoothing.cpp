@@ -1,8 +1,8 @@
 #include "io/mesh/obj_faces.h"
 
+#include "io/file/pieces.h"
 #include "io/mesh/triple_index.h"
 #include "math/elementary/degrees.h"
-#include "raster/parallel.h"
 
 #include <algorithm>
 #include <numeric>
@@ -232,14 +232,14 @@ SharedNormals shared_by_crease(const ObjFaces& faces, std::span<const FaceNormal
   const RawVector<ObjCorner>& corners = faces.corners;
   const std::size_t pieces = std::clamp<std::size_t>(vertices / 1024, 1, static_cast<std::size_t>(threads));
   CornersOfVertices at(corners, vertices, pieces);
-  parallel_for(threads, pieces, [&](std::size_t piece, int) { at.count(piece); });
+  for_pieces(threads, pieces, [&](std::size_t piece, int) { at.count(piece); });
   at.add_up();
 
   Sets sets(corners.size());
   const FacesOfCorners face_of(faces);
   // Those for which the steps that are free do not suffice take the others one after the other.
   std::vector<std::vector<std::size_t>> intricate(pieces);
-  parallel_for(threads, pieces, [&](std::size_t piece, int) {
+  for_pieces(threads, pieces, [&](std::size_t piece, int) {
     at.fill(piece);
     Creases creases(faces, face_of, normals, crease_degrees, sets);
     const auto [first, last] = at.range(piece);

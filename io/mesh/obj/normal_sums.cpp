@@ -1,7 +1,7 @@
 #include "io/mesh/obj/normal_sums.h"
 
+#include "io/file/pieces.h"
 #include "io/mesh/obj/polygon_batch.h"
-#include "raster/parallel.h"
 
 #include <algorithm>
 #include <array>
@@ -181,7 +181,7 @@ void sum_normals(const ObjText& obj, std::span<const FaceNormal> normals, const 
   // A thread takes a range of numbers, and those faces that have any of them. Numbers follow the file, as faces mostly
   // do: few faces are of several ranges.
   const std::int64_t count = shared.count, pieces = std::clamp<std::int64_t>(count / 1024, 1, threads);
-  parallel_for(threads, static_cast<std::size_t>(pieces), [&](std::size_t piece, int) {
+  for_pieces(threads, static_cast<std::size_t>(pieces), [&](std::size_t piece, int) {
     const auto border = [&](std::size_t i) {
       return static_cast<std::int32_t>(count * static_cast<std::int64_t>(i) / pieces);
     };

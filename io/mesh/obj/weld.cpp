@@ -1,8 +1,8 @@
 #include "io/mesh/obj/weld.h"
 
+#include "io/file/pieces.h"
 #include "io/mesh/obj_faces.h"
 #include "math/large_memory.h"
-#include "raster/parallel.h"
 
 #include <algorithm>
 #include <memory>
@@ -72,7 +72,7 @@ void cut(const std::string& path, const ObjText& obj, const RawVector<std::uint3
     polygon.clear();
     for (const ObjCorner& corner : faces.face(f)) polygon.push_back(obj.v[static_cast<std::size_t>(corner.v)]);
   };
-  parallel_for(threads, (faces.count() + block - 1) / block, [&](std::size_t b, int) {
+  for_pieces(threads, (faces.count() + block - 1) / block, [&](std::size_t b, int) {
     std::vector<Float3> polygon;
     std::vector<std::size_t> others_here;
     for (std::size_t f = b * block; f < std::min((b + 1) * block, faces.count()); ++f) {
