@@ -107,8 +107,9 @@ Mesh read_obj(const std::string& path, const ObjOptions& options) {
   return mesh_of_obj(path, read_file(path, "an OBJ file", limit::obj_bytes.value), options);
 }
 
-Mesh mesh_of_obj(const std::string& path, std::string text, const ObjOptions& options, const ObjWork& work) {
+Mesh mesh_of_obj(const std::string& path, std::string text, const ObjOptions& options, std::size_t chunk_bytes) {
   NoteList notes;
+  const ObjWork work{options.threads, chunk_bytes};
   const int threads = threads_of(work);
   ObjText obj = parse_obj(path, std::move(text), notes, work);
   // Before the triangles are made: a polygon of n corners becomes n - 2. There are no more vertices than corners.

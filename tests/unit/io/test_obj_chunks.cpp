@@ -29,7 +29,7 @@ std::string outcome(const std::string& text, const ObjWork& work) {
   NoteList notes;
   std::string result;
   try {
-    const Mesh mesh = mesh_of_obj("m.obj", text, {{}, &notes}, work);
+    const Mesh mesh = mesh_of_obj("m.obj", text, {.notes = &notes, .threads = work.threads}, work.chunk_bytes);
     append_bits(result, mesh.positions), append_bits(result, mesh.normals), append_bits(result, mesh.uvs);
     append_bits(result, mesh.colours), append_bits(result, mesh.triangles);
     for (const TriangleRun& run : mesh.material_runs)
