@@ -100,7 +100,10 @@ private:
     if (before.corners > 0)
       for (std::size_t f = 0; f < chunk.face_ends.size(); ++f)
         obj_.faces.begin[before.faces + f + 1] += static_cast<std::uint32_t>(before.corners);
-    bool sound = true;
+    bool sound = chunk.last_used[0] < static_cast<std::int32_t>(obj_.v.size()) &&
+                 chunk.last_used[1] < static_cast<std::int32_t>(obj_.vt.size()) &&
+                 chunk.last_used[2] < static_cast<std::int32_t>(obj_.vn.size());
+    if (!chunk.has_relative) return sound; // nearly always: the others are as they are to be
     const auto resolve = [&](std::int32_t& index, std::size_t given_before, std::size_t size) {
       if (index == -1) return;
       if (index < 0) index += static_cast<std::int32_t>(given_before) - relative_index;

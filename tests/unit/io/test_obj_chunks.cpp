@@ -126,10 +126,17 @@ TEST_CASE("numbers that are read in one go are those that the careful reader rea
   int taken = 0;
   const auto check = [&taken](const std::string& word) {
     float fast = 0, careful = 0;
-    const char* const end = fast_float(word.c_str(), fast);
-    if (!end || end != word.c_str() + word.size()) return;
-    ++taken;
+    const char* const begin = word.c_str();
+    const char* const end = fast_float(begin, begin + word.size(), fast);
+    // Of a text that goes on digits are read several at a time; the end of one may come anywhere.
+    const std::string longer = word + " 123456789 123456789";
+    float within = 0;
+    const char* const end_within = fast_float(longer.c_str(), longer.c_str() + longer.size(), within);
     CAPTURE(word);
+    CHECK((end ? end - begin : -1) == (end_within ? end_within - longer.c_str() : -1));
+    if (!end || end != begin + word.size()) return;
+    ++taken;
+    CHECK(std::bit_cast<std::uint32_t>(fast) == std::bit_cast<std::uint32_t>(within));
     CHECK(read_coordinate(word, careful) == NumberText::good);
     CHECK(std::bit_cast<std::uint32_t>(fast) == std::bit_cast<std::uint32_t>(careful));
   };
