@@ -135,18 +135,27 @@ private:
           (k > 0 && normals[k] == normals[k - 1]))
         return false;
     }
+    const auto equal_to = [](const std::array<std::int32_t, max_fan>& list, std::int32_t vertex) {
+      std::uint32_t set = 0;
+      for (std::size_t i = 0; i < max_fan; ++i) set |= static_cast<std::uint32_t>(list[i] == vertex) << i;
+      return set;
+    };
     std::array<std::uint32_t, max_fan> meets{}; // of each face, a bit for each one that it belongs together with
+    std::uint32_t met = 0;                      // by another one, along the edge that arrives in them
     for (std::size_t k = 0; k < n; ++k) {
-      std::uint32_t same_next = 0, same_before = 0, met = 0;
-      for (std::size_t i = 0; i < max_fan; ++i) {
-        same_next |= static_cast<std::uint32_t>(next[i] == next[k]) << i;
-        same_before |= static_cast<std::uint32_t>(before[i] == before[k]) << i;
-        met |= static_cast<std::uint32_t>(before[i] == next[k]) << i;
+      const std::uint32_t arrives = equal_to(before, next[k]);
+      if ((arrives & (arrives - 1)) != 0 || (arrives & met) != 0) return false; // three faces at an edge, or more
+      if (arrives == 0) { // a border, unless another face leaves along it too
+        if (equal_to(next, next[k]) != 1u << k) return false;
+        continue;
       }
-      if (same_next != 1u << k || same_before != 1u << k) return false;
-      if (met == 0) continue; // a border
-      const auto other = static_cast<std::size_t>(std::countr_zero(met));
-      if (belong_together(*normals[k], *normals[other])) meets[k] |= met, meets[other] |= 1u << k;
+      met |= arrives;
+      const auto other = static_cast<std::size_t>(std::countr_zero(arrives));
+      if (belong_together(*normals[k], *normals[other])) meets[k] |= arrives, meets[other] |= 1u << k;
+    }
+    for (std::uint32_t left = ((1u << n) - 1) & ~met; left != 0; left &= left - 1) { // borders, unless two faces arrive
+      const auto k = static_cast<std::size_t>(std::countr_zero(left));
+      if (equal_to(before, before[k]) != 1u << k) return false;
     }
     for (std::uint32_t left = (1u << n) - 1; left != 0;) {
       const auto first = static_cast<std::size_t>(std::countr_zero(left));
