@@ -74,14 +74,15 @@ void check_extension(const std::string& option, const std::string& path, std::in
     throw UsageError(option, "\"" + path + "\"", "a name ending in " + writable_extensions(contents));
 }
 
-void write_values(const std::string& path, const Image<float>& image, std::vector<std::string> channels) {
+void write_values(const std::string& path, const Image<float>& image, std::vector<std::string> channels,
+                  const WriteOptions& options) {
   if (image.channels == 2 && channels.empty()) channels = {"U", "V"};
   if (image.channels != 2 || format_to_write(path, {{ImageValues::floats, 2}}))
-    return write_image(path, image, std::move(channels));
+    return write_image(path, image, std::move(channels), options);
   Image<float> padded(image.width, image.height, 3);
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x) std::copy_n(image.at(x, y), 2, padded.at(x, y));
-  write_image(path, padded);
+  write_image(path, padded, {}, options);
 }
 
 void check_triangle_numbers(const std::string& path, const Scene& scene, const std::string& option) {

@@ -240,6 +240,7 @@ SceneSource scene_of(const std::string& path, const BenchArguments& a, Remarks r
   NoteList notes;
   SceneOptions reading = a.reading;
   reading.notes = &notes;
+  reading.threads = *std::max_element(a.threads.begin(), a.threads.end());
   SceneSource source = read_scene_source(path, reading, a.changes.edits());
   if (a.diagnostics.file_notes == FileNotes::refused || remarks == Remarks::printed)
     print_file_notes(notes, a.diagnostics);

@@ -6,18 +6,14 @@
 
 #include "app/arguments.h"
 #include "app/command.h"
-#include "app/commands/write_frame.h"
+#include "app/commands/picture_run.h"
 #include "app/diagnostics.h"
 #include "app/interrupt.h"
-#include "app/memory_limit.h"
-#include "app/options/picture_options.h"
-#include "app/options/scene_options.h"
 #include "app/options/shared_options.h"
 #include "app/output.h"
 #include "app/progress_line.h"
 #include "app/run_report.h"
 #include "app/usage_error.h"
-#include "io/scene/scene_source.h"
 #include "raster/explain/explain_dark.h"
 #include "raster/stopwatch.h"
 
@@ -29,19 +25,9 @@
 namespace refraster {
 namespace {
 
-struct RenderArguments {
-  std::string scene, output, report;
-  PictureArguments asked; // what of the next three does not follow from the scene
-  Size size;
+struct RenderArguments : PictureRun {
   std::optional<PixelRect> crop;
-  std::string precision = "double";
-  int samples = 1, threads = 0, tile_size = 64;
-  Transfer transfer = Transfer::linear;
-  FrameFiles files;
-  SceneOptions reading;
-  SceneChanges changes;
-  std::uint64_t max_memory = 0;
-  Diagnostics diagnostics;
+  int tile_size = 64;
 };
 
 /// Once the size is known.
@@ -64,42 +50,17 @@ void check_together(RenderArguments& arguments) {
 }
 
 RenderOptions options_from(const RenderArguments& arguments) {
-  RenderOptions options;
-  options.width = arguments.size.width;
-  options.height = arguments.size.height;
+  RenderOptions options = render_options(arguments, PictureFile::image);
   options.crop = arguments.crop;
-  options.precision = value_named<Precision>(arguments.precision).value();
-  options.samples = arguments.samples;
-  options.threads = arguments.threads;
   options.tile_size = arguments.tile_size;
-  ask_for_output(arguments.files, arguments.output, options);
-  options.transfer = arguments.transfer;
-  options.cancel = &interrupted();
-  options.memory = arguments.reading.memory;
   return options;
-}
-
-/// The image that the scene says where no option does.
-void complete(RenderArguments& arguments, const Picture& of_scene) {
-  const Picture picture = arguments.asked.over(of_scene);
-  arguments.size = {picture.width, picture.height}, arguments.samples = picture.samples;
-  arguments.transfer = writes_radiance(arguments.files, arguments.output) ? Transfer::linear : picture.transfer;
-  check_crop(arguments);
 }
 
 /// The scene, placed for the image; the notes on its files are printed, and put into `said`.
 Scene scene_of(RenderArguments& arguments, std::vector<std::string>& said) {
-  NoteList notes;
-  auto line = progress_line(arguments.diagnostics, "reading " + arguments.scene);
-  SceneOptions reading = arguments.reading;
-  reading.notes = &notes;
-  SceneSource source = read_scene_source(arguments.scene, reading, arguments.changes.edits());
-  complete(arguments, source.view.picture);
-  Scene scene = std::move(source).placed(arguments.size.width, arguments.size.height);
-  line.reset(); // before anything is printed
-  print_file_notes(notes, arguments.diagnostics);
-  for (const Note& note : notes.notes()) said.push_back(note.text());
-  return scene;
+  SceneSource source = read_source(arguments, PictureFile::image, &said);
+  check_crop(arguments);
+  return std::move(source).placed(arguments.size.width, arguments.size.height);
 }
 
 /// A note on an image that shows nothing, printed and put into `said`.
@@ -179,42 +140,35 @@ Command render_command() {
     if (!a.crop) return ValueFault{"x,y,width,height in pixels from the top left"};
     return std::nullopt;
   };
-  return {
-      .name = "render",
-      .meaning = "Make the image of a scene",
-      .groups =
-          {{"Scene",
-            {scene_argument(a.scene), outside_option(a.reading.outside), exposure_option(a.reading.exposure_stops),
-             cache_option(a.reading.mesh_cache)}},
-           {"Image",
-            {file_option("-o,--output", "FILE", a.output,
-                         "image to write: " + output_forms() +
-                             "; by default the scene's name with .png, in the current directory"),
-             size_option(a.asked),
-             value_option("--crop", "X,Y,W,H", "make only this part of the image, with the same pixels", set_crop),
-             choice_option("--precision", a.precision, precision_names(),
-                           "number type of shading; `refraster list precisions`"),
-             samples_option(a.asked, "samples a pixel, at the standard positions; shaded once a triangle"),
-             srgb_option(a.asked, "apply the sRGB curve (not to floats)"), linear_option(a.asked)}},
-           {"Files", {bits_option(a.files), quality_option(a.files), transparent_option(a.files)}},
-           {"More images", aov_options(a.files)},
-           scene_change_options(a.changes),
-           {"Run",
-            {number_option("--threads", a.threads, Range{0, double(limit::threads.value)},
-                           "threads; 0: as many as this machine has"),
-             number_choice_option("--tile-size", a.tile_size, {8, 16, 32, 64, 128},
-                                  "pixels along a side of the tiles that threads work on"),
-             memory_option(a.max_memory),
-             file_option("--report", "FILE", a.report, "write a report of the run as JSON; - is standard output"),
-             strict_option(a.diagnostics), quiet_option(a.diagnostics)}}},
-      .finish = [arguments]() -> Action {
-        if (arguments->output.empty()) arguments->output = stem(arguments->scene) + ".png";
-        check_together(*arguments);
-        return [arguments] {
-          arguments->reading.memory = set_memory_limit(arguments->max_memory, arguments->threads);
-          return run(*arguments);
-        };
-      }};
+  return {.name = "render",
+          .meaning = "Make the image of a scene",
+          .groups = {{"Scene", scene_options(a)},
+                     {"Image",
+                      joined({{file_option("-o,--output", "FILE", a.output,
+                                           "image to write: " + output_forms() +
+                                               "; by default the scene's name with .png, in the current directory"),
+                               size_option(a.asked),
+                               value_option("--crop", "X,Y,W,H",
+                                            "make only this part of the image, with the same pixels", set_crop)},
+                              shading_options(a)})},
+                     file_options(a),
+                     {"More images", aov_options(a.files)},
+                     scene_change_options(a.changes),
+                     {"Run", joined({{threads_option(a),
+                                      number_choice_option("--tile-size", a.tile_size, {8, 16, 32, 64, 128},
+                                                           "pixels along a side of the tiles that threads work on"),
+                                      memory_option(a.max_memory),
+                                      file_option("--report", "FILE", a.report,
+                                                  "write a report of the run as JSON; - is standard output")},
+                                     diagnostic_options(a)})}},
+          .finish = [arguments]() -> Action {
+            if (arguments->output.empty()) arguments->output = stem(arguments->scene) + ".png";
+            check_together(*arguments);
+            return [arguments] {
+              set_limits(*arguments);
+              return run(*arguments);
+            };
+          }};
 }
 
 } // namespace refraster

@@ -6,12 +6,9 @@
 
 #include "app/arguments.h"
 #include "app/command.h"
-#include "app/commands/write_frame.h"
+#include "app/commands/picture_run.h"
 #include "app/diagnostics.h"
 #include "app/interrupt.h"
-#include "app/memory_limit.h"
-#include "app/options/picture_options.h"
-#include "app/options/scene_options.h"
 #include "app/options/shared_options.h"
 #include "app/output.h"
 #include "app/progress_line.h"
@@ -25,7 +22,6 @@
 #include "io/file/sha256.h"
 #include "io/json/json_writer.h"
 #include "io/scene/path/camera_path.h"
-#include "io/scene/scene_source.h"
 #include "raster/stopwatch.h"
 
 #include <filesystem>
@@ -39,40 +35,19 @@ namespace {
 constexpr int max_frames = 100'000;
 constexpr double seconds_between_reports = 1; // what is lost if the process is killed, beside the frame it is at
 
-struct TurntableArguments {
-  std::string scene, output, path, report;
+struct TurntableArguments : PictureRun {
+  std::string path;
   int frames = 72, rate = 24;
-  PictureArguments asked;
-  Size size; // of the image, as asked or as the scene says it
-  std::string precision = "double";
-  int samples = 1, threads = 0;
-  Transfer transfer = Transfer::linear;
-  FrameFiles files;
-  SceneOptions reading;
-  SceneChanges changes;
-  std::uint64_t max_memory = 0;
-  Diagnostics diagnostics;
-};
 
-RenderOptions options_from(const TurntableArguments& a) {
-  RenderOptions options;
-  options.width = a.size.width;
-  options.height = a.size.height;
-  options.precision = value_named<Precision>(a.precision).value();
-  options.samples = a.samples;
-  options.threads = a.threads;
-  options.transfer = a.transfer;
-  if (!is_film(a.output)) ask_for_output(a.files, a.output, options);
-  options.cancel = &interrupted();
-  options.memory = a.reading.memory;
-  return options;
-}
+  PictureFile file() const { return is_film(output) ? PictureFile::film : PictureFile::image; }
+};
 
 void check_together(TurntableArguments& a) {
   if (is_film(a.output)) {
     if (a.files.bits != 0 && a.files.bits != 8)
       throw UsageError("--bits", std::to_string(a.files.bits), "8, which a film has");
-    if (a.files.background == Background::transparent) throw UsageError("--transparent", "is for images, not for films");
+    if (a.files.background == Background::transparent)
+      throw UsageError("--transparent", "is for images, not for films");
     if (a.report.empty()) a.report = a.output + ".json";
     return;
   }
@@ -82,22 +57,6 @@ void check_together(TurntableArguments& a) {
                      "one place for the number of a frame, as in out/####.png; or a film, as out.mp4");
   check_output(a.files, names->name(0), a.asked.transfer.value_or(Transfer::linear), a.diagnostics);
   if (a.report.empty()) a.report = names->report_name();
-}
-
-/// The scene, and the image that it says where no option does.
-SceneSource source_of(TurntableArguments& a) {
-  NoteList notes;
-  auto line = progress_line(a.diagnostics, "reading " + a.scene);
-  SceneOptions reading = a.reading;
-  reading.notes = &notes;
-  SceneSource source = read_scene_source(a.scene, reading, a.changes.edits());
-  line.reset(); // before anything is printed
-  print_file_notes(notes, a.diagnostics);
-  const Picture picture = a.asked.over(source.view.picture);
-  a.size = {picture.width, picture.height}, a.samples = picture.samples;
-  const bool floats = !is_film(a.output) && writes_radiance(a.files, a.output);
-  a.transfer = floats ? Transfer::linear : picture.transfer;
-  return source;
 }
 
 std::vector<Camera> cameras_of(const SceneSource& source, const TurntableArguments& a) {
@@ -151,7 +110,7 @@ std::string settings_digest(const TurntableArguments& a, const SceneSource& sour
 class FrameSource {
 public:
   FrameSource(SceneSource source, const TurntableArguments& a)
-      : source_(std::move(source)), scene_(source_.scene), options_(options_from(a)) {
+      : source_(std::move(source)), scene_(source_.scene), options_(render_options(a, a.file())) {
     source_.view.fit.reset(); // cameras are made already
   }
 
@@ -230,7 +189,7 @@ ExitCode run(TurntableArguments& a) {
   check_writable(a.report);
   prepare_cache(a.reading.mesh_cache);
 
-  SceneSource source = source_of(a);
+  SceneSource source = read_source(a, a.file());
   const std::vector<Camera> cameras = cameras_of(source, a);
   if (interrupted()) return ExitCode::interrupted;
   FrameDigests known{a.scene, settings_digest(a, source, cameras), std::vector<std::string>(cameras.size()),
@@ -252,38 +211,30 @@ Command turntable_command() {
   return {
       .name = "turntable",
       .meaning = "Make frames around a scene, or along a path of cameras",
-      .groups = {{"Scene",
-                  {scene_argument(a.scene), outside_option(a.reading.outside),
-                   exposure_option(a.reading.exposure_stops), cache_option(a.reading.mesh_cache),
-                   number_option("--frames", a.frames, Range{1, max_frames},
-                                 "of a whole turn around the camera's target, about its up"),
-                   file_option(
-                       "--camera-path", "FILE", a.path,
-                       "a JSON list of cameras, each as \"camera\" of a scene, one a frame; what one leaves out is as "
-                       "in the scene; in place of --frames")}},
-                 {"Image",
-                  {file_option(
-                       "-o,--output", "FILE", a.output,
-                       "frames to write, with # for the digits of their numbers, which begin at 1, as out/####.png: " +
-                           output_forms() + "; or a film, as out.mp4, by ffmpeg")
-                       .required(),
-                   size_option(a.asked),
-                   choice_option("--precision", a.precision, precision_names(),
-                                 "number type of shading; `refraster list precisions`"),
-                   samples_option(a.asked, "samples a pixel, at the standard positions; shaded once a triangle"),
-                   srgb_option(a.asked, "apply the sRGB curve (not to floats)"), linear_option(a.asked),
-                   number_option("--rate", a.rate, Range{1, 240}, "frames a second of a film")}},
-                 {"Files", {bits_option(a.files), quality_option(a.files), transparent_option(a.files)}},
-                 scene_change_options(a.changes),
-                 {"Run",
-                  {number_option("--threads", a.threads, Range{0, double(limit::threads.value)},
-                                 "threads; 0: as many as this machine has"),
-                   memory_option(a.max_memory),
-                   file_option(
-                       "--report", "FILE", a.report,
-                       "what is known of the frames, as JSON, by which an interrupted run goes on; by default beside "
-                       "them"),
-                   strict_option(a.diagnostics), quiet_option(a.diagnostics)}}},
+      .groups =
+          {{"Scene",
+            joined({scene_options(a),
+                    {number_option("--frames", a.frames, Range{1, max_frames},
+                                   "of a whole turn around the camera's target, about its up"),
+                     file_option("--camera-path", "FILE", a.path,
+                                 "a JSON list of cameras, each as \"camera\" of a scene, one a frame; what one leaves "
+                                 "out is as in the scene; in place of --frames")}})},
+           {"Image",
+            joined({{file_option("-o,--output", "FILE", a.output,
+                                 "frames to write, with # for the digits of their numbers, which begin at 1, as "
+                                 "out/####.png: " +
+                                     output_forms() + "; or a film, as out.mp4, by ffmpeg")
+                         .required(),
+                     size_option(a.asked)},
+                    shading_options(a),
+                    {number_option("--rate", a.rate, Range{1, 240}, "frames a second of a film")}})},
+           file_options(a),
+           scene_change_options(a.changes),
+           {"Run", joined({{threads_option(a), memory_option(a.max_memory),
+                            file_option("--report", "FILE", a.report,
+                                        "what is known of the frames, as JSON, by which an interrupted run goes on; by "
+                                        "default beside them")},
+                           diagnostic_options(a)})}},
       .notes =
           {"Frames that are there and whole, as the report beside them says, are not made again: an interrupted run "
            "goes on where it was. Another scene, other options or another version of the program begin anew. A "
@@ -291,7 +242,7 @@ Command turntable_command() {
       .finish = [arguments]() -> Action {
         check_together(*arguments);
         return [arguments] {
-          arguments->reading.memory = set_memory_limit(arguments->max_memory, arguments->threads);
+          set_limits(*arguments);
           return run(*arguments);
         };
       }};

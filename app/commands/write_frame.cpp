@@ -5,6 +5,7 @@
 #include "app/output.h"
 #include "app/usage_error.h"
 #include "io/file/text.h"
+#include "io/image/exr_layers.h"
 #include "raster/frame_context.h"
 #include "raster/levels.h"
 
@@ -16,12 +17,6 @@
 
 namespace refraster {
 namespace {
-
-struct Depth {
-  int bits;
-  ImageValues values;
-};
-constexpr Depth depths[] = {{8, ImageValues::uint8}, {16, ImageValues::uint16}, {32, ImageValues::floats}};
 
 bool is_transparent(const FrameFiles& files) {
   return files.background == Background::transparent;
@@ -75,12 +70,13 @@ Image<Value> with_alpha(const Image<Value>& rgb, const Image<float>& alpha) {
   return image;
 }
 
-void write_aov(const std::string& path, Aov aov, const Image<float>& image) {
-  if (!is_number(aov) || !format_to_write(path, {{ImageValues::uint32, 1}})) return write_values(path, image);
+void write_aov(const std::string& path, Aov aov, const Image<float>& image, const WriteOptions& writing) {
+  if (!is_number(aov) || !format_to_write(path, {{ImageValues::uint32, 1}}))
+    return write_values(path, image, {}, writing);
   Image<std::uint32_t> numbers(image.width, image.height, image.channels);
   std::transform(image.values.begin(), image.values.end(), numbers.values.begin(),
                  [](float value) { return static_cast<std::uint32_t>(value); });
-  write_image(path, numbers);
+  write_image(path, numbers, writing);
 }
 
 std::vector<std::string> exr_names(Aov aov) {
@@ -89,12 +85,12 @@ std::vector<std::string> exr_names(Aov aov) {
 }
 
 void write_layers(const FrameFiles& files, const std::string& output, const RenderOptions& options, const Frame& frame,
-                  const Image<float>& image) {
+                  const Image<float>& image, const WriteOptions& writing) {
   std::vector<ExrLayer> layers = {{&image, default_channels(image.channels)}};
   for (const Aov aov : written_aovs(files))
-    layers.push_back({&aov_image(options, frame, aov), exr_names(aov),
-                      is_number(aov) ? LayerValues::uint32 : LayerValues::floats});
-  write_exr_layers(output, layers);
+    layers.push_back(
+        {&aov_image(options, frame, aov), exr_names(aov), is_number(aov) ? LayerValues::uint32 : LayerValues::floats});
+  write_exr_layers(output, layers, writing);
 }
 
 void write_whole_numbers(const std::string& output, const auto& rgb, const RenderOptions& options, const Frame& frame,
@@ -113,10 +109,15 @@ Option bits_option(FrameFiles& files) {
                       "bits a channel: 8 or 16 of whole numbers, 32 of floats; by default floats where the format has "
                       "them, else 8",
                       [&files](const std::string& text) -> std::optional<ValueFault> {
-                        const std::optional<int> bits = number_from<int>(text);
-                        if (bits != 8 && bits != 16 && bits != 32) return ValueFault{"8, 16 or 32"};
-                        files.bits = *bits;
-                        return std::nullopt;
+                        std::vector<std::string> choices;
+                        for (const ImageDepth& depth : image_depths) {
+                          if (depth.asked_bits == 0) continue;
+                          choices.push_back(std::to_string(depth.asked_bits));
+                          if (number_from<int>(text) == depth.asked_bits) files.bits = depth.asked_bits;
+                          else continue;
+                          return std::nullopt;
+                        }
+                        return ValueFault{alternatives(choices)};
                       });
 }
 
@@ -127,7 +128,8 @@ Option quality_option(FrameFiles& files) {
 Option transparent_option(FrameFiles& files) {
   return flag(
       "--transparent", [&files] { files.background = Background::transparent; },
-      "leave the background out: an alpha channel says how much of a pixel's samples see a surface; colours are straight, "
+      "leave the background out: an alpha channel says how much of a pixel's samples see a surface; colours are "
+      "straight, "
       "of floats multiplied by it");
 }
 
@@ -141,18 +143,19 @@ std::vector<Option> aov_options(FrameFiles& files) {
   const auto set_aovs = [&files](const std::vector<std::size_t>& indices) {
     for (const std::size_t i : indices) files.aovs.push_back(static_cast<Aov>(i));
   };
-  return {word_list_option("--aov", "NAME,…", names, set_aovs,
-                           "more images to write (arbitrary output variables), as NAME.depth.pfm next to NAME.png, .exr "
-                           "next to .exr" +
-                               meaning),
-          enum_option("--aov-filter", files.aov_filter,
-                      "of several samples a pixel: the first surface, or the mean of all; numbers are always the first's"),
-          word_option(
-              "--aov-format", aov_formats(), [&files](std::size_t i) { files.aov_format = aov_formats()[i]; },
-              "format of the images of --aov; by default that of the image where it holds floats, else pfm"),
-          flag(
-              "--layers", [&files] { files.aov_place = AovPlace::layers; },
-              "of an .exr: AOVs as layers of its file, N.X, P.X, Z and so on; all of them unless --aov names some")};
+  return {
+      word_list_option("--aov", "NAME,…", names, set_aovs,
+                       "more images to write (arbitrary output variables), as NAME.depth.pfm next to NAME.png, .exr "
+                       "next to .exr" +
+                           meaning),
+      enum_option("--aov-filter", files.aov_filter,
+                  "of several samples a pixel: the first surface, or the mean of all; numbers are always the first's"),
+      word_option(
+          "--aov-format", aov_formats(), [&files](std::size_t i) { files.aov_format = aov_formats()[i]; },
+          "format of the images of --aov; by default that of the image where it holds floats, else pfm"),
+      flag(
+          "--layers", [&files] { files.aov_place = AovPlace::layers; },
+          "of an .exr: AOVs as layers of its file, N.X, P.X, Z and so on; all of them unless --aov names some")};
 }
 
 std::string output_forms() {
@@ -161,8 +164,8 @@ std::string output_forms() {
 }
 
 ImageValues output_values(const FrameFiles& files, const std::string& output) {
-  for (const Depth& depth : depths)
-    if (depth.bits == files.bits) return depth.values;
+  for (const ImageDepth& depth : image_depths)
+    if (files.bits != 0 && depth.asked_bits == files.bits) return depth.values;
   return format_to_write(output, {float_rgb_image}) ? ImageValues::floats : ImageValues::uint8;
 }
 
@@ -190,7 +193,7 @@ void check_output(FrameFiles& files, const std::string& output, Transfer transfe
 
 void ask_for_output(const FrameFiles& files, const std::string& output, RenderOptions& options) {
   const ImageValues values = output_values(files, output);
-  options.want_rgb8 = values != ImageValues::floats; // of 16 bits, to see whether it shows anything
+  options.want_rgb8 = values != ImageValues::floats;            // of 16 bits, to see whether it shows anything
   options.want_radiance_double = values == ImageValues::uint16; // which floats would round before
   options.want_radiance = values == ImageValues::floats;
   options.background = files.background;
@@ -222,8 +225,8 @@ std::vector<std::string> write_frame(const FrameFiles& files, const std::string&
       own = with_alpha(frame.radiance, aov_image(options, frame, Aov::alpha));
     }
     const Image<float>& image = own.empty() ? frame.radiance : own;
-    if (files.aov_place == AovPlace::layers) write_layers(files, output, options, frame, image);
-    else write_values(output, image);
+    if (files.aov_place == AovPlace::layers) write_layers(files, output, options, frame, image, writing);
+    else write_values(output, image, {}, writing);
     break;
   }
   case ImageValues::uint16:
@@ -237,7 +240,7 @@ std::vector<std::string> write_frame(const FrameFiles& files, const std::string&
   std::vector<std::string> paths = {output};
   const std::vector<std::string> beside = aov_paths(files, output);
   for (std::size_t i = 0; i < beside.size(); ++i)
-    write_aov(beside[i], files.aovs[i], aov_image(options, frame, files.aovs[i]));
+    write_aov(beside[i], files.aovs[i], aov_image(options, frame, files.aovs[i]), writing);
   paths.insert(paths.end(), beside.begin(), beside.end());
   return paths;
 }

@@ -148,4 +148,10 @@ Option number_choice_option(std::string_view names, int& value, const std::vecto
       .by_default(std::to_string(value));
 }
 
+std::vector<Option> joined(std::initializer_list<std::vector<Option>> lists) {
+  std::vector<Option> all;
+  for (const std::vector<Option>& list : lists) all.insert(all.end(), list.begin(), list.end());
+  return all;
+}
+
 } // namespace refraster

@@ -6,6 +6,7 @@
 
 #include <charconv>
 #include <functional>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -141,5 +142,8 @@ Option parsed_option(std::string_view names, std::string form, Value& value,
   };
   return value_option(names, std::move(form), std::move(meaning), read);
 }
+
+/// Lists of options, one behind the other.
+std::vector<Option> joined(std::initializer_list<std::vector<Option>> lists);
 
 } // namespace refraster

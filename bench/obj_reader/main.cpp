@@ -1,6 +1,7 @@
-// obj_reader FILE: reads a file once, as a program that has just started does, and prints milliseconds, the most memory
-// that it took in MiB, triangles and vertices, and a hash of the mesh. bench/obj_reader/run builds it with this code
-// base's reader, with the one of an earlier revision, and with tinyobjloader, of which neither welds nor has normals.
+// obj_reader FILE [THREADS]: reads a file once, as a program that has just started does, and prints milliseconds, those
+// of CPU time, the most memory that it took in MiB, triangles and vertices, and a hash of the mesh.
+// bench/obj_reader/run builds it with this code base's reader, with the one of an earlier revision, and with
+// tinyobjloader: neither has threads, and tinyobjloader neither welds nor has normals.
 #ifdef REFRASTER_TINYOBJ
 #include <tiny_obj_loader.h>
 #else
@@ -10,6 +11,7 @@
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <string>
 #include <vector>
@@ -39,28 +41,52 @@ struct Reading {
   std::uint64_t hash = 0;
 };
 
-double now_ms() {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+/// Begins when it is made.
+class Stopwatch {
+public:
+  void stop() { ms_ = now_ms() - ms_, cpu_ms_ = cpu_now_ms() - cpu_ms_; }
+  double ms() const { return ms_; }
+  double cpu_ms() const { return cpu_ms_; }
+
+private:
+  static double now_ms() {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  }
+  /// Of all threads, in the program and in the system.
+  static double cpu_now_ms() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    const auto milliseconds = [](const timeval& time) {
+      return 1e3 * static_cast<double>(time.tv_sec) + 1e-3 * static_cast<double>(time.tv_usec);
+    };
+    return milliseconds(usage.ru_utime) + milliseconds(usage.ru_stime);
+  }
+
+  double ms_ = now_ms(), cpu_ms_ = cpu_now_ms();
+};
 
 #ifdef REFRASTER_TINYOBJ
-Reading read(const char* path, double& ms) {
+Reading read(const char* path, int, Stopwatch& stopwatch) {
   tinyobj::attrib_t points;
   std::vector<tinyobj::shape_t> shapes;
   std::vector<tinyobj::material_t> materials;
   std::string warning, error;
-  const double begin = now_ms();
+  stopwatch = {};
   if (!tinyobj::LoadObj(&points, &shapes, &materials, &warning, &error, path)) throw std::runtime_error(error);
-  ms = now_ms() - begin;
+  stopwatch.stop();
   Reading result{0, points.vertices.size() / 3, 0};
   for (const tinyobj::shape_t& shape : shapes) result.triangles += shape.mesh.num_face_vertices.size();
   return result;
 }
 #else
-Reading read(const char* path, double& ms) {
-  const double begin = now_ms();
+Reading read(const char* path, [[maybe_unused]] int threads, Stopwatch& stopwatch) {
+  stopwatch = {};
+#ifdef REFRASTER_OBJ_THREADS
+  const refraster::Mesh mesh = refraster::read_obj(path, {.threads = threads});
+#else
   const refraster::Mesh mesh = refraster::read_obj(path);
-  ms = now_ms() - begin;
+#endif
+  stopwatch.stop();
   Hash hash;
   hash.add(mesh.positions), hash.add(mesh.normals), hash.add(mesh.uvs), hash.add(mesh.triangles);
   return {mesh.triangles.size(), mesh.positions.size(), hash.value()};
@@ -70,16 +96,17 @@ Reading read(const char* path, double& ms) {
 } // namespace
 
 int main(int count, char** words) try {
-  if (count != 2) {
-    std::fprintf(stderr, "usage: obj_reader FILE\n");
+  if (count < 2 || count > 3) {
+    std::fprintf(stderr, "usage: obj_reader FILE [THREADS]\n");
     return 2;
   }
-  double ms = 0;
-  const Reading reading = read(words[1], ms);
+  Stopwatch stopwatch;
+  const Reading reading = read(words[1], count == 3 ? std::atoi(words[2]) : 0, stopwatch);
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  std::printf("%.2f %.1f %zu %zu %016llx\n", ms, static_cast<double>(usage.ru_maxrss) / 1024, reading.triangles,
-              reading.vertices, static_cast<unsigned long long>(reading.hash));
+  std::printf("%.2f %.2f %.1f %zu %zu %016llx\n", stopwatch.ms(), stopwatch.cpu_ms(),
+              static_cast<double>(usage.ru_maxrss) / 1024, reading.triangles, reading.vertices,
+              static_cast<unsigned long long>(reading.hash));
   return 0;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "%s\n", error.what());

@@ -37,6 +37,7 @@ struct SceneOptions {
   std::vector<std::shared_ptr<UserFunction>> user_functions = {};
   std::string mesh_cache = {}; ///< a folder of large meshes that were read before ; none if empty
   double exposure_stops = 0;   ///< all that shines is multiplied by 2^stops: the picture is as many stops brighter
+  int threads = 0; ///< that read a mesh; 0: as many as the machine has. The scene is the same for any number
 };
 
 /// Reads a scene with every file that it names: meshes, textures, measured tables. A file named twice is loaded once.
@@ -88,6 +89,7 @@ struct ObjOptions {
   MeshNormals normals = {};                      ///< where they come from
   NoteList* notes = nullptr;                     ///< where remarks on the file go; nowhere if null
   VertexColours colours = VertexColours::linear; ///< what those of the vertices are taken as
+  int threads = 0; ///< that read it; 0: as many as the machine has. The mesh is the same for any number, bit for bit
 };
 
 /// Reads all faces of an OBJ file as one mesh, triangles in the order of the file.
@@ -146,12 +148,32 @@ ImageFile read_image(const std::string& path, const MemoryBudget& memory = {});
 /// grey, alpha is dropped. Else as read_image; its notes go to `notes`, if not null.
 Texture read_texture(const std::string& path, const MemoryBudget& memory = {}, NoteList* notes = nullptr);
 
-/// Writes whole numbers of 8 bits, with no colour profile, in the format that the path's extension says, in any case:
-/// `.png`, 1 channel (grey) or 3 (RGB). Throws OutputError; InputError for another extension or number of channels.
-void write_image(const std::string& path, const Image<std::uint8_t>& image);
+/// What a file says that its colours are encoded by; no value depends on it.
+enum class StatedCurve {
+  none, ///< nothing: shown as they are, as OpenGL's default framebuffer shows them
+  srgb  ///< IEC 61966-2-1: a PNG's chunk sRGB
+};
 
-/// Writes float values likewise: `.hdr` (3 channels, 8-bit mantissas: lossy), `.pfm` (1 or 3 channels), `.exr` (any
-/// channels, 32-bit float). `channels` names those of a file that has names; by default R G B, or Y for a single one.
-void write_image(const std::string& path, const Image<float>& image, std::vector<std::string> channels = {});
+/// How an image is written.
+struct WriteOptions {
+  StatedCurve curve = StatedCurve::none; ///< stated by `.png`; the other formats have no place for it
+  int jpeg_quality = 95;                 ///< 1 to 100; above 90 colours have the resolution of the image
+  int threads = 0;                       ///< 0: as many as the machine has. The file is the same for any number
+};
+
+/// Writes whole numbers in the format that the path's extension says, in any case: `.png`, 8 or 16 bits and 1 (grey),
+/// 2 (grey, alpha), 3 (RGB) or 4 channels (RGB, alpha, straight); `.jpg`, 8 bits and 3 channels, lossy; `.npy`, any
+/// channels and bits. Throws OutputError; InputError for another extension or number of channels.
+void write_image(const std::string& path, const Image<std::uint8_t>& image, const WriteOptions& options = {});
+/// The same of 16 bits.
+void write_image(const std::string& path, const Image<std::uint16_t>& image, const WriteOptions& options = {});
+/// The same of 32 bits: `.npy` alone.
+void write_image(const std::string& path, const Image<std::uint32_t>& image, const WriteOptions& options = {});
+
+/// Writes float values likewise: `.hdr` (3 channels, 8-bit mantissas: lossy), `.pfm` (1 or 3 channels), `.exr` and
+/// `.npy` (any channels, 32-bit float). `channels` names those of a file that has names; by default R G B, or Y for a
+/// single one.
+void write_image(const std::string& path, const Image<float>& image, std::vector<std::string> channels = {},
+                 const WriteOptions& options = {});
 
 } // namespace refraster

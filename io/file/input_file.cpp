@@ -1,11 +1,12 @@
 #include "io/file/input_file.h"
 
-#include "math/large_memory.h"
+#include "io/file/pages.h"
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <memory>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -98,8 +99,16 @@ void InputFile::read(std::uint64_t position, void* to, std::size_t size_bytes) c
 std::string read_file(const std::string& path, std::string_view expected, std::uint64_t limit_bytes) {
   const InputFile file(path, expected, limit_bytes);
   std::string bytes;
-  resize_in_large_pages(bytes, static_cast<std::size_t>(file.size_bytes()));
-  file.read(0, bytes.data(), bytes.size());
+  const auto size = static_cast<std::size_t>(file.size_bytes());
+  reserve_pages(bytes, size);
+  // By way of a piece that stays in the cache: a string that is made longer is cleared, which takes as long as to copy.
+  constexpr std::size_t piece_bytes = std::size_t{1} << 17;
+  const auto piece = std::make_unique_for_overwrite<char[]>(std::min(size, piece_bytes));
+  while (bytes.size() < size) {
+    const std::size_t part = std::min(piece_bytes, size - bytes.size());
+    file.read(bytes.size(), piece.get(), part);
+    bytes.append(piece.get(), part);
+  }
   return bytes;
 }
 

@@ -1,7 +1,9 @@
 #include "io/file/atomic_file.h"
 #include "io/file/text.h"
 #include "io/image/exr_header.h"
+#include "io/image/exr_layers.h"
 #include "io/image/image_formats.h"
+#include "raster/frame_context.h"
 
 #include <algorithm>
 #include <cstring>
@@ -16,6 +18,7 @@
 #include <ImfIO.h>
 #include <ImfInputFile.h>
 #include <ImfOutputFile.h>
+#include <ImfThreading.h>
 
 namespace refraster {
 namespace {
@@ -94,6 +97,19 @@ Imf::Slice slice(const Image<Value>& image, int c, int x_origin, int y_origin) {
           row};
 }
 
+/// How many threads OpenEXR is to pack blocks of rows with; they are written in their order all the same. The threads
+/// are one pool of the whole process, which another file may be written with at this moment: it grows, and stays. Where
+/// the system gives no thread there are fewer, and 0 is the caller's own.
+int packing_threads(const WriteOptions& options) {
+  const int wanted = thread_count({.threads = options.threads});
+  if (wanted <= 1) return 0;
+  try {
+    if (Imf::globalThreadCount() < wanted) Imf::setGlobalThreadCount(wanted);
+  } catch (const std::exception&) {
+  }
+  return std::min(wanted, Imf::globalThreadCount());
+}
+
 } // namespace
 
 ImageFile read_exr(const std::string& path, std::string_view bytes, const ImageRequest& request) {
@@ -138,7 +154,7 @@ ImageFile read_exr(const std::string& path, std::string_view bytes, const ImageR
   }
 }
 
-void write_exr_layers(const std::string& path, std::span<const ExrLayer> layers) {
+void write_exr_layers(const std::string& path, std::span<const ExrLayer> layers, const WriteOptions& options) {
   std::vector<Image<std::uint32_t>> numbers; // of the layers that are such, in this order
   for (const ExrLayer& layer : layers) {
     if (layer.values != LayerValues::uint32) continue;
@@ -164,7 +180,7 @@ void write_exr_layers(const std::string& path, std::span<const ExrLayer> layers)
         buffer.insert(name, is_float ? slice(*layer.image, c, 0, 0) : slice(*whole, c, 0, 0));
       }
     }
-    Imf::OutputFile output(stream, header);
+    Imf::OutputFile output(stream, header, packing_threads(options));
     output.setFrameBuffer(buffer);
     output.writePixels(first.height);
   } catch (const OutputError&) {
@@ -179,9 +195,10 @@ void write_exr_layers(const std::string& path, std::span<const ExrLayer> layers)
   file.commit();
 }
 
-void write_exr(const std::string& path, const Image<float>& image, const std::vector<std::string>& channels) {
+void write_exr(const std::string& path, const Image<float>& image, const std::vector<std::string>& channels,
+               const WriteOptions& options) {
   const ExrLayer layer{&image, channels};
-  write_exr_layers(path, {&layer, 1});
+  write_exr_layers(path, {&layer, 1}, options);
 }
 
 } // namespace refraster

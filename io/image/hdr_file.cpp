@@ -216,7 +216,8 @@ ImageFile read_hdr(const std::string& path, std::string_view bytes, const ImageR
   return result;
 }
 
-void write_hdr(const std::string& path, const Image<float>& image, const std::vector<std::string>&) {
+void write_hdr(const std::string& path, const Image<float>& image, const std::vector<std::string>&,
+               const WriteOptions&) {
   AtomicFile file(path);
   file.write("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(image.height) + " +X " +
              std::to_string(image.width) + "\n");

@@ -95,10 +95,6 @@ const ImageFormat& format_to_write(const std::string& path, const ImageContent& 
 
 } // namespace
 
-void write_image(const std::string& path, const Image<std::uint8_t>& image) {
-  write_image(path, image, WriteOptions{});
-}
-
 void write_image(const std::string& path, const Image<std::uint8_t>& image, const WriteOptions& options) {
   format_to_write(path, {ImageValues::uint8, image.channels}).write_uint8(path, image, options);
 }
@@ -111,12 +107,13 @@ void write_image(const std::string& path, const Image<std::uint32_t>& image, con
   format_to_write(path, {ImageValues::uint32, image.channels}).write_uint32(path, image, options);
 }
 
-void write_image(const std::string& path, const Image<float>& image, std::vector<std::string> channels) {
+void write_image(const std::string& path, const Image<float>& image, std::vector<std::string> channels,
+                 const WriteOptions& options) {
   const ImageFormat& format = format_to_write(path, {ImageValues::floats, image.channels});
   if (channels.empty()) channels = default_channels(image.channels);
   if (static_cast<int>(channels.size()) != image.channels)
     refuse_image(path, "", std::to_string(image.channels) + " channels", "a name for every channel");
-  format.write_floats(path, image, channels);
+  format.write_floats(path, image, channels, options);
 }
 
 } // namespace refraster

@@ -4,12 +4,14 @@
 // To add a format: a reader, and a writer if there is to be one, in a file of their own; declared and listed here; that
 // file's name in CMakeLists.txt. Tests (tests/unit/io/test_image_formats.cpp) name what else it needs.
 
+#include <refraster/files.h>
+
 #include "io/image/image_reading.h"
-#include "io/image/image_write.h"
 
 #include <algorithm>
 #include <array>
 #include <initializer_list>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,7 +31,7 @@ template <class Value>
 using IntegerWriter = void (*)(const std::string& path, const Image<Value>& image, const WriteOptions& options);
 /// Writes a file of floats likewise; a format that names its channels uses `channels`, as many as the image has.
 using FloatWriter = void (*)(const std::string& path, const Image<float>& image,
-                             const std::vector<std::string>& channels);
+                             const std::vector<std::string>& channels, const WriteOptions& options);
 
 ImageFile read_png(const std::string& path, std::string_view bytes, const ImageRequest& request);
 ImageFile read_jpeg(const std::string& path, std::string_view bytes, const ImageRequest& request);
@@ -49,10 +51,14 @@ void write_jpeg(const std::string& path, const Image<std::uint8_t>& image, const
 void write_npy(const std::string& path, const Image<std::uint8_t>& image, const WriteOptions& options);
 void write_npy(const std::string& path, const Image<std::uint16_t>& image, const WriteOptions& options);
 void write_npy(const std::string& path, const Image<std::uint32_t>& image, const WriteOptions& options);
-void write_npy(const std::string& path, const Image<float>& image, const std::vector<std::string>& channels);
-void write_hdr(const std::string& path, const Image<float>& image, const std::vector<std::string>& channels);
-void write_pfm(const std::string& path, const Image<float>& image, const std::vector<std::string>& channels);
-void write_exr(const std::string& path, const Image<float>& image, const std::vector<std::string>& channels);
+void write_npy(const std::string& path, const Image<float>& image, const std::vector<std::string>& channels,
+               const WriteOptions& options);
+void write_hdr(const std::string& path, const Image<float>& image, const std::vector<std::string>& channels,
+               const WriteOptions& options);
+void write_pfm(const std::string& path, const Image<float>& image, const std::vector<std::string>& channels,
+               const WriteOptions& options);
+void write_exr(const std::string& path, const Image<float>& image, const std::vector<std::string>& channels,
+               const WriteOptions& options);
 
 /// Numbers of channels that a format can write.
 struct ChannelCounts {
@@ -143,6 +149,20 @@ const ImageFormat& format_of_content(const std::string& path, std::string_view p
 /// The format that a file name says by its extension, in any case, whether it can be written or not; or null.
 const ImageFormat* format_of_name(const std::string& path);
 
+/// A kind of values that images are written with.
+struct ImageDepth {
+  ImageValues values;
+  std::string_view name;                         // in messages
+  int asked_bits;                                // by which an option asks for it; 0: none does
+  bool (*is_written)(const ImageFormat& format); // whether a format has a writer of it, of whatever channels
+};
+inline constexpr ImageDepth image_depths[] = {
+    {ImageValues::uint8, "8 bits", 8, [](const ImageFormat& format) { return format.write_uint8 != nullptr; }},
+    {ImageValues::uint16, "16 bits", 16, [](const ImageFormat& format) { return format.write_uint16 != nullptr; }},
+    {ImageValues::uint32, "32 bits", 0, [](const ImageFormat& format) { return format.write_uint32 != nullptr; }},
+    {ImageValues::floats, "floats", 32, [](const ImageFormat& format) { return format.write_floats != nullptr; }},
+};
+
 /// What an image to be written consists of.
 struct ImageContent {
   ImageValues values;
@@ -153,17 +173,8 @@ inline constexpr ImageContent rgb8_image{ImageValues::uint8, 3}, float_rgb_image
 
 /// Whether a format has a writer of such values, of whatever channels.
 constexpr bool writes_values(const ImageFormat& format, ImageValues values) {
-  switch (values) {
-  case ImageValues::uint8:
-    return format.write_uint8 != nullptr;
-  case ImageValues::uint16:
-    return format.write_uint16 != nullptr;
-  case ImageValues::uint32:
-    return format.write_uint32 != nullptr;
-  case ImageValues::floats:
-    return format.write_floats != nullptr;
-  }
-  return false;
+  return std::any_of(std::begin(image_depths), std::end(image_depths),
+                     [&](const ImageDepth& depth) { return depth.values == values && depth.is_written(format); });
 }
 
 constexpr bool can_write(const ImageFormat& format, const ImageContent& content) {

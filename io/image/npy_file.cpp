@@ -165,8 +165,8 @@ template <class Value>
 void write_array(const std::string& path, const Image<Value>& image) {
   std::string shape = std::to_string(image.height) + ", " + std::to_string(image.width);
   if (image.channels > 1) shape += ", " + std::to_string(image.channels);
-  std::string header = "{'descr': '" + std::string(descr_of<Value>()) + "', 'fortran_order': False, 'shape': (" +
-                       shape + "), }";
+  std::string header =
+      "{'descr': '" + std::string(descr_of<Value>()) + "', 'fortran_order': False, 'shape': (" + shape + "), }";
   // The values begin at a multiple of 64 bytes, behind a line end.
   constexpr std::size_t alignment = 64;
   header.resize((prefix_bytes + header.size() + alignment) / alignment * alignment - prefix_bytes - 1, ' ');
@@ -199,7 +199,8 @@ ImageFile read_npy(const std::string& path, std::string_view bytes, const ImageR
   const std::vector<std::uint64_t>& shape = *header.shape;
   if (*header.fortran_order) refuse_image(path, "fortran_order", "True", "False: rows one after the other");
   if (shape.size() != 2 && shape.size() != 3)
-    refuse_image(path, "shape", std::to_string(shape.size()) + " numbers", "(height, width) or (height, width, channels)");
+    refuse_image(path, "shape", std::to_string(shape.size()) + " numbers",
+                 "(height, width) or (height, width, channels)");
   const std::uint64_t height = shape[0], width = shape[1], channels = shape.size() == 3 ? shape[2] : 1;
   if (channels == 0 || channels > limit::image_channels.value)
     refuse_image(path, "shape", std::to_string(channels) + " channels",
@@ -225,7 +226,8 @@ ImageFile read_npy(const std::string& path, std::string_view bytes, const ImageR
   else if (type.descr == "<f4") copy_values<float>(values, to);
   else copy_values<double>(values, to);
   if (inexact > 0)
-    image.notes.add({path, 0, "a whole number beyond 2^24 that no float holds", "read as the nearest that does", inexact});
+    image.notes.add(
+        {path, 0, "a whole number beyond 2^24 that no float holds", "read as the nearest that does", inexact});
   return image;
 }
 
@@ -238,7 +240,8 @@ void write_npy(const std::string& path, const Image<std::uint16_t>& image, const
 void write_npy(const std::string& path, const Image<std::uint32_t>& image, const WriteOptions&) {
   write_array(path, image);
 }
-void write_npy(const std::string& path, const Image<float>& image, const std::vector<std::string>&) {
+void write_npy(const std::string& path, const Image<float>& image, const std::vector<std::string>&,
+               const WriteOptions&) {
   write_array(path, image);
 }
 

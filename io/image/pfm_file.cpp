@@ -68,7 +68,8 @@ ImageFile read_pfm(const std::string& path, std::string_view bytes, const ImageR
   return result;
 }
 
-void write_pfm(const std::string& path, const Image<float>& image, const std::vector<std::string>&) {
+void write_pfm(const std::string& path, const Image<float>& image, const std::vector<std::string>&,
+               const WriteOptions&) {
   AtomicFile file(path);
   file.write((image.channels == 3 ? "PF\n" : "Pf\n") + std::to_string(image.width) + " " +
              std::to_string(image.height) + "\n-1.0\n");

@@ -255,7 +255,7 @@ Mesh read_obj_by_cache(const std::string& path, const std::string& folder, const
   const std::string key = mesh_key(text_sha256(text), options);
   KeptMesh kept;
   NoteList notes;
-  kept.mesh = mesh_of_obj(path, std::move(text), {options.normals, &notes, options.colours});
+  kept.mesh = mesh_of_obj(path, std::move(text), {options.normals, &notes, options.colours, options.threads});
   for (Note note : notes.notes()) {
     note.file.clear(); // the same bytes may have another name
     kept.notes.add(std::move(note));

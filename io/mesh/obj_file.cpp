@@ -2,12 +2,12 @@
 
 #include "io/file/input_file.h"
 #include "io/file/limits.h"
+#include "io/file/pages.h"
+#include "io/file/pieces.h"
 #include "io/mesh/obj/weld.h"
 #include "io/mesh/obj_colours.h"
 #include "io/mesh/obj_faces.h"
 #include "io/mesh/obj_numbers.h"
-#include "math/large_memory.h"
-#include "raster/parallel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,17 +49,21 @@ std::string three_digits(double x) {
 /// Survey coordinates: the mesh is small, and far from the origin.
 void note_rounding(const std::string& path, const ObjText& obj, NoteList& notes) {
   if (obj.moved.empty()) return;
+  const auto by_less = [](const MovedVertex& a, const MovedVertex& b) { return a.by < b.by; };
+  const auto furthest = static_cast<double>(std::max_element(obj.moved.begin(), obj.moved.end(), by_less)->by);
   std::vector<char> used(obj.v.size());
   Float3 low(std::numeric_limits<float>::infinity()), high = -low;
-  for (const ObjCorner& corner : obj.faces.corners) {
-    const auto v = static_cast<std::size_t>(corner.v);
+  const auto largest = [](const Double3& a) { return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)}); };
+  for (std::size_t i = 0; i < obj.faces.corners.size(); ++i) {
+    const auto v = static_cast<std::size_t>(obj.faces.corners[i].v);
     used[v] = 1;
     low = glm::min(low, obj.v[v]), high = glm::max(high, obj.v[v]);
+    // As large as that already: nothing will be noted, which a few faces show of most files.
+    if (i % 256 == 255 && !(furthest > largest(Double3(high) - Double3(low)) / 1000)) return;
   }
   double moved = 0;
   for (const MovedVertex& vertex : obj.moved)
     if (used[static_cast<std::size_t>(vertex.v)]) moved = std::max(moved, static_cast<double>(vertex.by));
-  const auto largest = [](const Double3& a) { return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)}); };
   const double size = largest(Double3(high) - Double3(low));
   if (!(moved > size / 1000)) return;
   const double away = std::max(largest(Double3(low)), largest(Double3(high)));
@@ -73,11 +77,13 @@ void note_rounding(const std::string& path, const ObjText& obj, NoteList& notes)
 void add_points(const ObjText& obj, const RawVector<TripleIndex::Triple>& vertices, int threads, Mesh& mesh) {
   const auto has_vt = [](const TripleIndex::Triple& vertex) { return vertex[1] >= 0; };
   const auto textured = std::partition_point(vertices.begin(), vertices.end(), has_vt) - vertices.begin();
-  resize_in_large_pages(mesh.positions, vertices.size());
-  resize_in_large_pages(mesh.normals, vertices.size());
-  resize_in_large_pages(mesh.uvs, static_cast<std::size_t>(textured));
+  for_pieces(threads, 3, [&](std::size_t list, int) { // a list of vertices is cleared first, which takes its time
+    if (list == 0) resize_in_pages(mesh.positions, vertices.size());
+    if (list == 1) resize_in_pages(mesh.normals, vertices.size());
+    if (list == 2) resize_in_pages(mesh.uvs, static_cast<std::size_t>(textured));
+  });
   constexpr std::size_t block = 1 << 14; // vertices that a thread takes at a time
-  parallel_for(threads, (vertices.size() + block - 1) / block, [&](std::size_t b, int) {
+  for_pieces(threads, (vertices.size() + block - 1) / block, [&](std::size_t b, int) {
     for (std::size_t i = b * block; i < std::min((b + 1) * block, vertices.size()); ++i) {
       const auto& [v, vt, vn] = vertices[i];
       mesh.positions[i] = obj.v[static_cast<std::size_t>(v)];
@@ -107,8 +113,9 @@ Mesh read_obj(const std::string& path, const ObjOptions& options) {
   return mesh_of_obj(path, read_file(path, "an OBJ file", limit::obj_bytes.value), options);
 }
 
-Mesh mesh_of_obj(const std::string& path, std::string text, const ObjOptions& options, const ObjWork& work) {
+Mesh mesh_of_obj(const std::string& path, std::string text, const ObjOptions& options, std::size_t chunk_bytes) {
   NoteList notes;
+  const ObjWork work{options.threads, chunk_bytes};
   const int threads = threads_of(work);
   ObjText obj = parse_obj(path, std::move(text), notes, work);
   // Before the triangles are made: a polygon of n corners becomes n - 2. There are no more vertices than corners.

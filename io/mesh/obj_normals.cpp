@@ -1,8 +1,8 @@
+#include "io/file/pieces.h"
 #include "io/mesh/mesh_normals.h"
 #include "io/mesh/obj/normal_sums.h"
 #include "io/mesh/obj/polygon_batch.h"
 #include "io/mesh/obj_faces.h"
-#include "raster/parallel.h"
 
 #include <algorithm>
 #include <functional>
@@ -15,8 +15,8 @@ constexpr std::size_t block = 4096; // faces that a thread takes at a time
 
 /// Calls body(first, last) for blocks of faces.
 void for_faces(const ObjFaces& faces, int threads, const std::function<void(std::size_t, std::size_t)>& body) {
-  parallel_for(threads, (faces.count() + block - 1) / block,
-               [&](std::size_t b, int) { body(b * block, std::min((b + 1) * block, faces.count())); });
+  for_pieces(threads, (faces.count() + block - 1) / block,
+             [&](std::size_t b, int) { body(b * block, std::min((b + 1) * block, faces.count())); });
 }
 
 bool lacks_vn(const ObjCorner& corner) {

@@ -1,10 +1,13 @@
 #include "io/mesh/obj_faces.h"
 
+#include "io/file/pieces.h"
+#include "io/mesh/obj/first_numbers.h"
 #include "io/mesh/triple_index.h"
 #include "math/elementary/degrees.h"
-#include "raster/parallel.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -36,10 +39,17 @@ public:
   explicit Sets(std::size_t size) : above_(size) {}
   /// Alone in its set, as it must be before anything else is asked of it.
   void make(std::uint32_t i) { above_[i] = i; }
+  /// The same as first_of, for several threads at once: nothing is changed.
+  std::uint32_t found(std::uint32_t i) const {
+    while (above_[i] != i) i = above_[i];
+    return i;
+  }
   std::uint32_t first_of(std::uint32_t i) {
     while (above_[i] != i) i = above_[i] = above_[above_[i]]; // halves the path
     return i;
   }
+  /// Puts a corner that is alone into the set of one that is its first.
+  void put(std::uint32_t i, std::uint32_t first) { above_[i] = first; }
   void unite(std::uint32_t a, std::uint32_t b) {
     a = first_of(a), b = first_of(b);
     above_[std::max(a, b)] = std::min(a, b);
@@ -73,6 +83,7 @@ public:
 
   /// `corners`: of one vertex, in the order of the file. False if steps run out.
   bool join(std::span<const std::uint32_t> corners, std::uint64_t& steps_left) {
+    if (join_fan(corners)) return true;
     for (const std::uint32_t corner : corners) sets_.make(corner);
     edges_.clear();
     std::uint32_t first = 0; // of the corners of this face
@@ -103,6 +114,62 @@ public:
 
 private:
   using Corners = std::vector<std::uint32_t>;
+  static constexpr std::size_t max_fan = 8;
+
+  /// As nearly every vertex is: few faces, each there once and with a normal, all of one winding, so that an edge where
+  /// two meet leaves one of them and arrives in the other. False for any other vertex: then nothing is changed.
+  bool join_fan(std::span<const std::uint32_t> corners) {
+    const std::size_t n = corners.size();
+    if (n > max_fan) return false;
+    std::array<std::int32_t, max_fan> next, before; // of each face, the vertices at the other ends of its edges here
+    next.fill(-1), before.fill(-2);
+    std::array<const FaceNormal*, max_fan> normals;
+    for (std::size_t k = 0; k < n; ++k) {
+      const std::uint32_t corner = corners[k], face = face_of_[corner];
+      const std::uint32_t begin = faces_.begin[face], end = faces_.begin[face + 1];
+      normals[k] = &normals_[face];
+      next[k] = faces_.corners[corner + 1 == end ? begin : corner + 1].v;
+      before[k] = faces_.corners[corner == begin ? end - 1 : corner - 1].v;
+      const std::int32_t vertex = faces_.corners[corner].v;
+      if (next[k] == vertex || before[k] == vertex || next[k] == before[k] || normals[k]->n == Double3(0.0) ||
+          (k > 0 && normals[k] == normals[k - 1]))
+        return false;
+    }
+    const auto equal_to = [](const std::array<std::int32_t, max_fan>& list, std::int32_t vertex) {
+      std::uint32_t set = 0;
+      for (std::size_t i = 0; i < max_fan; ++i) set |= static_cast<std::uint32_t>(list[i] == vertex) << i;
+      return set;
+    };
+    std::array<std::uint32_t, max_fan> meets{}; // of each face, a bit for each one that it belongs together with
+    std::uint32_t met = 0;                      // by another one, along the edge that arrives in them
+    for (std::size_t k = 0; k < n; ++k) {
+      const std::uint32_t arrives = equal_to(before, next[k]);
+      if ((arrives & (arrives - 1)) != 0 || (arrives & met) != 0) return false; // three faces at an edge, or more
+      if (arrives == 0) { // a border, unless another face leaves along it too
+        if (equal_to(next, next[k]) != 1u << k) return false;
+        continue;
+      }
+      met |= arrives;
+      const auto other = static_cast<std::size_t>(std::countr_zero(arrives));
+      if (belong_together(*normals[k], *normals[other])) meets[k] |= arrives, meets[other] |= 1u << k;
+    }
+    for (std::uint32_t left = ((1u << n) - 1) & ~met; left != 0; left &= left - 1) { // borders, unless two faces arrive
+      const auto k = static_cast<std::size_t>(std::countr_zero(left));
+      if (equal_to(before, before[k]) != 1u << k) return false;
+    }
+    for (std::uint32_t left = (1u << n) - 1; left != 0;) {
+      const auto first = static_cast<std::size_t>(std::countr_zero(left));
+      std::uint32_t set = 0;
+      for (std::uint32_t added = 1u << first; added != 0;) {
+        const auto k = static_cast<std::size_t>(std::countr_zero(added));
+        set |= 1u << k;
+        added = (added | meets[k]) & ~set;
+        sets_.put(corners[k], corners[first]);
+      }
+      left &= ~set;
+    }
+    return true;
+  }
 
   static std::uint32_t corner_of(std::uint64_t edge) { return static_cast<std::uint32_t>(edge); }
 
@@ -232,14 +299,14 @@ SharedNormals shared_by_crease(const ObjFaces& faces, std::span<const FaceNormal
   const RawVector<ObjCorner>& corners = faces.corners;
   const std::size_t pieces = std::clamp<std::size_t>(vertices / 1024, 1, static_cast<std::size_t>(threads));
   CornersOfVertices at(corners, vertices, pieces);
-  parallel_for(threads, pieces, [&](std::size_t piece, int) { at.count(piece); });
+  for_pieces(threads, pieces, [&](std::size_t piece, int) { at.count(piece); });
   at.add_up();
 
   Sets sets(corners.size());
   const FacesOfCorners face_of(faces);
   // Those for which the steps that are free do not suffice take the others one after the other.
   std::vector<std::vector<std::size_t>> intricate(pieces);
-  parallel_for(threads, pieces, [&](std::size_t piece, int) {
+  for_pieces(threads, pieces, [&](std::size_t piece, int) {
     at.fill(piece);
     Creases creases(faces, face_of, normals, crease_degrees, sets);
     const auto [first, last] = at.range(piece);
@@ -256,12 +323,11 @@ SharedNormals shared_by_crease(const ObjFaces& faces, std::span<const FaceNormal
 
   SharedNormals shared;
   shared.number.resize(corners.size());
-  for (std::uint32_t i = 0; i < corners.size(); ++i) {
-    shared.number[i] = -1;
-    if (corners[i].vn >= 0) continue;
-    const std::uint32_t first = sets.first_of(i); // not after i, so that it has its number
-    shared.number[i] = first == i ? shared.count++ : shared.number[first];
-  }
+  const auto first = [&](std::size_t i) {
+    return corners[i].vn >= 0 ? std::int64_t{-1} : std::int64_t{sets.found(static_cast<std::uint32_t>(i))};
+  };
+  shared.count = static_cast<std::int32_t>(
+      number_firsts(threads, corners.size(), first, shared.number.data(), [](std::size_t, std::uint32_t) {}));
   return shared;
 }
 

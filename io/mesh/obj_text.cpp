@@ -1,11 +1,11 @@
 #include "io/mesh/obj_text.h"
 
+#include "io/file/pieces.h"
 #include "io/file/text_kind.h"
 #include "io/mesh/obj/chunk.h"
 #include "io/mesh/obj/faults.h"
 #include "io/mesh/obj/lines.h"
 #include "io/mesh/obj_numbers.h"
-#include "raster/parallel.h"
 
 #include <algorithm>
 #include <atomic>
@@ -75,7 +75,7 @@ public:
     if (std::any_of(chunks_.begin(), chunks_.end(), [](const ObjChunk& chunk) { return !chunk.colours.empty(); }))
       obj_.colours.assign(all.v, Float3(-1.0f));
     std::atomic<bool> sound = true;
-    parallel_for(threads, chunks_.size(), [&](std::size_t i, int) {
+    for_pieces(threads, chunks_.size(), [&](std::size_t i, int) {
       if (!resolve(chunks_[i], before_[i])) sound = false;
     });
     return sound && !(has_not_finite_v_ && uses_not_finite_v());
@@ -100,7 +100,10 @@ private:
     if (before.corners > 0)
       for (std::size_t f = 0; f < chunk.face_ends.size(); ++f)
         obj_.faces.begin[before.faces + f + 1] += static_cast<std::uint32_t>(before.corners);
-    bool sound = true;
+    bool sound = chunk.last_used[0] < static_cast<std::int32_t>(obj_.v.size()) &&
+                 chunk.last_used[1] < static_cast<std::int32_t>(obj_.vt.size()) &&
+                 chunk.last_used[2] < static_cast<std::int32_t>(obj_.vn.size());
+    if (!chunk.has_relative) return sound; // nearly always: the others are as they are to be
     const auto resolve = [&](std::int32_t& index, std::size_t given_before, std::size_t size) {
       if (index == -1) return;
       if (index < 0) index += static_cast<std::int32_t>(given_before) - relative_index;
@@ -201,8 +204,7 @@ ObjText parse_obj(const std::string& file, std::string text, NoteList& notes, co
   const std::vector<std::size_t> begin = lines.chunks_of(bytes);
   const std::size_t count = begin.size() - 1;
   std::vector<ObjCounts> rooms(count);
-  parallel_for(threads, count,
-               [&](std::size_t i, int) { rooms[i] = count_chunk(lines.text(), begin[i], begin[i + 1]); });
+  for_pieces(threads, count, [&](std::size_t i, int) { rooms[i] = count_chunk(lines.text(), begin[i], begin[i + 1]); });
   ObjCounts room;
   for (const ObjCounts& of_chunk : rooms) room += of_chunk;
   ObjText result;
@@ -213,8 +215,8 @@ ObjText parse_obj(const std::string& file, std::string text, NoteList& notes, co
     chunks.emplace_back(result, before, of_chunk);
     before += of_chunk;
   }
-  parallel_for(threads, count,
-               [&](std::size_t i, int) { read_chunk(lines.text(), begin[i], begin[i + 1], nullptr, chunks[i]); });
+  for_pieces(threads, count,
+             [&](std::size_t i, int) { read_chunk(lines.text(), begin[i], begin[i + 1], nullptr, chunks[i]); });
 
   std::size_t faces = 0;
   bool is_faulty = false;

@@ -167,14 +167,15 @@ private:
       options_.memory.need(2 * file_size_bytes(path), path); // its text, and no less than as much for what it says
       // A file that is read once more, for other normals or colours, has the same remarks.
       const ObjOptions reading{text.normals, noted_.insert(canonical_path(path)).second ? options_.notes : nullptr,
-                               text.colours};
+                               text.colours, options_.threads};
       const std::string& cache = options_.mesh_cache;
       auto mesh =
           std::make_shared<Mesh>(cache.empty() ? read_obj(path, reading) : read_obj_by_cache(path, cache, reading));
       if (described_.contains(canonical_path(path))) file_materials_.describe(path, *mesh);
       return mesh;
     };
-    return load(meshes_, text.obj_file, "an OBJ file", read, name_of(ObjOptions{text.normals, nullptr, text.colours}));
+    return load(meshes_, text.obj_file, "an OBJ file", read,
+                name_of(ObjOptions{.normals = text.normals, .colours = text.colours}));
   }
 
   void note_untextured(const ObjectText& text, const Object& object) {

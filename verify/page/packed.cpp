@@ -1,13 +1,12 @@
 #include "verify/page/packed.h"
 
+#include "io/image/png/png_filter.h"
+
 #include <openssl/evp.h>
 #include <zlib.h>
 
 #include <algorithm>
-#include <array>
 #include <bit>
-#include <cstdlib>
-#include <limits>
 #include <new>
 #include <stdexcept>
 
@@ -16,55 +15,13 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// PNG's predictor of one byte from its neighbours: left, above, and left of that above.
-int paeth(int left, int above, int corner) {
-  const int p = left + above - corner;
-  const int to_left = std::abs(p - left), to_above = std::abs(p - above), to_corner = std::abs(p - corner);
-  if (to_left <= to_above && to_left <= to_corner) return left;
-  return to_above <= to_corner ? above : corner;
-}
-
-enum Filter : std::uint8_t { none = 0, sub = 1, up = 2, paeth_filter = 4 };
-constexpr std::array<Filter, 4> filters = {none, sub, up, paeth_filter};
-
-/// A row less what a filter foresees of it; step: bytes to the neighbour on the left.
-void filter_row(Filter filter, const std::uint8_t* row, const std::uint8_t* above, std::size_t size, std::size_t step,
-                std::uint8_t* out) {
-  for (std::size_t i = 0; i < size; ++i) {
-    const int left = i < step ? 0 : row[i - step], corner = i < step ? 0 : above[i - step];
-    int foreseen = 0;
-    if (filter == sub) foreseen = left;
-    else if (filter == up) foreseen = above[i];
-    else if (filter == paeth_filter) foreseen = paeth(left, above[i], corner);
-    out[i] = static_cast<std::uint8_t>(row[i] - foreseen);
-  }
-}
-
-/// How much is left, each byte taken as a small number of either sign.
-std::uint64_t rest(const Bytes& row) {
-  std::uint64_t sum = 0;
-  for (const std::uint8_t byte : row) sum += static_cast<std::uint64_t>(std::min<int>(byte, 256 - byte));
-  return sum;
-}
-
 Bytes filtered(const Bytes& bytes, std::size_t row_bytes, std::size_t step) {
-  Bytes result, candidate(row_bytes), best;
-  const Bytes zeros(row_bytes);
   const std::size_t rows = row_bytes == 0 ? 0 : bytes.size() / row_bytes;
-  result.reserve(rows * (row_bytes + 1));
+  Bytes result(rows * (row_bytes + 1));
+  RowFilter filter(row_bytes, step);
   for (std::size_t y = 0; y < rows; ++y) {
-    const std::uint8_t *row = &bytes[y * row_bytes], *above = y == 0 ? zeros.data() : row - row_bytes;
-    std::uint64_t least = std::numeric_limits<std::uint64_t>::max();
-    Filter chosen = none;
-    for (const Filter filter : filters) {
-      filter_row(filter, row, above, row_bytes, step, candidate.data());
-      const std::uint64_t left = rest(candidate);
-      if (left >= least) continue;
-      least = left, chosen = filter;
-      best = candidate;
-    }
-    result.push_back(chosen);
-    result.insert(result.end(), best.begin(), best.end());
+    const std::uint8_t* const row = &bytes[y * row_bytes];
+    filter.filter(row, y == 0 ? nullptr : row - row_bytes, &result[y * (row_bytes + 1)]);
   }
   return result;
 }

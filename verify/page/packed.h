@@ -10,9 +10,9 @@
 
 namespace refraster {
 
-/// Base64 of a zlib stream (RFC 1950) of rows of bytes. Each row is filtered as in PNG (ISO/IEC 15948, 9.2: none, sub,
-/// up or Paeth, by the least sum of absolute values) and begins with its filter's number; the row before the first is
-/// 0. Numbers of 32 bits are four such images one below the other: their highest bytes, then the next ones.
+/// Base64 of a zlib stream (RFC 1950) of rows of bytes, each filtered as RowFilter does for PNG files, with its filter's
+/// number in front; the row before the first is 0. Numbers of 32 bits are four such images one below the other: their
+/// highest bytes, then the next ones.
 std::string packed(const Image<std::uint8_t>& image);
 std::string packed(const Image<std::uint32_t>& image);
 std::string packed(const Image<float>& image);

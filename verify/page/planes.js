@@ -13,7 +13,7 @@ async function inflated(bytes) {
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-/// Undoes PNG's filters 0, 1, 2 and 4; step: bytes to the neighbour on the left.
+/// Undoes PNG's filters 0 to 4; step: bytes to the neighbour on the left.
 function unfiltered(raw, rowBytes, step) {
   const rows = raw.length / (rowBytes + 1);
   const out = new Uint8Array(rows * rowBytes);
@@ -29,6 +29,7 @@ function unfiltered(raw, rowBytes, step) {
       const b = y === 0 ? 0 : out[above + i];
       let foreseen = a;
       if (filter === 2) foreseen = b;
+      else if (filter === 3) foreseen = (a + b) >> 1;
       else if (filter === 4) {
         const c = y === 0 || i < step ? 0 : out[above + i - step];
         const p = a + b - c, pa = Math.abs(p - a), pb = Math.abs(p - b), pc = Math.abs(p - c);

@@ -12,7 +12,7 @@ namespace refraster {
 /// Holds scratch memory: one for each thread.
 class RowFilter {
 public:
-  /// row_bytes: of a row, without its filter's number; pixel_bytes: of a whole pixel, 1 to 8.
+  /// row_bytes: of a row, without its filter's number; pixel_bytes: of a whole pixel, or 1.
   RowFilter(std::size_t row_bytes, std::size_t pixel_bytes);
 
   /// Writes the filter's number and the filtered row, 1 + row_bytes bytes, to `to`. `above` is the row before, as it is

@@ -1,10 +1,10 @@
 #include "io/image/png/png_write.h"
 
 #include "io/file/atomic_file.h"
+#include "io/file/pieces.h"
 #include "io/image/image_formats.h"
 #include "io/image/png/png_filter.h"
 #include "raster/frame_context.h"
-#include "raster/parallel.h"
 
 #include <zlib.h>
 
@@ -21,9 +21,9 @@ namespace {
 
 using namespace std::string_view_literals;
 
-/// Filtered bytes that are packed together. More of them pack a little better, fewer occupy more threads: a strip begins
-/// with the codes of none before it, and ends with 5 bytes that say so. At 256 KiB that costs less than 1 in 1000, and an
-/// image of 1080p has 24 strips.
+/// Filtered bytes that are packed together. More of them pack a little better, fewer occupy more threads: a strip
+/// begins with the codes of none before it, and ends with 5 bytes that say so. At 256 KiB that costs less than 1 in
+/// 1000, and an image of 1080p has 24 strips.
 constexpr std::size_t strip_bytes = std::size_t{1} << 18;
 /// How far back deflate looks (RFC 1951, 2).
 constexpr std::size_t window_bytes = 32768;
@@ -83,8 +83,7 @@ public:
     RowFilter filter(row_bytes_, pixel_bytes_);
     std::vector<std::uint8_t> scratch, scratch_above;
     const std::size_t first = strip * strip_rows_, end = std::min(first + strip_rows_, rows());
-    const std::uint8_t* above =
-        first == 0 ? nullptr : stored_row(image_, static_cast<int>(first) - 1, scratch_above);
+    const std::uint8_t* above = first == 0 ? nullptr : stored_row(image_, static_cast<int>(first) - 1, scratch_above);
     for (std::size_t y = first; y < end; ++y) {
       const std::uint8_t* const row = stored_row(image_, static_cast<int>(y), scratch);
       filter.filter(row, above, bytes_.get() + y * (1 + row_bytes_));
@@ -149,11 +148,11 @@ std::string file_of(const Image<Value>& image, const WriteOptions& options, cons
   FilteredRows<Value> rows(image);
   const std::size_t strips = rows.strips();
   const int threads = thread_count({.threads = options.threads});
-  parallel_for(threads, strips, [&](std::size_t i, int) { rows.filter(i); });
+  for_pieces(threads, strips, [&](std::size_t i, int) { rows.filter(i); });
   std::vector<PackedStrip> packed(strips);
-  parallel_for(threads, strips, [&](std::size_t i, int) {
-    packed[i] = pack(rows.data(), rows.begin(i), rows.begin(i + 1), i + 1 == strips ? Place::last : Place::within,
-                     packing);
+  for_pieces(threads, strips, [&](std::size_t i, int) {
+    packed[i] =
+        pack(rows.data(), rows.begin(i), rows.begin(i + 1), i + 1 == strips ? Place::last : Place::within, packing);
   });
 
   std::string file = "\x89PNG\r\n\x1a\n";
@@ -175,7 +174,7 @@ std::string file_of(const Image<Value>& image, const WriteOptions& options, cons
 
 } // namespace
 
-const PngPacking png_packing{.level = 5, .strategy = Z_DEFAULT_STRATEGY};
+const PngPacking png_packing{.level = 4, .strategy = Z_DEFAULT_STRATEGY};
 
 std::string png_file(const Image<std::uint8_t>& image, const WriteOptions& options, const PngPacking& packing) {
   return file_of(image, options, packing);

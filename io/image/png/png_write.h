@@ -1,9 +1,7 @@
 #pragma once
 // PNG files: W3C, Portable Network Graphics, second edition; the pixels as zlib packs them (RFC 1950 and 1951).
 
-#include <refraster/image.h>
-
-#include "io/image/image_write.h"
+#include <refraster/files.h>
 
 #include <cstdint>
 #include <string>

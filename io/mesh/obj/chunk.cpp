@@ -1,6 +1,7 @@
 #include "io/mesh/obj/chunk.h"
 
 #include "io/file/text.h"
+#include "io/mesh/obj/byte_masks.h"
 #include "io/mesh/obj/fast_numbers.h"
 #include "io/mesh/obj/faults.h"
 #include "io/mesh/obj/words.h"
@@ -8,8 +9,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <charconv>
-#include <cstring>
+#include <cstdint>
 #include <limits>
 
 namespace refraster {
@@ -22,7 +24,7 @@ using Numbers = std::array<float, max_numbers>;
 class ChunkReader {
 public:
   ChunkReader(std::string_view text, ObjFaults* faults, ObjChunk& chunk)
-      : text_(text), faults_(faults), chunk_(chunk) {}
+      : text_(text), end_(text.data() + text.size()), faults_(faults), chunk_(chunk) {}
 
   void run(std::size_t begin, std::size_t end) {
     const char* at = text_.data() + begin;
@@ -73,7 +75,7 @@ private:
         break;
       }
       if (count == most) return nullptr;
-      at = fast_float(at, numbers[count]);
+      at = fast_float(at, end_, numbers[count]);
       if (!at || !(*at == ' ' || *at == '\n' || *at == '\r')) return nullptr;
     }
     if (count < least) return nullptr;
@@ -117,15 +119,21 @@ private:
 
   const char* usual_index(const char* at, ObjList list, std::int32_t& from_zero) {
     std::int32_t value = 0;
-    at = fast_integer(at, value);
+    at = fast_integer(at, end_, value);
     return at && from_zero_of(value, list, from_zero) ? at : nullptr;
   }
 
   /// False if the value can be no index.
-  bool from_zero_of(long long value, ObjList list, std::int32_t& from_zero) const {
+  bool from_zero_of(long long value, ObjList list, std::int32_t& from_zero) {
     if (value == 0 || value < -max_back || value > std::numeric_limits<std::int32_t>::max()) return false;
-    from_zero =
-        static_cast<std::int32_t>(value > 0 ? value - 1 : static_cast<long long>(count(list)) + value + relative_index);
+    if (value > 0) {
+      from_zero = static_cast<std::int32_t>(value - 1);
+      std::int32_t& last = chunk_.last_used[static_cast<std::size_t>(list)];
+      last = std::max(last, from_zero);
+    } else {
+      from_zero = static_cast<std::int32_t>(static_cast<long long>(count(list)) + value + relative_index);
+      chunk_.has_relative = true;
+    }
     return true;
   }
 
@@ -322,6 +330,7 @@ private:
   }
 
   std::string_view text_;
+  const char* end_; // of the text
   ObjFaults* faults_;
   ObjChunk& chunk_;
 };
@@ -340,25 +349,50 @@ void make_room(const ObjCounts& counts, ObjText& obj) {
   obj.faces.begin[0] = 0;
 }
 
+namespace {
+
+/// Words that begin behind a blank, from `at` to the end of its line, which is returned; or the end of the text.
+const char* count_words(const char* at, const char* stop, std::size_t& words) {
+  std::uint32_t was_blank = 0; // 1: before `at`
+  while (stop - at >= 16) {
+    const SixteenBytes bytes(at);
+    const std::uint32_t ends = bytes.are('\n'), blanks = bytes.are(' ') | bytes.are('\t') | bytes.are('\r');
+    const std::uint32_t of_line = ends == 0 ? 0xffff : (ends & -ends) - 1;
+    words += static_cast<std::size_t>(std::popcount(~blanks & (blanks << 1 | was_blank) & of_line));
+    if (ends != 0) return at + std::countr_zero(ends);
+    was_blank = blanks >> 15;
+    at += 16;
+  }
+  for (; at < stop && *at != '\n'; ++at) {
+    words += was_blank != 0 && !is_blank(*at);
+    was_blank = is_blank(*at);
+  }
+  return at;
+}
+
+const char* line_end(const char* at, const char* stop) {
+  for (; stop - at >= 16; at += 16)
+    if (const std::uint32_t ends = SixteenBytes(at).are('\n')) return at + std::countr_zero(ends);
+  while (at < stop && *at != '\n') ++at;
+  return at;
+}
+
+} // namespace
+
 ObjCounts count_chunk(std::string_view text, std::size_t begin, std::size_t end) {
   ObjCounts counts;
   const char* at = text.data() + begin;
   const char* const stop = text.data() + end;
-  while (at < stop) {
+  for (; at < stop; ++at) {
     while (at < stop && is_blank(*at)) ++at;
     if (at == stop) break;
-    if (*at == 'v') {
-      ++(at[1] == 'n' ? counts.vn : at[1] == 't' ? counts.vt : counts.v);
-    } else if (*at == 'f') {
+    if (*at == 'f') {
       ++counts.faces;
-      for (bool was_blank = false; at < stop && *at != '\n'; ++at) {
-        counts.corners += was_blank && !is_blank(*at);
-        was_blank = is_blank(*at);
-      }
+      at = count_words(at, stop, counts.corners);
+      continue;
     }
-    const void* const line_end = std::memchr(at, '\n', static_cast<std::size_t>(stop - at));
-    if (!line_end) break;
-    at = static_cast<const char*>(line_end) + 1;
+    if (*at == 'v') ++(at[1] == 'n' ? counts.vn : at[1] == 't' ? counts.vt : counts.v);
+    at = line_end(at, stop);
   }
   return counts;
 }

@@ -5,6 +5,7 @@
 #include "io/mesh/obj_notes.h"
 #include "io/mesh/obj_text.h"
 
+#include <array>
 #include <cassert>
 #include <cstdint>
 #include <string>
@@ -87,7 +88,9 @@ struct ObjChunk {
   std::size_t points_drawn = 0, lines_drawn = 0, free_forms = 0; // that are not read: statements p, l, and curv or surf
   bool has_not_finite_v = false, has_not_finite = false;         // any v; any vn or vt
   bool has_mixed_corners = false;
-  bool is_faulty = false; // then nothing else of it is of use
+  std::array<std::int32_t, 3> last_used = {-1, -1, -1}; // of v, vt, vn: the largest index that is not a relative one
+  bool has_relative = false;                            // whether any index is
+  bool is_faulty = false;                               // then nothing else of it is of use
 };
 
 /// What text[begin, end), which is whole lines, has room for: never less than read_chunk finds in it, and just that

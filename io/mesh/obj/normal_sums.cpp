@@ -1,7 +1,7 @@
 #include "io/mesh/obj/normal_sums.h"
 
+#include "io/file/pieces.h"
 #include "io/mesh/obj/polygon_batch.h"
-#include "raster/parallel.h"
 
 #include <algorithm>
 #include <array>
@@ -11,10 +11,10 @@
 namespace refraster {
 namespace {
 
-/// Whether two neighbouring corners lie in one place, as far as floats tell.
+/// Whether two neighbouring corners, so far from each other, lie in one place, as far as floats tell.
 template <class T>
-MaskOf<T> in_one_place(const Vec3<T>& p, const T& p_rounding, const Vec3<T>& q, const T& q_rounding) {
-  return length(p - q) <= p_rounding + q_rounding; // so do equal ones
+MaskOf<T> is_within_rounding(const T& distance, const T& p_rounding, const T& q_rounding) {
+  return distance <= p_rounding + q_rounding; // so are equal ones
 }
 
 /// Neighbouring corners of a polygon that lie in one place: such a corner has no edge to the next, and the angle
@@ -28,7 +28,7 @@ void find_runs(std::span<const Double3> polygon, std::span<const double> roundin
   const std::size_t n = polygon.size();
   const auto at_the_next = [&](std::size_t i) {
     const std::size_t next = (i + 1) % n;
-    return in_one_place(polygon[i], roundings[i], polygon[next], roundings[next]);
+    return is_within_rounding<double>(length(polygon[next] - polygon[i]), roundings[i], roundings[next]);
   };
   std::size_t start = 0;
   while (start < n && at_the_next((start + n - 1) % n)) ++start;
@@ -118,12 +118,14 @@ private:
         {lanes_of(columns[0]), lanes_of(columns[1]), lanes_of(columns[2])}, lanes_of(columns[3]), lanes_of(columns[4])};
     std::array<Term<Lanes>, PolygonBatch::max_corners> terms;
     MaskOf<Lanes> has_runs = Lanes(0.0) > Lanes(0.0);
+    std::array<EdgeDirection<Lanes>, PolygonBatch::max_corners> edges; // from each corner to the next
     for (std::size_t i = 0; i < n; ++i) {
-      const std::size_t before = (i + n - 1) % n, next = (i + 1) % n;
-      has_runs = has_runs | in_one_place(points[i], roundings[i], points[next], roundings[next]);
-      terms[i] = term_of(face, inner_angle<Lanes>({points[before], roundings[before]}, {points[i], roundings[i]},
-                                                  {points[next], roundings[next]}, face));
+      const std::size_t next = i + 1 == n ? 0 : i + 1;
+      edges[i] = edge_direction<Lanes>({points[i], roundings[i]}, {points[next], roundings[next]});
+      has_runs = has_runs | is_within_rounding(edges[i].length, roundings[i], roundings[next]);
     }
+    for (std::size_t i = 0; i < n; ++i)
+      terms[i] = term_of(face, inner_angle(edges[i], edges[i == 0 ? n - 1 : i - 1].reversed(), face));
     const std::uint32_t odd = lane_set(has_runs);
     for (int lane = 0; lane < batch_.count(); ++lane) {
       const std::size_t f = batch_.face(lane);
@@ -155,8 +157,9 @@ private:
         Sum* const sum = sum_of(obj_.faces.begin[f] + i);
         // A vertex named twice in one place has one angle there.
         if (!sum || (run.size > 1 && !counted_.insert(sum).second)) continue;
-        const Term<double> term = term_of(
-            normals_[f], inner_angle(point(run.first + n - 1), point(i), point(run.first + run.size), normals_[f]));
+        const Term<double> term =
+            term_of(normals_[f], inner_angle(edge_direction(point(i), point(run.first + run.size)),
+                                             edge_direction(point(i), point(run.first + n - 1)), normals_[f]));
         sum->add(term.value, term.error);
       }
     }
@@ -181,7 +184,7 @@ void sum_normals(const ObjText& obj, std::span<const FaceNormal> normals, const 
   // A thread takes a range of numbers, and those faces that have any of them. Numbers follow the file, as faces mostly
   // do: few faces are of several ranges.
   const std::int64_t count = shared.count, pieces = std::clamp<std::int64_t>(count / 1024, 1, threads);
-  parallel_for(threads, static_cast<std::size_t>(pieces), [&](std::size_t piece, int) {
+  for_pieces(threads, static_cast<std::size_t>(pieces), [&](std::size_t piece, int) {
     const auto border = [&](std::size_t i) {
       return static_cast<std::int32_t>(count * static_cast<std::int64_t>(i) / pieces);
     };

@@ -81,16 +81,30 @@ struct RoundedPoint {
   const T& rounding;
 };
 
-/// At p, from the edge to `next` round the normal to the edge to `before`.
+/// An edge of a polygon, seen from one of its ends: from the other one it has the opposite direction, bit for bit.
 template <class T>
-InnerAngle<T> inner_angle(const RoundedPoint<T>& before, const RoundedPoint<T>& p, const RoundedPoint<T>& next,
+struct EdgeDirection {
+  Vec3<T> unit;
+  T error;  // how far it may be off
+  T length; // of the edge
+
+  EdgeDirection reversed() const { return {Vec3<T>(T(0.0) - unit.x, T(0.0) - unit.y, T(0.0) - unit.z), error, length}; }
+};
+
+template <class T>
+EdgeDirection<T> edge_direction(const RoundedPoint<T>& from, const RoundedPoint<T>& to) {
+  const Vec3<T> edge = to.at - from.at;
+  const T size = length(edge);
+  return {normalize(edge), T(2) * (from.rounding + to.rounding) / size + T(unit_error), size};
+}
+
+/// From the edge to the next corner round the normal to the edge to the corner before, both seen from this one.
+template <class T>
+InnerAngle<T> inner_angle(const EdgeDirection<T>& to_next, const EdgeDirection<T>& to_before,
                           const FaceNormalOf<T>& face) {
-  const Vec3<T> to_next = next.at - p.at, to_before = before.at - p.at;
-  const Vec3<T> a = normalize(to_next), b = normalize(to_before), across = cross(a, b);
-  const auto direction_error = [&](const RoundedPoint<T>& end, const Vec3<T>& edge) {
-    return T(2) * (p.rounding + end.rounding) / length(edge) + T(unit_error);
-  };
-  const T edges = direction_error(next, to_next) + direction_error(before, to_before);
+  const Vec3<T>&a = to_next.unit, &b = to_before.unit;
+  const Vec3<T> across = cross(a, b);
+  const T edges = to_next.error + to_before.error;
   // Cross product, dot products: 7 roundings for the sine, 3 for the cosine. Then the arc tangent and one addition, of
   // angles up to 2 pi, whose unit in the last place is 8 roundings.
   const T error = edges + T((10 + 8 * (atan2_error<double>.max + 0.5)) * rounding);

@@ -3,6 +3,8 @@
 
 #include <refraster/memory.h>
 
+#include "io/file/pages.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <new>
@@ -16,6 +18,7 @@ namespace refraster {
 template <class T>
 struct UninitializedAllocator {
   using value_type = T;
+  static constexpr std::size_t large_page_bytes = std::size_t{1} << 21; // those of more are few, and each thread's own
 
   UninitializedAllocator() = default;
   template <class U>
@@ -23,7 +26,9 @@ struct UninitializedAllocator {
 
   T* allocate(std::size_t n) {
     if (n > static_cast<std::size_t>(PTRDIFF_MAX) / sizeof(T)) throw std::bad_alloc();
-    return static_cast<T*>(allocate_memory(n * sizeof(T)));
+    void* const memory = allocate_memory(n * sizeof(T));
+    if (n * sizeof(T) < large_page_bytes) advise_all_pages(memory, n * sizeof(T));
+    return static_cast<T*>(memory);
   }
   void deallocate(T* memory, std::size_t) { free_memory(memory); }
 

@@ -58,15 +58,10 @@ std::string_view stored_values(StoredValues values) {
   return "";
 }
 
-constexpr std::pair<ImageValues, const char*> all_values[] = {{ImageValues::uint8, "8 bits"},
-                                                              {ImageValues::uint16, "16 bits"},
-                                                              {ImageValues::uint32, "32 bits"},
-                                                              {ImageValues::floats, "floats"}};
-
 std::vector<std::string> written_values(const ImageFormat& format) {
   std::vector<std::string> texts;
-  for (const auto& [values, text] : all_values)
-    if (writes_values(format, values)) texts.emplace_back(text);
+  for (const ImageDepth& depth : image_depths)
+    if (depth.is_written(format)) texts.emplace_back(depth.name);
   return texts;
 }
 
@@ -110,10 +105,10 @@ TEST_CASE("each format says how its files are named and recognised, and writes w
     CHECK(format.signatures[0].empty() == (format.may_be != nullptr));
     const bool is_written = format.writes != ChannelCounts{};
     CHECK(written_values(format).empty() != is_written);
-    for (const auto& [values, text] : all_values) {
-      const bool is_float = values == ImageValues::floats;
+    for (const ImageDepth& depth : image_depths) {
+      const bool is_float = depth.values == ImageValues::floats;
       if (format.values != StoredValues::either && is_float != (format.values == StoredValues::floats))
-        CHECK_FALSE_MESSAGE(writes_values(format, values), text);
+        CHECK_FALSE_MESSAGE(depth.is_written(format), depth.name);
     }
   }
 }
@@ -237,7 +232,8 @@ TEST_CASE("docs/conventions.md has the table of AOVs") {
       if (!name.empty()) layers += (layers.empty() ? "`" : ", `") + std::string(name) + "`";
     text += "| `" + std::string(kind.name) + "` | " + std::to_string(kind.channels) +
             (kind.values == AovValues::numbers ? ", numbers" : "") + " | " +
-            (kind.mean == AovMean::covered ? "mean" : "no") + " | " + layers + " | " + std::string(kind.meaning) + " |\n";
+            (kind.mean == AovMean::covered ? "mean" : "no") + " | " + layers + " | " + std::string(kind.meaning) +
+            " |\n";
   }
   CHECK(page_part("docs/conventions.md", "include/refraster/frame.h") == text);
 }

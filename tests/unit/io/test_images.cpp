@@ -287,6 +287,19 @@ TEST_CASE("a float image of an unknown format, or with channels that it cannot h
   CHECK(std::filesystem::is_empty(folder.path));
 }
 
+TEST_CASE("an EXR file is the same for any number of threads") {
+  const TemporaryFolder folder;
+  Image<float> image(70, 333, 3); // OpenEXR packs 16 rows at a time
+  for (std::size_t i = 0; i < image.values.size(); ++i) image.values[i] = static_cast<float>(i * i % 1013) / 7;
+  const auto bytes = [&](int threads) {
+    write_image(folder / "i.exr", image, {}, {.threads = threads});
+    return read_file(folder / "i.exr", "an image", std::uint64_t{1} << 30);
+  };
+  const std::string expected = bytes(1);
+  for (const int threads : {2, 3, 7, 0}) CHECK(bytes(threads) == expected);
+  CHECK(read_image(folder / "i.exr").values.values == image.values);
+}
+
 TEST_CASE("an EXR file cut short at any length is refused") {
   const TemporaryFolder folder;
   write_image(folder / "i.exr", difficult(3));

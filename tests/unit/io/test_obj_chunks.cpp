@@ -1,12 +1,14 @@
 // An OBJ file is read in chunks, by several threads: of that, nothing is to be seen in what comes out.
 
 #include "io/mesh/obj/fast_numbers.h"
+#include "io/mesh/obj/first_numbers.h"
 #include "io/mesh/obj_file.h"
 #include "io/mesh/obj_numbers.h"
 #include "tests/support/for_all.h"
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdio>
@@ -29,7 +31,7 @@ std::string outcome(const std::string& text, const ObjWork& work) {
   NoteList notes;
   std::string result;
   try {
-    const Mesh mesh = mesh_of_obj("m.obj", text, {{}, &notes}, work);
+    const Mesh mesh = mesh_of_obj("m.obj", text, {.notes = &notes, .threads = work.threads}, work.chunk_bytes);
     append_bits(result, mesh.positions), append_bits(result, mesh.normals), append_bits(result, mesh.uvs);
     append_bits(result, mesh.colours), append_bits(result, mesh.triangles);
     for (const TriangleRun& run : mesh.material_runs)
@@ -122,14 +124,52 @@ TEST_CASE("a mesh has the same bits whatever the number of threads") {
   CHECK(outcome("s 1\n" + text, {3, 0}) == outcome("s 1\n" + text, {1, 0}));
 }
 
+TEST_CASE("what is equal is numbered in the order in which it first appears, by any number of threads") {
+  constexpr std::size_t count = 200'000; // several blocks
+  Random random(7);
+  std::vector<std::int64_t> firsts; // of what each i is equal to; -1: it has no number
+  std::vector<std::int32_t> expected;
+  std::vector<std::size_t> expected_places;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto other = static_cast<std::size_t>(random.below(static_cast<int>(i) + 1));
+    const int kind = random.below(4);
+    firsts.push_back(kind == 0 ? -1
+                     : kind == 1 || firsts.empty() || firsts[std::min(other, i - 1)] < 0
+                         ? static_cast<std::int64_t>(i)
+                         : firsts[std::min(other, i - 1)]);
+    const std::int64_t first = firsts.back();
+    if (first == static_cast<std::int64_t>(i)) expected_places.push_back(i);
+    expected.push_back(first < 0                               ? -1
+                       : first == static_cast<std::int64_t>(i) ? static_cast<std::int32_t>(expected_places.size()) - 1
+                                                               : expected[static_cast<std::size_t>(first)]);
+  }
+  for (const int threads : {1, 2, 3, 7}) {
+    std::vector<std::int32_t> numbers(count);
+    std::vector<std::size_t> places(count);
+    const std::uint32_t found = number_firsts(
+        threads, count, [&](std::size_t i) { return firsts[i]; }, numbers.data(),
+        [&](std::size_t i, std::uint32_t number) { places[number] = i; });
+    places.resize(found);
+    CHECK(places == expected_places);
+    CHECK(numbers == expected);
+  }
+}
+
 TEST_CASE("numbers that are read in one go are those that the careful reader reads") {
   int taken = 0;
   const auto check = [&taken](const std::string& word) {
     float fast = 0, careful = 0;
-    const char* const end = fast_float(word.c_str(), fast);
-    if (!end || end != word.c_str() + word.size()) return;
-    ++taken;
+    const char* const begin = word.c_str();
+    const char* const end = fast_float(begin, begin + word.size(), fast);
+    // Of a text that goes on digits are read several at a time; the end of one may come anywhere.
+    const std::string longer = word + " 123456789 123456789";
+    float within = 0;
+    const char* const end_within = fast_float(longer.c_str(), longer.c_str() + longer.size(), within);
     CAPTURE(word);
+    CHECK((end ? end - begin : -1) == (end_within ? end_within - longer.c_str() : -1));
+    if (!end || end != begin + word.size()) return;
+    ++taken;
+    CHECK(std::bit_cast<std::uint32_t>(fast) == std::bit_cast<std::uint32_t>(within));
     CHECK(read_coordinate(word, careful) == NumberText::good);
     CHECK(std::bit_cast<std::uint32_t>(fast) == std::bit_cast<std::uint32_t>(careful));
   };

@@ -58,6 +58,7 @@ Bytes unpacked_rows(std::string_view text, int width, int height, int channels) 
       int foreseen = 0;
       if (filter == 1) foreseen = a;
       else if (filter == 2) foreseen = b;
+      else if (filter == 3) foreseen = (a + b) / 2;
       else if (filter == 4) {
         const int pa = std::abs(b - c), pb = std::abs(a - c), pc = std::abs(a + b - 2 * c);
         foreseen = pa <= pb && pa <= pc ? a : pb <= pc ? b : c;

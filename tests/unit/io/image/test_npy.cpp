@@ -4,7 +4,6 @@
 #include <refraster/notes.h>
 
 #include "io/file/input_file.h"
-#include "io/image/image_write.h"
 #include "tests/support/files/malformed_inputs.h"
 #include "tests/support/files/npy_bytes.h"
 
