@@ -146,6 +146,10 @@ ImageFile read_image(const std::string& path, const MemoryBudget& memory = {});
 /// grey, alpha is dropped. Else as read_image; its notes go to `notes`, if not null.
 Texture read_texture(const std::string& path, const MemoryBudget& memory = {}, NoteList* notes = nullptr);
 
+/// The same of a texture of single numbers: all three values of a texel are that of the channel.
+Texture read_scalar_texture(const std::string& path, ScalarChannel channel, const MemoryBudget& memory = {},
+                            NoteList* notes = nullptr);
+
 /// Writes whole numbers of 8 bits, with no colour profile, in the format that the path's extension says, in any case:
 /// `.png`, 1 channel (grey) or 3 (RGB). Throws OutputError; InputError for another extension or number of channels.
 void write_image(const std::string& path, const Image<std::uint8_t>& image);
