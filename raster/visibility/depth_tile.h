@@ -4,7 +4,6 @@
 #include <refraster/render.h>
 
 #include "raster/lanes.h"
-#include "raster/visibility/depth_range.h"
 
 #include <array>
 #include <cstdint>
@@ -47,8 +46,6 @@ public:
     double* depth;
     std::int32_t* nearest;
     Samples operator+(int pixels) const { return {depth + pixels, nearest + pixels}; }
-    /// A register of them sees nothing.
-    void clear() const;
     /// The same for a register of them, where `covered` is set.
     void depth_test_and_write(const Row& z, MaskOf<Row> covered, std::int32_t slot) const;
   };
@@ -91,11 +88,6 @@ inline void DepthTile::Samples::depth_test_and_write(const Row& z, MaskOf<Row> c
 #endif
   const Slots where = __builtin_convertvector(lane_bits(seen), Slots);
   store_lanes(nearest, where ? slot - Slots{} : load_lanes<Slots>(nearest));
-}
-
-inline void DepthTile::Samples::clear() const {
-  store_lanes(depth, Row(beyond_far));
-  store_lanes(nearest, nothing - Slots{});
 }
 
 inline bool DepthTile::is_occluded(int left, int top, int right, int bottom, double z) const {

@@ -100,7 +100,7 @@ void TileVisibility::add_what_is_there(const PixelRect& pixels, std::int32_t slo
       for_each_sample([&](const DepthTile::Samples& own, const DepthTile::Samples& all) {
         const Row z = load_lanes<Row>(own.depth);
         if (any_seen) all.depth_test_and_write(z, there & may_be_seen(z, load_lanes<Row>(all.depth)), slot);
-        own.clear();
+        store_lanes(own.depth, Row(beyond_far)); // nobody reads the slots of what is drawn alone
       });
     }
 }
