@@ -69,7 +69,7 @@ inline Scene leaf_scene(TextureFilter filter, double threshold = 0.5) {
   cut_out(add("leaf", leaf_card(1), {-0.6, 0.3, 0.6}, {0, 20, 15}, Double3(0.9), {0.3, 0.8, 0.2}));
   cut_out(add("leaf through it", leaf_card(2), {-0.5, 0.3, 0.6}, {0, -50, -20}, Double3(0.8), {0.8, 0.7, 0.1}));
   cut_out(
-      add("leaf of many triangles", leaf_card(90), {0.9, 0.4, -0.2}, {10, -15, -30}, Double3(0.9), {0.9, 0.3, 0.1}));
+      add("leaf of many triangles", leaf_card(40), {0.9, 0.4, -0.2}, {10, -15, -30}, Double3(0.9), {0.9, 0.3, 0.1}));
   Object& lattice = cut_out(add("lattice", leaf_card(1), {1.3, 0.2, 1}, {0, -80, 0}, {9, 1.4, 1}, {0.5, 0.4, 0.4}));
   lattice.material.opacity_map.scale = {9, 2};
   Object& ground = add("ground", plane_mesh(1), {0, -0.8, -2}, {0, 10, 0}, {8, 1, 8}, {0.9, 0.9, 0.9});

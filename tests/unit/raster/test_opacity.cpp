@@ -151,7 +151,8 @@ TEST_CASE(
             CHECK(frame.aovs[0].at(x, y)[0] == (there ? 1.0f : 2.0f));
             CHECK((frame.aovs[1].at(x, y)[0] < 0.95f) == there); // of near 0.1 and far 100: at 1, and at 2
           }
-        CHECK(frame.counts.fragments == side * side);
+        CHECK(frame.counts.shaded == side * side);
+        if (samples == 1) CHECK(frame.counts.fragments == side * side);
       }
 }
 
@@ -182,12 +183,12 @@ TEST_CASE("of a triangle that does not reach a pixel's centre the opacity there 
 }
 
 TEST_CASE("each pixel is that of the scene without what is cut out there: leaves of all sizes, near and far") {
-  for (const TextureFilter filter : {TextureFilter::nearest, TextureFilter::bilinear, TextureFilter::trilinear})
-    for (const int samples : {1, 8}) {
-      RenderOptions options;
-      options.width = 44, options.height = 28, options.samples = samples, options.tile_size = 16;
-      CHECK(check_pixel_by_pixel(leaf_scene(filter), options) > 200);
-    }
+  for (const auto& [filter, samples] : {std::pair(TextureFilter::nearest, 1), std::pair(TextureFilter::bilinear, 8),
+                                        std::pair(TextureFilter::trilinear, 2)}) {
+    RenderOptions options;
+    options.width = 36, options.height = 24, options.samples = samples, options.tile_size = 16;
+    CHECK(check_pixel_by_pixel(leaf_scene(filter), options) > 120);
+  }
 }
 
 TEST_CASE("and in random scenes") {
