@@ -59,11 +59,10 @@ private:
 
   DepthTile depths_;
   SnappedRasterizer rasterizer_;
-  std::array<PlacedVertex, 3 * SnappedRasterizer::lanes>
-      corners_; // of triangles drawn together, where not all are stored
+  std::array<PlacedVertex, 3 * SnappedRasterizer::lanes> corners_; // of triangles drawn together, where not all are stored
   std::vector<std::uint32_t> triangles_;
   std::vector<Boxed> boxed_, sorted_;
-  // Where triangles are drawn alone of which parts may be cut out; empty again after each. Of frames that have them.
+  // Of frames with cut-outs: where their triangles are drawn alone; empty again after each.
   std::unique_ptr<CutOuts> cut_outs_;
   std::unique_ptr<DepthTile> alone_;
   bool alone_is_clear_ = false; // for this tile
