@@ -212,7 +212,10 @@ GlDrawing::Surface GlDrawing::surface(const Scene& scene, const Object& object, 
   const std::size_t colour = static_cast<std::size_t>(GlPass::colour), ids = static_cast<std::size_t>(GlPass::ids);
   surface.parts[colour] = part(object, choice.vertex, choice.fragment, values, warnings_);
   WarningList said_before; // the colour pass has told them, and of our own there is nothing to be reported
-  const ShaderText ids_shader{"our fragment shader of ids", own_ids_glsl(*object.mesh, object.material)};
+  Material of_ids = object.material;
+  // A vertex shader of the scene's that is not like ours gives no texture coordinates to read an opacity by.
+  if (choice.vertex_of_scene && choice.vertex.text.find("VS_OUT") == std::string::npos) of_ids.opacity_map = {};
+  const ShaderText ids_shader{"our fragment shader of ids", own_ids_glsl(*object.mesh, of_ids)};
   values["objectNumber"] = static_cast<float>(number + 1);
   values["triangleNumber"] = 0.0f; // set for each
   if (options.want_ids) {
