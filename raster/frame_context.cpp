@@ -21,6 +21,7 @@ SceneUses uses_of(const Scene& scene) {
   uses.placed_textures = any_material(scene, [](const Material& material) {
     return any_texture(material, [](const TextureMap& map) { return map.is_placed(); });
   });
+  uses.cut_outs = any_material(scene, [](const Material& material) { return material.has_cut_outs(); });
   return uses;
 }
 

@@ -173,6 +173,7 @@ private:
       std::visit([&](const auto& function) { check_parameters(function, at); }, material.fragment_function);
     }
     field(at, "emissive", material.emissive, Range{});
+    field(at, "opacity_threshold", material.opacity_threshold, Range{0, 1});
     for (const TextureSlot& slot : texture_slots) {
       const TextureMap& map = material.*slot.map;
       const Texture* const texture = map.texture.get();

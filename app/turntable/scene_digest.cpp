@@ -54,7 +54,7 @@ public:
       add(static_cast<int>(map.filter)), add(static_cast<int>(map.wrap));
       add(map.scale.x), add(map.scale.y), add(map.offset.x), add(map.offset.y);
     }
-    add(material.emissive);
+    add(material.emissive), add(material.opacity_threshold);
   }
 
   std::string text() { return in_hexadecimal(sha256_.result()); }

@@ -14,15 +14,6 @@
 namespace refraster {
 namespace {
 
-const std::string ids_glsl = R"(#version 330 core
-uniform float objectNumber;
-uniform float triangleNumber;
-out vec4 FragColor;
-void main() {
-    FragColor = vec4(objectNumber, triangleNumber, 0.0, 1.0);
-}
-)";
-
 /// 330 for a driver that says "3.30 …".
 int newest_glsl(const GlApi& gl) {
   const char* const words = reinterpret_cast<const char*>(gl.GetString(GL_SHADING_LANGUAGE_VERSION));
@@ -221,7 +212,10 @@ GlDrawing::Surface GlDrawing::surface(const Scene& scene, const Object& object, 
   const std::size_t colour = static_cast<std::size_t>(GlPass::colour), ids = static_cast<std::size_t>(GlPass::ids);
   surface.parts[colour] = part(object, choice.vertex, choice.fragment, values, warnings_);
   WarningList said_before; // the colour pass has told them, and of our own there is nothing to be reported
-  const ShaderText ids_shader{"our fragment shader of ids", ids_glsl};
+  Material of_ids = object.material;
+  // A vertex shader of the scene's that is not like ours gives no texture coordinates to read an opacity by.
+  if (choice.vertex_of_scene && choice.vertex.text.find("VS_OUT") == std::string::npos) of_ids.opacity_map = {};
+  const ShaderText ids_shader{"our fragment shader of ids", own_ids_glsl(*object.mesh, of_ids)};
   values["objectNumber"] = static_cast<float>(number + 1);
   values["triangleNumber"] = 0.0f; // set for each
   if (options.want_ids) {

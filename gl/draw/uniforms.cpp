@@ -70,6 +70,7 @@ UniformValues object_uniforms(const Object& object, const Double4x4& clip_from_w
     values[std::string(slot.sampler)] = static_cast<int>(i);
     values[std::string(slot.place)] = Float4(Float2(map.scale), Float2(map.offset));
   }
+  values["opacityThreshold"] = static_cast<float>(object.material.opacity_threshold);
   values["emissive"] = Float3(object.material.emissive);
   if (object.material.user_function) {
     ParameterUniforms parameters(values);

@@ -10,4 +10,7 @@ void main() {
     vec3 v = unit(viewPos - fs_in(FragPos));
     vec3 t = surface_colour();
     FragColor = vec4(with_lights(ambient(t), n, v, t), 1.0);
+#ifdef HAS_OPACITY_MAP // at the end: behind a discard, the derivatives that textures are read by are undefined
+    if (is_cut_out()) discard;
+#endif
 }

@@ -108,7 +108,8 @@ void define_texture(std::ostream& text, const TextureSlot& slot, const TextureMa
 }
 
 void define_function(std::ostream& text, const PhongParameters& function, const Material& material, MerlFilter) {
-  for (const TextureSlot& slot : texture_slots) define_texture(text, slot, material.*slot.map);
+  for (const TextureSlot& slot : texture_slots)
+    if (slot.map != &Material::opacity_map) define_texture(text, slot, material.*slot.map);
   define(text, "EMISSIVE", material.emissive != Double3(0));
   define(text, "SPECULAR", function.ks != Double3(0));
   define(text, "ZERO_GLOSSINESS", function.glossiness == 0);
@@ -121,6 +122,13 @@ void define_function(std::ostream& text, const Merl& function, const Material&, 
   define_choice(text, "MERL_ANGLES", "ANGLES_", function.angles);
   define(text, "MERL_HARDWARE_FILTER", filter == MerlFilter::hardware);
   text << "#define MERL_LOG_EPSILON " << std::showpoint << MerlTable::log_epsilon << "\n";
+}
+
+/// Of any fragment function.
+void define_opacity(std::ostream& text, const Material& material) {
+  if (!material.has_cut_outs()) return;
+  for (const TextureSlot& slot : texture_slots)
+    if (slot.map == &Material::opacity_map) define_texture(text, slot, material.opacity_map);
 }
 
 /// The part of glsl_text; none of a fragment function that was added since.
@@ -143,7 +151,9 @@ bool has_own_glsl(const LightNames& lights) {
 }
 
 bool has_own_glsl(const TextureSlot& slot) {
-  return glsl_text.phong.find("sampler2D " + std::string(slot.sampler) + ";") != std::string_view::npos;
+  const std::string declared = "sampler2D " + std::string(slot.sampler) + ";";
+  return glsl_text.phong.find(declared) != std::string_view::npos ||
+         glsl_text.opacity.find(declared) != std::string_view::npos;
 }
 
 bool has_own_glsl(std::string_view varying) {
@@ -198,8 +208,21 @@ std::string own_fragment_glsl(const Scene& scene, const Mesh& mesh, const Materi
         return formulas_of(function);
       },
       material.fragment_function);
+  define_opacity(text, material);
   define(text, "TWO_SIDED", two_sided == TwoSided::yes);
-  text << varyings(mesh, dialect, "in") << glsl_text.surface << formulas << light_sum(scene) << glsl_text.main;
+  text << varyings(mesh, dialect, "in") << glsl_text.surface << formulas << light_sum(scene) << glsl_text.opacity
+       << glsl_text.main;
+  return text.str();
+}
+
+std::string own_ids_glsl(const Mesh& mesh, const Material& material) {
+  constexpr GlslDialect dialect = GlslDialect::core_330;
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << version(dialect);
+  define_opacity(text, material);
+  if (material.has_cut_outs()) text << varyings(mesh, dialect, "in") << glsl_text.opacity;
+  text << glsl_text.ids;
   return text.str();
 }
 

@@ -13,7 +13,7 @@ namespace refraster {
 
 /// The parts in gl/glsl, one string a file.
 struct GlslText {
-  std::string_view vertex, surface, phong, merl, main;
+  std::string_view vertex, surface, phong, merl, opacity, main, ids;
 };
 extern const GlslText glsl_text;
 
@@ -43,6 +43,10 @@ std::vector<std::string_view> without_glsl(const Scene& scene, const Object& obj
 /// scene does not use.
 std::string own_fragment_glsl(const Scene& scene, const Mesh& mesh, const Material& material, TwoSided two_sided,
                               MerlFilter filter, GlslDialect dialect);
+
+/// A fragment shader that writes which object and triangle is seen, for one object's mesh and material: the same samples
+/// as own_fragment_glsl's.
+std::string own_ids_glsl(const Mesh& mesh, const Material& material);
 
 /// Whether our GLSL reads the table as logarithms (MerlTable::log_values).
 bool reads_logarithms(MerlLookup lookup);

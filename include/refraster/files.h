@@ -148,6 +148,10 @@ ImageFile read_image(const std::string& path, const MemoryBudget& memory = {});
 /// grey, alpha is dropped. Else as read_image; its notes go to `notes`, if not null.
 Texture read_texture(const std::string& path, const MemoryBudget& memory = {}, NoteList* notes = nullptr);
 
+/// The same of a texture of single numbers: all three values of a texel are that of the channel.
+Texture read_scalar_texture(const std::string& path, ScalarChannel channel, const MemoryBudget& memory = {},
+                            NoteList* notes = nullptr);
+
 /// What a file says that its colours are encoded by; no value depends on it.
 enum class StatedCurve {
   none, ///< nothing: shown as they are, as OpenGL's default framebuffer shows them

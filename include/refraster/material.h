@@ -213,6 +213,10 @@ struct Material {
   TextureMap diffuse_map = {};                            ///< t of the formulas
   TextureMap specular_map = {};                           ///< of Phong and Blinn-Phong: multiplies ks
   TextureMap emissive_map = {};                           ///< of Phong and Blinn-Phong: multiplies `emissive`
+  TextureMap opacity_map = {};                            ///< of any function: red is how much of the surface is there
+  /// Where the opacity at a pixel's centre, in double, is less than this, the triangle has none of the pixel's samples,
+  /// and what is behind it is seen. In [0, 1].
+  double opacity_threshold = 0.5;
   /// Light of its own, of Phong and Blinn-Phong: added to the ambient term. Linear; each channel >= 0.
   Double3 emissive{0};
 
@@ -227,12 +231,18 @@ struct Material {
     return (specular_map.texture || emissive != Double3(0)) && !user_function && !measured();
   }
 
+  /// Whether parts of it may be cut out: where its opacity is below the threshold.
+  bool has_cut_outs() const { return opacity_map.texture && opacity_threshold > 0; }
+
   /// Of what shades it.
   std::string_view function_name() const {
     if (user_function) return user_function->name();
     return std::visit([](const auto& function) { return function.name; }, fragment_function);
   }
 };
+
+/// What a texture's values are: r g b, or one number, three times the same.
+enum class SlotValue { colour, scalar };
 
 /// A texture that a material may have. Where there is none, or no texture coordinates, it is white.
 struct TextureSlot {
@@ -245,10 +255,12 @@ struct TextureSlot {
   std::string_view sampler = {};           ///< the uniform
   std::string_view place = {};             ///< the uniform of its scale and offset, in this order
   std::string_view meaning = {};           ///< of the image, for the documentation
+  SlotValue value = SlotValue::colour;     ///< what is read of the image
 };
 
 /// Every texture that a material may have. Scene files and their documentation, loading, checks and OpenGL's texture
-/// units follow from this list; what a texture's colour is for is in raster/shade/shade_packet.h.
+/// units follow from this list; what a texture's colour is for is in raster/shade/shade_packet.h, what an opacity is for
+/// in raster/shade/opacity.h.
 inline constexpr std::array texture_slots{
     TextureSlot{&Material::diffuse_map, nullptr, "texture", "diffuse_map", "texture_file_path", "texture_filter", "tex",
                 "texPlace", "a `.png`, `.jpg`, `.tga` or `.bmp` image; not loaded for `merl`"},
@@ -269,7 +281,17 @@ inline constexpr std::array texture_slots{
                 {},
                 "emissiveTex",
                 "emissiveTexPlace",
-                "multiplies `emissive`; for `phong` and `blinn_phong`"}};
+                "multiplies `emissive`; for `phong` and `blinn_phong`"},
+    TextureSlot{&Material::opacity_map,
+                nullptr,
+                "opacity_map",
+                "opacity_map",
+                {},
+                {},
+                "opacityTex",
+                "opacityTexPlace",
+                "how much of the surface is there: below `opacity_threshold` it is cut out",
+                SlotValue::scalar}};
 
 /// Calls visit(map) with each texture that the material has.
 void for_each_texture(auto& material, auto&& visit) {

@@ -41,6 +41,18 @@ struct EnumNames<ColourSpace> {
                                                                        {ColourSpace::srgb, "srgb"}};
 };
 
+/// Which of an image's values a texture of single numbers has, an opacity. automatic: alpha, if the image has it, else
+/// luminance. alpha: 1 of an image without. luminance: 0.2126 R + 0.7152 G + 0.0722 B (ITU-R BT.709) of the values as
+/// stored; what is grey is taken as it is.
+enum class ScalarChannel { automatic, red, green, blue, alpha, luminance };
+
+template <>
+struct EnumNames<ScalarChannel> {
+  static constexpr std::pair<ScalarChannel, std::string_view> names[] = {
+      {ScalarChannel::automatic, "auto"}, {ScalarChannel::red, "red"},     {ScalarChannel::green, "green"},
+      {ScalarChannel::blue, "blue"},      {ScalarChannel::alpha, "alpha"}, {ScalarChannel::luminance, "luminance"}};
+};
+
 /// One image of a mip chain. Row 0 is at v = 0: the bottom row of the image file. At most 65536 texels a side
 /// and 2^28 in all.
 struct TextureLevel {

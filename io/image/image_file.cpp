@@ -5,6 +5,8 @@
 #include "io/file/text.h"
 #include "io/image/image_formats.h"
 
+#include <array>
+
 namespace refraster {
 
 void check_image_size(const std::string& path, std::uint64_t width, std::uint64_t height, std::uint64_t file_bytes,
@@ -56,7 +58,11 @@ ImageFile read_image(const std::string& path, const MemoryBudget& memory) {
   return read_image(path, ImageRequest{memory});
 }
 
-Texture read_texture(const std::string& path, const MemoryBudget& memory, NoteList* notes) {
+namespace {
+
+/// A texture of what rgb_of(pixel, channels) makes of an image's pixels.
+template <class RgbOf>
+Texture texture_of(const std::string& path, const MemoryBudget& memory, NoteList* notes, const RgbOf& rgb_of) {
   const ImageFile image = read_image(path, ImageRequest{memory, limit::texture_side});
   if (notes) notes->add(image.notes);
   if (image.bits > 16)
@@ -66,15 +72,56 @@ Texture read_texture(const std::string& path, const MemoryBudget& memory, NoteLi
   TextureLevel& level = texture.levels.emplace_back();
   level.width = image.values.width;
   level.height = image.values.height;
-  memory.need(3 * sizeof(float) * image.values.values.size() / static_cast<std::size_t>(image.values.channels), path);
-  level.rgb.reserve(3 * image.values.values.size() / static_cast<std::size_t>(image.values.channels));
-  const bool grey = image.values.channels < 3;
+  const int channels = image.values.channels;
+  memory.need(3 * sizeof(float) * image.values.values.size() / static_cast<std::size_t>(channels), path);
+  level.rgb.reserve(3 * image.values.values.size() / static_cast<std::size_t>(channels));
   for (int y = level.height - 1; y >= 0; --y) // v goes up: row 0 of a texture is the last of the image
-    for (int x = 0; x < level.width; ++x) {
-      const float* const pixel = image.values.at(x, y);
-      for (int c = 0; c < 3; ++c) level.rgb.push_back(pixel[grey ? 0 : c]);
-    }
+    for (int x = 0; x < level.width; ++x)
+      for (const float value : rgb_of(image.values.at(x, y), channels, image.full_scale)) level.rgb.push_back(value);
   return texture;
+}
+
+float luminance(float r, float g, float b) {
+  if (r == g && g == b) return r; // the weights add up to 1, but for their roundings
+  return static_cast<float>(0.2126 * static_cast<double>(r) + 0.7152 * static_cast<double>(g) +
+                            0.0722 * static_cast<double>(b));
+}
+
+/// Of a pixel of 1 (grey), 2 (grey, alpha), 3 (RGB) or 4 channels (RGB, alpha).
+float channel_value(const float* pixel, int channels, double full_scale, ScalarChannel channel) {
+  const bool has_alpha = channels % 2 == 0, grey = channels < 3;
+  switch (channel) {
+  case ScalarChannel::automatic:
+    return channel_value(pixel, channels, full_scale, has_alpha ? ScalarChannel::alpha : ScalarChannel::luminance);
+  case ScalarChannel::red:
+    return pixel[0];
+  case ScalarChannel::green:
+    return pixel[grey ? 0 : 1];
+  case ScalarChannel::blue:
+    return pixel[grey ? 0 : 2];
+  case ScalarChannel::alpha:
+    return has_alpha ? pixel[channels - 1] : static_cast<float>(full_scale);
+  case ScalarChannel::luminance:
+    return grey ? pixel[0] : luminance(pixel[0], pixel[1], pixel[2]);
+  }
+  return 0;
+}
+
+} // namespace
+
+Texture read_texture(const std::string& path, const MemoryBudget& memory, NoteList* notes) {
+  return texture_of(path, memory, notes, [](const float* pixel, int channels, double) {
+    const bool grey = channels < 3;
+    return std::array{pixel[0], pixel[grey ? 0 : 1], pixel[grey ? 0 : 2]};
+  });
+}
+
+Texture read_scalar_texture(const std::string& path, ScalarChannel channel, const MemoryBudget& memory,
+                            NoteList* notes) {
+  return texture_of(path, memory, notes, [channel](const float* pixel, int channels, double full_scale) {
+    const float value = channel_value(pixel, channels, full_scale, channel);
+    return std::array{value, value, value};
+  });
 }
 
 namespace {

@@ -116,7 +116,7 @@ void FileMaterials::describe(const std::string& obj_path, Mesh& mesh) {
       note({obj_path, 0, "the material " + in_quotes(material.name), "drawn in grey: no library describes it"});
 }
 
-TextureMap FileMaterials::map(const MeshTexture& described, ColourSpace colour_space, const MeshMaterial& material,
+TextureMap FileMaterials::map(const MeshTexture& described, const TextureReading& reading, const MeshMaterial& material,
                               const std::string& obj_path) {
   TextureMap result;
   if (described.path.empty()) return result;
@@ -132,9 +132,9 @@ TextureMap FileMaterials::map(const MeshTexture& described, ColourSpace colour_s
   if (const std::string what = consequence(found, "it"); !what.empty())
     note({material.file, described.line, "the texture " + in_quotes(described.path), what});
   if (found.path.empty()) return result;
-  const auto [entry, is_new] = textures_.try_emplace({canonical_path(found.path), colour_space});
+  const auto [entry, is_new] = textures_.try_emplace({canonical_path(found.path), reading});
   if (is_new) try {
-      entry->second = material_texture(found.path, colour_space, MipLevels::all, memory_, notes_);
+      entry->second = material_texture(found.path, reading, MipLevels::all, memory_, notes_);
     } catch (const InputError& error) {
       note({found.path, 0, error.faults().front().found,
             "drawn without it: expected " + error.faults().front().expected});
@@ -158,9 +158,11 @@ const std::vector<Material>& FileMaterials::materials(const std::string& obj_pat
     Material& material = entry->second.emplace_back(with_function(phong_parameters(described), function));
     material.name = described.name;
     // Colours of images are those of screens, where they are looked at; what weighs a highlight is a value.
-    material.diffuse_map = map(described.diffuse_map, ColourSpace::srgb, described, obj_path);
-    material.specular_map = map(described.specular_map, ColourSpace::linear, described, obj_path);
-    material.emissive_map = map(described.emissive_map, ColourSpace::srgb, described, obj_path);
+    material.diffuse_map = map(described.diffuse_map, {ColourSpace::srgb}, described, obj_path);
+    material.specular_map = map(described.specular_map, {}, described, obj_path);
+    material.emissive_map = map(described.emissive_map, {ColourSpace::srgb}, described, obj_path);
+    material.opacity_map =
+        map(described.dissolve_map, {.channel = opacity_channel(described.dissolve_map)}, described, obj_path);
     material.emissive = emissive_colour(described);
     if (notes_) note_what_is_not_shown(described, *notes_);
   }

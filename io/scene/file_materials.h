@@ -43,7 +43,7 @@ public:
 private:
   const std::vector<MeshMaterial>& library(const std::string& path);
   void read_libraries(const std::string& obj_path, const MaterialLibrary& named, Mesh& mesh);
-  TextureMap map(const MeshTexture& described, ColourSpace colour_space, const MeshMaterial& material,
+  TextureMap map(const MeshTexture& described, const TextureReading& reading, const MeshMaterial& material,
                  const std::string& obj_path);
   void note(Note note) const {
     if (notes_) notes_->add(std::move(note));
@@ -53,8 +53,8 @@ private:
   MemoryBudget memory_;
   NoteList* notes_;
   std::map<std::string, std::vector<MeshMaterial>> libraries_; // by identity
-  /// By identity and how it is decoded; null: it cannot be read.
-  std::map<std::pair<std::string, ColourSpace>, std::shared_ptr<const Texture>> textures_;
+  /// By identity and what its numbers are taken as; null: it cannot be read.
+  std::map<std::pair<std::string, TextureReading>, std::shared_ptr<const Texture>> textures_;
   std::map<std::pair<const Mesh*, FileFunction>, std::vector<Material>> materials_;
 };
 

@@ -77,8 +77,7 @@ public:
   /// Where all textures are from.
   TextureFiles texture_files() const {
     TextureFiles files = file_materials_.texture_files();
-    for (const auto& [file, texture] : textures_)
-      if (texture) files.emplace(texture.get(), TextureFile{file.first, value_named<ColourSpace>(file.second).value()});
+    files.insert(texture_files_.begin(), texture_files_.end());
     return files;
   }
 
@@ -92,11 +91,11 @@ private:
             options_.memory.need(std::min(file_size_bytes(path), merl_file_bytes), path);
             return read_merl(path);
           });
-    else
-      for (std::size_t i = 0; i < texture_slots.size(); ++i) {
-        TextureMap& map = material.*texture_slots[i].map;
-        map = text.maps[i].map, map.texture = texture(text.maps[i]);
-      }
+    for (std::size_t i = 0; i < texture_slots.size(); ++i) {
+      if (material.measured() && texture_slots[i].map != &Material::opacity_map) continue;
+      TextureMap& map = material.*texture_slots[i].map;
+      map = text.maps[i].map, map.texture = texture(text.maps[i]);
+    }
     for (const MapText& map : text.maps) note_backslashes(map.path);
     note_backslashes(text.brdf_file);
   }
@@ -157,9 +156,13 @@ private:
   std::shared_ptr<const Texture> texture(const MapText& map) {
     const auto read = [&](const std::string& path) {
       const MipLevels levels = trilinear_.contains(canonical_path(path)) ? MipLevels::all : MipLevels::none;
-      return material_texture(path, map.colour_space, levels, options_.memory, options_.notes);
+      auto loaded = material_texture(path, map.reading, levels, options_.memory, options_.notes);
+      texture_files_.emplace(loaded.get(), TextureFile{canonical_path(path), map.reading});
+      return loaded;
     };
-    return load(textures_, map.path, "an image", read, std::string(name_of(map.colour_space)));
+    const auto& [colour_space, channel] = map.reading;
+    return load(textures_, map.path, "an image", read,
+                std::string(name_of(colour_space)).append(channel ? name_of(*channel) : ""));
   }
 
   std::shared_ptr<const Mesh> mesh(const ObjectText& text) {
@@ -274,6 +277,7 @@ private:
     if (!measured) note("brdf_file_path", text.brdf_file, " uses no measured table");
     for (std::size_t i = 0; i < texture_slots.size(); ++i) {
       const TextureSlot& slot = texture_slots[i];
+      if (slot.map == &Material::opacity_map) continue; // of any function
       const std::string_view key = map_key(slot, text.maps[i]);
       if (measured) note(key, text.maps[i].path, " shows no texture");
       else if (material.user_function && slot.map != &Material::diffuse_map)
@@ -319,6 +323,7 @@ private:
   MeshCounts sum_;
   Files<Mesh> meshes_;
   Files<Texture> textures_;
+  TextureFiles texture_files_; // where those are from
   Files<MerlTable> tables_;
   std::set<std::string> trilinear_;                   // identities of textures
   std::set<std::string> faulty_, noted_, untextured_; // identities of files whose faults, or remarks, are reported

@@ -24,6 +24,7 @@
 #include <refraster/scene.h>
 
 #include "io/file/limits.h"
+#include "io/scene/material_texture.h"
 #include "raster/vertex/scene_view.h"
 
 #include <array>
@@ -126,8 +127,23 @@ void crease_keys(auto& normals, auto&& keys) {
 struct MapText {
   PathText path;
   TextureMap map; // but for the texture
-  ColourSpace colour_space = ColourSpace::linear;
+  TextureReading reading;
 };
+
+/// Those of a material, in the order of texture_slots, as they are where nothing is said.
+using MapTexts = std::array<MapText, texture_slots.size()>;
+inline MapTexts map_texts() {
+  MapTexts texts;
+  for (std::size_t i = 0; i < texts.size(); ++i)
+    if (texture_slots[i].value == SlotValue::scalar) texts[i].reading.channel = ScalarChannel::automatic;
+  return texts;
+}
+
+/// Of a texture of single numbers.
+void channel_keys(ScalarChannel& channel, auto&& keys) {
+  keys("channel", channel, Range{},
+       "which of the image's values is taken: `\"auto\"` is alpha, where the image has it, else luminance", defaulted);
+}
 
 /// A texture as an object of JSON.
 void map_keys(auto& text, auto&& keys) {
@@ -136,9 +152,10 @@ void map_keys(auto& text, auto&& keys) {
   keys("wrap", text.map.wrap, Range{}, "what is seen beyond its edges: it again, or the texels of its edge", defaulted);
   keys("scale", text.map.scale, any_number, "texture coordinates u and v are multiplied by it,", defaulted);
   keys("offset", text.map.offset, any_number, "and this is added", defaulted);
-  keys("color_space", text.colour_space, Range{},
+  keys("color_space", text.reading.colour_space, Range{},
        "what its numbers mean: values, or values by the curve of sRGB, decoded before anything is made of them",
        defaulted);
+  if (text.reading.channel) channel_keys(*text.reading.channel, keys);
 }
 
 /// Where a material is described: in the scene, or by a file of the mesh's.
@@ -154,7 +171,7 @@ struct ObjectText {
   VertexColours colours = VertexColours::linear; // likewise
   std::optional<Shape> shape;
   PathText brdf_file;
-  std::array<MapText, texture_slots.size()> maps; // in the order of texture_slots
+  MapTexts maps = map_texts();
   MaterialFrom material_from = MaterialFrom::scene;
   /// Of materials of the mesh: the name in object.material, and of the rest what belongs to a material.
   std::vector<ObjectText> materials;
@@ -278,6 +295,8 @@ void material_keys(auto& text, auto&& keys) {
   keys("emissive", text.object.material.emissive, Range{},
        "light of its own, r g b, added to the ambient term; for `phong` and `blinn_phong`",
        otherwise("`\"0 0 0\"`; `\"1 1 1\"` beside an `emissive_map`"));
+  keys("opacity_threshold", text.object.material.opacity_threshold, Range{0, 1},
+       "where the `opacity_map` at a pixel's centre is less, nothing of the surface is in the pixel", defaulted);
 }
 
 void object_keys(auto& text, auto&& keys) {

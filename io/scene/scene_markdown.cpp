@@ -100,6 +100,9 @@ public:
     if (!short_form.empty())
       inside(place_ + '/' + std::string(key) + ", and every other texture",
              [&](MarkdownKeys& keys) { map_keys(text, keys); });
+    if (text.reading.channel)
+      inside(place_ + '/' + std::string(key) + ", beside those",
+             [&](MarkdownKeys& keys) { channel_keys(*text.reading.channel, keys); });
   }
 
   void expect_material(std::string_view, const ObjectText&) const {}

@@ -3,6 +3,7 @@
 
 #include <refraster/files.h>
 
+#include "io/scene/material_texture.h"
 #include "io/scene/scene_edits.h"
 #include "raster/vertex/scene_view.h"
 
@@ -15,7 +16,7 @@ namespace refraster {
 /// Where a texture is from, and what its file's numbers were taken as.
 struct TextureFile {
   std::string path; // canonical
-  ColourSpace colour_space = ColourSpace::linear;
+  TextureReading reading = {};
 };
 using TextureFiles = std::map<const Texture*, TextureFile>;
 

@@ -27,6 +27,7 @@ enum class Fate {
   above,
   around, // outside the view, but not on one side of it
   culled,
+  cut_out,
   too_small,
   cropped
 };
@@ -126,10 +127,11 @@ std::optional<ObjectFate> outside_as_a_whole(const std::vector<Double4>& vertice
 
 /// What became of the triangles that lie within the view's sides is what counts: others are outside of any picture.
 ObjectFate fate_by_triangles(const Object& object, const std::vector<Double4>& clip_position, const View& view) {
-  std::uint64_t culled = 0, too_small = 0, cropped = 0;
+  std::uint64_t culled = 0, cut_out = 0, too_small = 0, cropped = 0;
   ObjectFate far{Fate::around};
   Polygon polygon, scratch;
-  for (const auto& corners : object.mesh->triangles) {
+  for (std::uint32_t i = 0; i < object.mesh->triangles.size(); ++i) {
+    const auto& corners = object.mesh->triangles[i];
     const std::array<Double4, 3> triangle{clip_position[corners[0]], clip_position[corners[1]],
                                           clip_position[corners[2]]};
     if (!std::all_of(triangle.begin(), triangle.end(), is_finite)) continue;
@@ -143,9 +145,13 @@ ObjectFate fate_by_triangles(const Object& object, const std::vector<Double4>& c
     if (view.is_cropped) clip_by_all(polygon, view.crop_sides, scratch);
     if (polygon.empty()) ++cropped;
     else if (object.cull == Cull::back && !faces_the_eye(triangle)) ++culled;
+    else if (material_of(object, i).has_cut_outs()) ++cut_out;
     else ++too_small;
   }
-  if (culled + too_small > 0) return {culled >= too_small ? Fate::culled : Fate::too_small};
+  if (culled + cut_out + too_small > 0)
+    return {culled >= std::max(cut_out, too_small) ? Fate::culled
+            : cut_out >= too_small                 ? Fate::cut_out
+                                                   : Fate::too_small};
   if (cropped > 0) return {Fate::cropped};
   return far;
 }
@@ -233,6 +239,9 @@ std::string sentence(const Group& group, std::size_t objects, const Camera& came
   case Fate::culled:
     return (group.count == objects ? std::string("all triangles") : "all triangles of " + subject(group, objects)) +
            " face away and are culled (\"cull\": \"back\")";
+  case Fate::cut_out:
+    return (group.count == objects ? std::string("all that would be seen") : "all of " + subject(group, objects)) +
+           " is cut out: its opacity is below the threshold at the pixels' centres (\"opacity_map\")";
   case Fate::too_small:
     return who + (one ? "covers" : "cover") + " no pixel's centre: too small or too thin in the image";
   case Fate::cropped:

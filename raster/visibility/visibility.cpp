@@ -12,12 +12,25 @@ void TileVisibility::decide(const FrameContext& context, std::size_t index, cons
   tile_ = tile;
   samples_ = context.samples;
   depths_.clear(tile, samples_.size());
-  read(context.bins, index);
+  if (context.uses.cut_outs) [[unlikely]]
+    decide_as<WithCutOuts::yes>(context, index);
+  else decide_as<WithCutOuts::no>(context, index);
+}
+
+template <TileVisibility::WithCutOuts cut_outs>
+void TileVisibility::decide_as(const FrameContext& context, std::size_t index) {
+  if constexpr (cut_outs == WithCutOuts::yes) {
+    if (!cut_outs_) cut_outs_ = make_cut_outs();
+    cut_outs_->enter(context);
+    alone_is_clear_ = false;
+  }
+  read<cut_outs>(context.bins, index);
   if (boxed_.size() > 1) sort_boxed();
-  draw_boxed(context);
+  draw_boxed<cut_outs>(context);
 }
 
 // Draws what is simple, and notes what is not.
+template <TileVisibility::WithCutOuts cut_outs>
 void TileVisibility::read(const Bins& bins, std::size_t index) {
   triangles_.clear();
   boxed_.clear();
@@ -26,18 +39,70 @@ void TileVisibility::read(const Bins& bins, std::size_t index) {
       switch (entry.kind()) {
       case TileEntry::Kind::sample: {
         const std::size_t sample = depths_.at(entry.s(), entry.x(), entry.y());
-        if (entry.z <= depths_.depth(sample)) depths_.depth_test_and_write(sample, entry.z, slot_of(entry.triangle));
+        if (entry.z <= depths_.depth(sample) && (cut_outs == WithCutOuts::no || is_there(entry)))
+          depths_.depth_test_and_write(sample, entry.z, slot_of(entry.triangle));
         break;
       }
       case TileEntry::Kind::box:
         if (entry.z < beyond_far) boxed_.push_back({entry, slot_of(entry.triangle)});
         break;
       case TileEntry::Kind::projective:
+        if constexpr (cut_outs == WithCutOuts::yes)
+          if (cut_outs_->has_cut_outs(entry.triangle)) {
+            const std::int32_t slot = slot_of(entry.triangle);
+            draw_projective(bins.projective_triangle(entry.triangle), slot, tile_, samples_, alone());
+            add_what_is_there({0, 0, tile_.width, tile_.height}, slot);
+            break;
+          }
         draw_projective(bins.projective_triangle(entry.triangle), slot_of(entry.triangle), tile_, samples_, depths_);
         break;
       }
     }
   });
+}
+
+bool TileVisibility::is_there(const TileEntry& sample) {
+  if (!cut_outs_->has_cut_outs(sample.triangle)) return true;
+  return (lane_set(cut_outs_->is_there(tile_.x + sample.x(), tile_.y + sample.y(), 1)) & 1) != 0;
+}
+
+// The samples of one triangle alone: empty.
+DepthTile& TileVisibility::alone() {
+  if (!alone_) alone_ = std::make_unique<DepthTile>(depths_);
+  if (!alone_is_clear_) alone_->clear(tile_, samples_.size());
+  alone_is_clear_ = true;
+  return *alone_;
+}
+
+// Moves what was drawn alone, in these pixels of the tile, to the others, but for what is cut out. Opacity is asked for
+// once a pixel, and only where it matters.
+void TileVisibility::add_what_is_there(const PixelRect& pixels, std::int32_t slot) {
+  using Row = DepthTile::Row;
+  constexpr int lanes = DepthTile::lanes;
+  for (int y = pixels.y; y < pixels.y + pixels.height; ++y)
+    for (int x = pixels.x; x < pixels.x + pixels.width; x += lanes) {
+      const int here = std::min(lanes, pixels.x + pixels.width - x);
+      const auto within = lane_numbers<double, lanes>() < Row(static_cast<double>(here));
+      const auto for_each_sample = [&](auto&& body) {
+        for (int s = 0; s < static_cast<int>(samples_.size()); ++s) {
+          const std::size_t at = depths_.at(s, x, y);
+          body(alone_->samples(at), depths_.samples(at));
+        }
+      };
+      const auto may_be_seen = [&](const Row& z, const Row& nearest) {
+        return within & (z <= nearest) & (z < Row(beyond_far));
+      };
+      bool any_seen = false;
+      for_each_sample([&](const DepthTile::Samples& own, const DepthTile::Samples& all) {
+        any_seen = any_seen || any(may_be_seen(load_lanes<Row>(own.depth), load_lanes<Row>(all.depth)));
+      });
+      const auto there = any_seen ? within & cut_outs_->is_there(tile_.x + x, tile_.y + y, here) : within;
+      for_each_sample([&](const DepthTile::Samples& own, const DepthTile::Samples& all) {
+        const Row z = load_lanes<Row>(own.depth);
+        if (any_seen) all.depth_test_and_write(z, there & may_be_seen(z, load_lanes<Row>(all.depth)), slot);
+        store_lanes(own.depth, Row(beyond_far)); // nobody reads the slots of what is drawn alone
+      });
+    }
 }
 
 // From front to back, more or less: the nearer triangles come first, the more of those behind need not be drawn at all.
@@ -63,6 +128,7 @@ void TileVisibility::sort_boxed() {
   boxed_.swap(sorted_);
 }
 
+template <TileVisibility::WithCutOuts cut_outs>
 void TileVisibility::draw_boxed(const FrameContext& context) {
   std::array<PlacedTriangle, SnappedRasterizer::lanes> together;
   std::size_t count = 0;
@@ -95,6 +161,14 @@ void TileVisibility::draw_boxed(const FrameContext& context) {
         together[count].vertex[k] = static_cast<std::uint32_t>(place);
       }
     }
+    if constexpr (cut_outs == WithCutOuts::yes)
+      if (cut_outs_->has_cut_outs(entry.triangle)) {
+        rasterizer_.draw({&together[count], 1}, vertices, tile_, samples_, alone());
+        add_what_is_there(
+            {entry.left(), entry.top(), entry.right() - entry.left() + 1, entry.bottom() - entry.top() + 1},
+            boxed.slot);
+        continue;
+      }
     ++count;
     waiting += (entry.right() - entry.left() + 1) * (entry.bottom() - entry.top() + 1);
     if (count == together.size() || waiting >= enough) draw_together();

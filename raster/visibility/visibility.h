@@ -2,10 +2,12 @@
 // Which triangle each sample of a tile sees: exact coverage, then depth. No number type of any precision is involved.
 
 #include "raster/visibility/bin.h"
+#include "raster/visibility/cut_outs.h"
 #include "raster/visibility/draw_snapped.h"
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -41,15 +43,29 @@ private:
     if (triangles_.empty() || triangles_.back() != triangle) triangles_.push_back(triangle);
     return static_cast<std::int32_t>(triangles_.size() - 1);
   }
+  // Whether any material of the frame cuts something out: of a frame without, no triangle is asked.
+  enum class WithCutOuts { no, yes };
+  template <WithCutOuts cut_outs>
+  void decide_as(const FrameContext& context, std::size_t index);
+  template <WithCutOuts cut_outs>
   void read(const Bins& bins, std::size_t index);
   void sort_boxed();
+  template <WithCutOuts cut_outs>
   void draw_boxed(const FrameContext& context);
+
+  bool is_there(const TileEntry& sample);
+  DepthTile& alone();
+  void add_what_is_there(const PixelRect& pixels, std::int32_t slot);
 
   DepthTile depths_;
   SnappedRasterizer rasterizer_;
   std::array<PlacedVertex, 3 * SnappedRasterizer::lanes> corners_; // of triangles drawn together, where not all are stored
   std::vector<std::uint32_t> triangles_;
   std::vector<Boxed> boxed_, sorted_;
+  // Of frames with cut-outs: where their triangles are drawn alone; empty again after each.
+  std::unique_ptr<CutOuts> cut_outs_;
+  std::unique_ptr<DepthTile> alone_;
+  bool alone_is_clear_ = false; // for this tile
   PixelRect tile_;
   std::span<const SamplePosition> samples_;
 };

@@ -1,6 +1,7 @@
 #include "verify/bounds/candidates.h"
 
 #include "raster/parallel.h"
+#include "verify/bounds/pixel_bounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,6 +49,16 @@ struct Found {
   Candidate candidate;
 };
 
+/// Whether a device may, and must, leave out a triangle of a material with cut-outs. The threshold is rounded to float
+/// on its way there: by half an ulp of 1 at most, as it is no more than 1.
+enum class CutOut { no, maybe, yes };
+CutOut cut_out(const DeviceFrame& frame, const DeviceTriangle& triangle, int x, int y, double threshold) {
+  constexpr double rounding = std::numeric_limits<float>::epsilon() / 2;
+  const ValueRange opacity = opacity_bounds(frame, triangle, x, y);
+  if (opacity.lo >= threshold + rounding) return CutOut::no;
+  return opacity.hi < threshold - rounding ? CutOut::yes : CutOut::maybe;
+}
+
 /// Of one triangle, whatever else is there.
 void look_at(const DeviceFrame& frame, const PixelIndex& index, std::uint32_t number, SamplePosition sample,
              std::vector<Found>& found) {
@@ -56,17 +67,22 @@ void look_at(const DeviceFrame& frame, const PixelIndex& index, std::uint32_t nu
   const bool culls = frame.scene().objects[triangle.ref().object].cull == Cull::back;
   if (culls && !triangle.may_face_front()) return;
   const bool may_be_culled = culls && triangle.may_face_back();
+  const Material& material = material_of(frame.scene().objects[triangle.ref().object], triangle.ref().triangle);
+  const bool has_cut_outs = material.has_cut_outs();
   index.for_each_in(triangle.pixels(), [&](int x, int y, std::uint32_t pixel) {
     const double sample_x = x + sample.x / double{subpixels}, sample_y = y + sample.y / double{subpixels};
     const Coverage coverage = triangle.coverage(sample_x, sample_y);
     if (coverage.certainty == Coverage::Certainty::outside) return;
     const ValueRange depth = triangle.depth(sample_x, sample_y);
     if (depth.hi < 0 || depth.lo > 1) return;
+    const CutOut cut_away = has_cut_outs ? cut_out(frame, triangle, x, y, material.opacity_threshold) : CutOut::no;
+    if (cut_away == CutOut::yes) return;
     const bool cut = depth.lo < 0 || depth.hi > 1;
-    // What may be cut off or culled may be missing whatever its neighbours do: its edges are shared with none.
-    Candidate candidate{number, coverage.certainty == Coverage::Certainty::inside && !cut && !may_be_culled,
-                        coverage.ambiguous_edges, depth};
-    if (cut || may_be_culled) candidate.ambiguous_edges = 8;
+    // What may be cut off, culled or cut out may be missing whatever its neighbours do: its edges are shared with none.
+    const bool may_be_missing = cut || may_be_culled || cut_away == CutOut::maybe;
+    Candidate candidate{number, coverage.certainty == Coverage::Certainty::inside && !may_be_missing,
+                        coverage.ambiguous_edges, cut_away == CutOut::maybe, depth};
+    if (may_be_missing) candidate.ambiguous_edges = 8;
     found.push_back({pixel, candidate});
   });
 }
@@ -151,8 +167,9 @@ bool is_same_triangle(const DeviceFrame& frame, std::uint32_t a, std::uint32_t b
 void drop_repeated(const DeviceFrame& frame, std::vector<Candidate>& candidates) {
   for (std::size_t i = 1; i < candidates.size();) {
     const bool repeats =
-        std::any_of(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(i),
-                    [&](const Candidate& c) { return is_same_triangle(frame, c.number, candidates[i].number); });
+        std::any_of(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(i), [&](const Candidate& c) {
+          return !c.may_be_cut_out && is_same_triangle(frame, c.number, candidates[i].number);
+        });
     if (repeats) candidates.erase(candidates.begin() + static_cast<std::ptrdiff_t>(i));
     else ++i;
   }

@@ -14,6 +14,7 @@ struct Candidate {
   std::uint32_t number = 0; // in the frame
   bool certain = false;     // it covers the sample, and lies between the depth planes
   std::uint8_t ambiguous_edges = 0;
+  bool may_be_cut_out = false; // where its opacity may be on either side of the threshold
   ValueRange depth;
 };
 
@@ -33,7 +34,9 @@ struct PixelPlace {
 /// A triangle is a candidate if it may cover the sample and nothing that certainly does lies certainly nearer. Where
 /// triangles of a mesh meet at edges that a sample may be on either side of, and look the same way, one of them covers
 /// it, though none certainly does: so that a crack is not explained. OpenGL 4.6, section 14.6.1: of two polygons that
-/// share an edge exactly one has the fragments on it. Of triangles with the same corners the first drawn is seen.
+/// share an edge exactly one has the fragments on it. Of triangles with the same corners the first drawn is seen. What
+/// is certainly cut out is no candidate; where opacity may be on either side of the threshold, a triangle may be
+/// missing as well.
 std::vector<VisibleSet> find_candidates(const DeviceFrame& frame, const std::vector<PixelPlace>& pixels,
                                         SamplePosition sample);
 

@@ -1,9 +1,11 @@
 #include "verify/bounds/pixel_bounds.h"
 
 #include "raster/render_in.h"
+#include "raster/shade/opacity.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <variant>
 
 namespace refraster {
@@ -38,6 +40,50 @@ TextureErrors texture_errors_of(const DeviceProfile& profile, BoundCauses causes
   return errors;
 }
 
+/// What a device may interpolate of a triangle at the centre of pixel (x, y); nothing where nothing is known. Sets the
+/// device's arithmetic.
+std::optional<SampleData<Bounds>> device_sample(const DeviceFrame& frame, const DeviceTriangle& triangle, int x, int y,
+                                                BoundCauses causes) {
+  const FrameContext& context = frame.context();
+  const Object& object = frame.scene().objects[triangle.ref().object];
+  const Material& material = material_of(object, triangle.ref().triangle);
+  const std::array<WindowVertex, 3> window = window_corners(context.geometry, triangle.ref());
+  const bool projective = ((window[0].outcode | window[1].outcode | window[2].outcode) & outcode::unsnapped) != 0;
+  if (projective ? !context.bins.find_projective(triangle.number()) : !set_up_snapped(window)) return {};
+
+  const DeviceProfile& profile = frame.profile();
+  DeviceArithmetic::use(errors_of(profile, causes), texture_errors_of(profile, causes));
+  const double centre_x = x + 0.5, centre_y = y + 0.5;
+  std::optional<SampleData<Bounds>> result(std::in_place, context, triangle.number());
+  SampleData<Bounds>& data = *result;
+  // OpenGL's blocks begin at its row 0, the lowest: in an image of odd height at our odd rows.
+  data.set_place_in_block(x & 1, (frame.height() - y) & 1);
+  if (causes.has(BoundCause::interpolation)) {
+    const Mesh& mesh = *object.mesh;
+    const bool reads_uv = data.may_have_texture_coordinates() && is_textured(material);
+    const int rows = mesh.colours.empty() ? uv_row + 2 : attribute_rows;
+    for (int r = 0; r < rows; ++r) {
+      if (r >= uv_row && r < uv_row + 2 && !reads_uv) continue;
+      const double error =
+          triangle.attribute_error(r, centre_x, centre_y) * (r >= normal_row && r < uv_row ? data.normal_factor() : 1);
+      if (!std::isfinite(error)) return {};
+      data.add_error(r, error);
+    }
+  }
+  if (causes.has(BoundCause::sample_shift) && any_texture(material, needs_derivatives)) {
+    const double turned = triangle.turned();
+    if (!(turned < 1)) return {};
+    data.set_stretched(turned);
+  }
+  SampleShift shift = triangle.shift(centre_x, centre_y);
+  if (!causes.has(BoundCause::sample_shift)) shift.radius = Double2(0);
+  if (!std::isfinite(shift.radius.x + shift.radius.y)) return {};
+  data.move_to(x * subpixels + subpixels / 2, y * subpixels + subpixels / 2,
+               Affine<DoubleArithmetic>::along(Symbol::shift_x, shift.centre.x, shift.radius.x),
+               Affine<DoubleArithmetic>::along(Symbol::shift_y, shift.centre.y, shift.radius.y));
+  return result;
+}
+
 } // namespace
 
 bool ColourBox::is_finite() const {
@@ -53,6 +99,14 @@ struct PixelBounder::Scratch {
   PacketBatch<Bounds> batch;
 };
 
+ValueRange opacity_bounds(const DeviceFrame& frame, const DeviceTriangle& triangle, int x, int y) {
+  const std::optional<SampleData<Bounds>> data = device_sample(frame, triangle, x, y, BoundCauses::all());
+  if (!data) return {};
+  const Object& object = frame.scene().objects[triangle.ref().object];
+  const Bounds value = opacity(material_of(object, triangle.ref().triangle), *data);
+  return {value.lo, value.hi};
+}
+
 PixelBounder::PixelBounder(const DeviceFrame& frame) : frame_(frame), scratch_(std::make_unique<Scratch>()) {}
 PixelBounder::~PixelBounder() = default;
 
@@ -63,39 +117,9 @@ PixelBounds PixelBounder::bounds(const DeviceTriangle& triangle, int x, int y, B
   const Object& object = frame_.scene().objects[triangle.ref().object];
   const Material& material = material_of(object, triangle.ref().triangle);
   if (material.user_function) return unknown;
-  const std::array<WindowVertex, 3> window = window_corners(context.geometry, triangle.ref());
-  const bool projective = ((window[0].outcode | window[1].outcode | window[2].outcode) & outcode::unsnapped) != 0;
-  if (projective ? !context.bins.find_projective(triangle.number()) : !set_up_snapped(window)) return unknown;
-
-  const DeviceProfile& profile = frame_.profile();
-  DeviceArithmetic::use(errors_of(profile, causes), texture_errors_of(profile, causes));
-  const double centre_x = x + 0.5, centre_y = y + 0.5;
-  SampleData<Bounds> data(context, triangle.number());
-  // OpenGL's blocks begin at its row 0, the lowest: in an image of odd height at our odd rows.
-  data.set_place_in_block(x & 1, (frame_.height() - y) & 1);
-  if (causes.has(BoundCause::interpolation)) {
-    const Mesh& mesh = *frame_.scene().objects[triangle.ref().object].mesh;
-    const bool reads_uv = data.may_have_texture_coordinates() && is_textured(material);
-    const int rows = mesh.colours.empty() ? uv_row + 2 : attribute_rows;
-    for (int r = 0; r < rows; ++r) {
-      if (r >= uv_row && r < uv_row + 2 && !reads_uv) continue;
-      const double error =
-          triangle.attribute_error(r, centre_x, centre_y) * (r >= normal_row && r < uv_row ? data.normal_factor() : 1);
-      if (!std::isfinite(error)) return unknown;
-      data.add_error(r, error);
-    }
-  }
-  if (causes.has(BoundCause::sample_shift) && any_texture(material, needs_derivatives)) {
-    const double turned = triangle.turned();
-    if (!(turned < 1)) return unknown;
-    data.set_stretched(turned);
-  }
-  SampleShift shift = triangle.shift(centre_x, centre_y);
-  if (!causes.has(BoundCause::sample_shift)) shift.radius = Double2(0);
-  if (!std::isfinite(shift.radius.x + shift.radius.y)) return unknown;
-  data.move_to(x * subpixels + subpixels / 2, y * subpixels + subpixels / 2,
-               Affine<DoubleArithmetic>::along(Symbol::shift_x, shift.centre.x, shift.radius.x),
-               Affine<DoubleArithmetic>::along(Symbol::shift_y, shift.centre.y, shift.radius.y));
+  std::optional<SampleData<Bounds>> sample = device_sample(frame_, triangle, x, y, causes);
+  if (!sample) return unknown;
+  SampleData<Bounds>& data = *sample;
 
   const std::uint64_t met = Forks::open_comparisons();
   if (object.two_sided == TwoSided::yes) { // where it is open which side a device sees, either may be lit

@@ -53,6 +53,10 @@ struct PixelBounds {
   bool undefined = false; // a case that the mathematics leaves undefined may be met
 };
 
+/// The opacity that a device may read of a triangle whose material has cut-outs, for pixel (x, y): as PixelBounder has
+/// its other textures. Infinite where nothing is known. Sets the device's arithmetic of the thread that calls.
+ValueRange opacity_bounds(const DeviceFrame& frame, const DeviceTriangle& triangle, int x, int y);
+
 /// Evaluates pixels of a frame one by one; holds scratch memory: one for each thread. Sets the device's arithmetic of
 /// the thread that calls.
 class PixelBounder {

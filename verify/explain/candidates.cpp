@@ -1,5 +1,6 @@
 #include "verify/explain/candidates.h"
 
+#include "raster/shade/opacity.h"
 #include "raster/visibility/depth_range.h"
 #include "raster/visibility/setup.h"
 #include "raster/visibility/snapped_setup.h"
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 
 namespace refraster {
 namespace {
@@ -76,11 +78,13 @@ bool is_outside(const std::array<WindowVertex, 3>& v) {
   return (v[0].outcode & v[1].outcode & v[2].outcode & outcode::sides) != 0;
 }
 
-CandidateFate fate_of(const Object& object, const Covered& covered, bool is_seen) {
+CandidateFate fate_of(const Object& object, const Covered& covered, const std::optional<OpacityStory>& opacity,
+                      bool is_seen) {
   if (is_seen) return CandidateFate::seen;
   if (covered.z < -1) return CandidateFate::before_near;
   if (!(covered.z < beyond_far)) return CandidateFate::beyond_far;
   if (object.cull == Cull::back && covered.side == Side::back) return CandidateFate::culled;
+  if (opacity && opacity->value < opacity->threshold) return CandidateFate::cut_out;
   return CandidateFate::hidden;
 }
 
@@ -88,6 +92,19 @@ CandidateFate fate_of(const Object& object, const Covered& covered, bool is_seen
 bool has_weights(const FrameContext& context, std::uint32_t number, const std::array<WindowVertex, 3>& v) {
   if (!is_unsnapped(v)) return true;
   return context.bins.find_projective(number) != nullptr;
+}
+
+/// That a sample lies in.
+int pixel_of(std::int32_t subpixel) {
+  return subpixel >> std::countr_zero(static_cast<unsigned>(subpixels));
+}
+
+/// At the centre of the pixel of the sample (x, y), of a triangle that has weights.
+std::optional<OpacityStory> opacity_of(const FrameContext& context, std::uint32_t number, const TriangleRef& ref,
+                                       std::int32_t x, std::int32_t y) {
+  const Material& material = material_of(context.scene.objects[ref.object], ref.triangle);
+  if (!material.has_cut_outs()) return {};
+  return OpacityStory{opacity_at(context, number, pixel_of(x), pixel_of(y)), material.opacity_threshold};
 }
 
 /// Calls visit(number, ref, window corners) with every triangle of finite corners.
@@ -157,13 +174,14 @@ std::vector<NumberedCandidate> candidates_at(const FrameContext& context, std::i
     const std::optional<Covered> covered =
         is_unsnapped(v) ? projective_cover(context, ref, v, x, y) : snapped_cover(context.geometry, ref, v, x, y);
     if (!covered) return;
-    Candidate candidate{named_triangle(context, number),
-                        covered->side,
-                        fate_of(context.scene.objects[ref.object], *covered, number == seen),
-                        covered->z * 0.5 + 0.5,
-                        std::nullopt,
-                        std::nullopt};
-    if (has_weights(context, number, v)) candidate.weights = corner_weights(context, number, x, y);
+    Candidate candidate;
+    candidate.of = named_triangle(context, number), candidate.side = covered->side;
+    candidate.depth = covered->z * 0.5 + 0.5;
+    if (has_weights(context, number, v)) {
+      candidate.weights = corner_weights(context, number, x, y);
+      candidate.opacity = opacity_of(context, number, ref, x, y);
+    }
+    candidate.fate = fate_of(context.scene.objects[ref.object], *covered, candidate.opacity, number == seen);
     found.push_back({number, std::move(candidate)});
   });
   std::stable_sort(found.begin(), found.end(), [](const NumberedCandidate& a, const NumberedCandidate& b) {

@@ -17,13 +17,15 @@
 namespace refraster {
 
 /// What becomes of a triangle at a sample that it covers.
-enum class CandidateFate { seen, hidden, culled, before_near, beyond_far };
+/// cut_out: where the pixel's centre is, the material's opacity is below its threshold.
+enum class CandidateFate { seen, hidden, culled, cut_out, before_near, beyond_far };
 
 template <>
 struct EnumNames<CandidateFate> {
   static constexpr std::pair<CandidateFate, std::string_view> names[] = {{CandidateFate::seen, "seen"},
                                                                          {CandidateFate::hidden, "hidden"},
                                                                          {CandidateFate::culled, "culled"},
+                                                                         {CandidateFate::cut_out, "cut out"},
                                                                          {CandidateFate::before_near, "before near"},
                                                                          {CandidateFate::beyond_far, "beyond far"}};
 };
@@ -41,6 +43,11 @@ struct NamedTriangle {
   std::string name; // of the object; may be empty
 };
 
+/// How much of a surface is there, by its material's opacity_map, and how much must be.
+struct OpacityStory {
+  double value = 1, threshold = 0.5;
+};
+
 /// A triangle that covers a sample.
 struct Candidate {
   NamedTriangle of;
@@ -52,6 +59,7 @@ struct Candidate {
   std::optional<std::array<double, 3>> weights;
   /// What the pixel would be if this triangle were seen there: of one sample a pixel, and the nearest few.
   std::optional<Double3> radiance;
+  std::optional<OpacityStory> opacity; // of a material with cut-outs, at the pixel's centre
 };
 
 /// One of the pixel's samples, and all triangles that cover it, from the nearest to the farthest.

@@ -78,6 +78,10 @@ private:
             json_.member("depth", c.depth);
             json_.optional("weights", c.weights, [&](const auto& weights) { json_.value(listed(weights)); });
             json_.optional("radiance", c.radiance, [&](const Double3& rgb) { json_.value(listed(rgb)); });
+            if (c.opacity) {
+              json_.member("opacity", c.opacity->value);
+              json_.member("opacity_threshold", c.opacity->threshold);
+            }
           });
       });
     });

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 namespace refraster {
 namespace {
@@ -85,6 +87,23 @@ std::string coverage_text(const PixelStory& s) {
   return text;
 }
 
+/// Of triangles that cover a sample, each once.
+std::string opacity_text(const PixelStory& s) {
+  std::string text;
+  std::set<std::pair<std::uint32_t, std::uint32_t>> said;
+  for (const SampleStory& sample : s.sample_stories)
+    for (const Candidate& c : sample.candidates) {
+      if (!c.opacity || !said.emplace(c.of.object, c.of.triangle).second) continue;
+      const bool there = c.opacity->value >= c.opacity->threshold;
+      text +=
+          sentence("  " + object_text(c.of) + ", triangle " + std::to_string(c.of.triangle) + ": " +
+                       general(c.opacity->value, 9) + (there ? ", not below" : ", below") + " the threshold, " +
+                       general(c.opacity->threshold, 6) + (there ? ": it is there" : ": none of it is in this pixel"),
+                   4);
+    }
+  return text.empty() ? text : heading("OPACITY at the pixel's centre") + text;
+}
+
 /// Of several samples: what each sees, and how many more triangles cover it.
 std::string samples_text(const PixelStory& s) {
   std::string text = heading("COVERAGE of the samples: what each sees, and how many more triangles cover it");
@@ -117,7 +136,7 @@ std::string background_text(const PixelStory& s) {
   text +=
       sentence(here.empty() ? "  No triangle of the scene covers the pixel's sample."
                             : "  The triangles above cover the pixel, but none is drawn there: culled as the object "
-                              "asks for, or cut off by a depth plane.",
+                              "asks for, cut out by their opacity, or cut off by a depth plane.",
                0);
   for (const NearMiss& miss : s.near_misses)
     text += sentence("  Near: " + object_text(miss.of) + ", triangle " + std::to_string(miss.of.triangle) + ", whose " +
@@ -241,7 +260,7 @@ std::string bounds_text(const BoundsStory& b) {
 } // namespace
 
 std::string story_text(const PixelStory& s, const StoryTextOptions& options) {
-  std::string text = title(s) + (s.samples == 1 ? coverage_text(s) : samples_text(s));
+  std::string text = title(s) + (s.samples == 1 ? coverage_text(s) : samples_text(s)) + opacity_text(s);
   for (const FragmentStory& f : s.fragments) {
     if (s.fragments.size() > 1)
       text += heading("FRAGMENT " + object_text(f.of) + ", triangle " + std::to_string(f.of.triangle));

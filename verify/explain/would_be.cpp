@@ -97,6 +97,8 @@ private:
       return try_pixel(*candidate.radiance, what, "as if the depth test were off or turned round");
     case CandidateFate::culled:
       return try_pixel(*candidate.radiance, what, "as if backs were not culled");
+    case CandidateFate::cut_out:
+      return try_pixel(*candidate.radiance, what, "as if its opacity were not looked at");
     case CandidateFate::before_near:
     case CandidateFate::beyond_far:
       return try_pixel(*candidate.radiance, what, "as if nothing were cut off there");

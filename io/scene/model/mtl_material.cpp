@@ -44,11 +44,30 @@ Double3 emissive_colour(const MeshMaterial& material) {
   return material.emissive.value_or(Double3(material.emissive_map.path.empty() ? 0 : 1));
 }
 
+ScalarChannel opacity_channel(const MeshTexture& map) {
+  switch (map.channel) {
+  case 'r':
+    return ScalarChannel::red;
+  case 'g':
+    return ScalarChannel::green;
+  case 'b':
+    return ScalarChannel::blue;
+  case 'm':
+    return ScalarChannel::alpha;
+  case 'l':
+    return ScalarChannel::luminance;
+  default: // none, or z, a depth, which images do not have
+    return ScalarChannel::automatic;
+  }
+}
+
 void note_what_is_not_shown(const MeshMaterial& material, NoteList& notes) {
   const auto note = [&](const std::string& what, const char* consequence) {
     notes.add({material.file, material.line, "material " + in_quotes(material.name) + " with " + what, consequence});
   };
-  if (material.dissolve.value_or(1) < 1) note("d below 1", "drawn opaque: there is no blending");
+  if (material.dissolve.value_or(1) < 1)
+    note("d below 1", material.dissolve_map.path.empty() ? "drawn opaque: there is no blending"
+                                                         : "read without it: map_d alone says what is cut out");
   if (material.illumination.value_or(2) > 2)
     note("illum " + std::to_string(*material.illumination), "read as illum 2: nothing is mirrored or seen through");
   if (material.exponent == 0.0 && material.specular.value_or(Double3(0)) != Double3(0) && material.illumination != 1)
@@ -63,7 +82,8 @@ void note_what_is_not_shown(const MeshMaterial& material, NoteList& notes) {
   const auto unshown = [&](const MeshTexture& map, const char* what) {
     if (!map.path.empty()) note(what, "read, but not shown yet");
   };
-  unshown(material.dissolve_map, "map_d"), unshown(material.bump_map, "map_Bump");
+  if (material.dissolve_map.channel == 'z') note("-imfchan z", "read without -imfchan: an image has no depth");
+  unshown(material.bump_map, "map_Bump");
   unshown(material.normal_map, "norm");
 }
 

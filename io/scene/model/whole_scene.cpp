@@ -136,7 +136,7 @@ private:
       if (const TextureMap& map = material.*texture_slots[i].map; map.texture) {
         const TextureFile& file = textures_.at(map.texture.get());
         text.maps[i].path.given = relative(file.path);
-        text.maps[i].map = map, text.maps[i].colour_space = file.colour_space;
+        text.maps[i].map = map, text.maps[i].reading = file.reading;
       }
     MaterialWriter writer(json, material);
     json.object([&] { material_keys(text, writer); });

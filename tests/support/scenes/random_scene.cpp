@@ -118,6 +118,7 @@ void add_further_textures(const Random& random, Material& material) {
   Random peek = random, own(static_cast<std::uint64_t>(peek.below(1 << 30)));
   for (const TextureSlot& slot : texture_slots) {
     TextureMap& map = material.*slot.map;
+    if (slot.map == &Material::opacity_map) continue; // add_opacity
     if (slot.map != &Material::diffuse_map && one_in(own, 4)) {
       constexpr TextureFilter filters[] = {TextureFilter::nearest, TextureFilter::bilinear, TextureFilter::trilinear};
       map.filter = filters[own.below(3)];
@@ -132,6 +133,23 @@ void add_further_textures(const Random& random, Material& material) {
     const auto scale = [&] { return one_in(own, 8) ? own.log_uniform(1e-300, 1e300) : own.uniform(-4, 4); };
     map.scale = {scale(), scale()}, map.offset = {scale(), scale()};
   }
+}
+
+/// Of few materials, from a generator of its own, which the other only seeds. Most thresholds cut out a part, some
+/// nothing, or everything but a texel.
+void add_opacity(const Random& random, Material& material) {
+  constexpr std::uint64_t opacity_seed = 0x6f706163697479; // other numbers than those of add_further_textures
+  Random peek = random, own(opacity_seed + static_cast<std::uint64_t>(peek.below(1 << 30)));
+  if (!one_in(own, 6)) return;
+  constexpr TextureFilter filters[] = {TextureFilter::nearest, TextureFilter::bilinear, TextureFilter::trilinear};
+  TextureMap& map = material.opacity_map;
+  map.filter = filters[own.below(3)];
+  map.texture = random_texture(own, map.filter);
+  constexpr double thresholds[] = {0, 0.25, 0.5, 0.5, 0.75, 1};
+  material.opacity_threshold = thresholds[own.below(6)];
+  if (!one_in(own, 2)) return;
+  map.wrap = one_in(own, 2) ? TextureWrap::repeat : TextureWrap::clamp;
+  map.scale = {own.uniform(-4, 4), own.log_uniform(1e-3, 1e3)}, map.offset = {own.uniform(-1, 1), own.uniform(-1, 1)};
 }
 
 /// One for all scenes: it has 105 MB. A third of it was never measured.
@@ -209,6 +227,7 @@ Object random_object(Random& random) {
   if (!one_in(random, 3))
     object.material.diffuse_map.texture = random_texture(random, object.material.diffuse_map.filter);
   add_further_textures(random, object.material);
+  add_opacity(random, object.material);
   return object;
 }
 

@@ -215,6 +215,17 @@ FragmentFunction random_function(Random& random) {
   return chosen;
 }
 
+/// Of one material in six, from a generator of its own, which the other only seeds.
+void add_opacity(const Random& random, Material& material) {
+  constexpr std::uint64_t opacity_seed = 0x6f706163697479; // other numbers than those of other textures
+  Random peek = random, own(opacity_seed + static_cast<std::uint64_t>(peek.below(1 << 30)));
+  if (!one_in(own, 6)) return;
+  material.opacity_map.filter = any_of<TextureFilter>(own);
+  material.opacity_map.texture = random_texture(own, material.opacity_map.filter);
+  material.opacity_map.wrap = any_of<TextureWrap>(own);
+  material.opacity_threshold = own.uniform(0.2, 0.8);
+}
+
 Material random_material(Random& random) {
   Material material;
   material.fragment_function = random_function(random);
@@ -224,6 +235,7 @@ Material random_material(Random& random) {
   Random peek = random, own(static_cast<std::uint64_t>(peek.below(1 << 30)));
   for (const TextureSlot& slot : texture_slots) {
     TextureMap& map = material.*slot.map;
+    if (slot.map == &Material::opacity_map) continue;
     const bool is_base = slot.map == &Material::diffuse_map;
     if (!is_base && one_in(own, 3)) {
       map.filter = any_of<TextureFilter>(own);
@@ -234,6 +246,7 @@ Material random_material(Random& random) {
     map.wrap = any_of<TextureWrap>(own);
     map.scale = {own.uniform(-3, 3), own.uniform(-3, 3)}, map.offset = {own.uniform(-1, 1), own.uniform(-1, 1)};
   }
+  add_opacity(random, material);
   return material;
 }
 

@@ -215,6 +215,25 @@ Lit lit(const Scene& scene, const Seen& seen) {
           vec(seen.material->emissive) * texture_colour(seen.material->emissive_map, seen)};
 }
 
+std::optional<bool> is_there(const Seen& seen) {
+  const Material& material = *seen.material;
+  if (!material.opacity_map.texture || material.opacity_threshold == 0) return true; // nothing is below 0
+  // Double is good to some 2^-50 of texture coordinates of some repeats, and to less of what is read there, which lies
+  // in [0, 1]; the doubt is eight times as much and more.
+  constexpr Real place_doubt = 0x1p-40L, value_doubt = 0x1p-30L;
+  const Real threshold = real(material.opacity_threshold);
+  bool any_there = false, any_cut = false;
+  for (const Real du : {-place_doubt, place_doubt})
+    for (const Real dv : {-place_doubt, place_doubt}) {
+      Seen beside = seen;
+      beside.u += du * (1 + std::abs(seen.u)), beside.v += dv * (1 + std::abs(seen.v));
+      const Real value = texture_colour(material.opacity_map, beside).x;
+      any_there |= value > threshold - value_doubt, any_cut |= value < threshold + value_doubt;
+    }
+  if (any_there && any_cut) return std::nullopt;
+  return any_there;
+}
+
 bool has_formula(const FragmentFunction& function) {
   return std::visit([]<class Function>(const Function&) { return HasFormula<Function>; }, function);
 }

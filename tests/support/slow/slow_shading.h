@@ -24,6 +24,9 @@ struct Shaded {
   Vec magnitude; // the sum of what was added, with white for the texture: rounding errors are in proportion to it
 };
 
+/// Whether a surface is there, by its opacity; nothing where this is not for us to say: where a step of rounding decides.
+std::optional<bool> is_there(const Seen& seen); // seen.material is not null
+
 /// Whether there is a formula here for this fragment function.
 bool has_formula(const FragmentFunction& function);
 

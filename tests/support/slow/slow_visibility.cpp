@@ -1,5 +1,6 @@
 #include "tests/support/slow/slow_visibility.h"
 
+#include "tests/support/slow/slow_shading.h"
 #include "tests/support/slow/slow_vertices.h"
 
 #include <algorithm>
@@ -94,7 +95,9 @@ void look(const Object& object, const Material& material, Real side, const std::
   seen.u_right = change(u, mu_right, sum_right), seen.v_right = change(v, mu_right, sum_right);
   seen.u_down = change(u, mu_down, sum_down), seen.v_down = change(v, mu_down, sum_down);
   if (length(normal) > 0) seen.normal = unit(normal);
-  candidate = {depth, doubtful || !(length(normal) > 0), seen};
+  const std::optional<bool> there = is_there(seen);
+  if (there == false) return;
+  candidate = {depth, doubtful || !there || !(length(normal) > 0), seen};
 }
 
 /// A polygon of 0, 3 or 4 corners.

@@ -223,6 +223,31 @@ TEST_CASE("a model's scene, written out, gives the same image, also from another
   CHECK(folder.run({"scene", "none.obj"}).err == "refraster: none.obj: found no such file, expected an OBJ file\n");
 }
 
+TEST_CASE("a model whose map_d cuts out shows what is behind, and so does its scene, written out") {
+  const ModelFolder folder;
+  const std::string whole = folder.image();
+  save_text(folder / "mask.png",
+            test::png_bytes(2, 2, 4, 8, {255, 255, 255, 0, 0, 0, 0, 255, 0, 0, 0, 255, 255, 0, 0, 0}));
+  const auto with = [&](const std::string& options) {
+    save_text(folder / "house.mtl", "newmtl the wall\nKd 1 1 1\nmap_Kd t.png\nmap_d " + options +
+                                        "mask.png\nnewmtl the roof\nKd 0.8 0.1 0.05\nKs 0.2 0.2 0.2\nNs 20\n");
+    const Finished run = folder.render();
+    CHECK(run.exit_code == 0);
+    CHECK(run.err.empty());
+    return text_of(folder / "i.png");
+  };
+  const std::string by_alpha = with("");
+  const std::string by_red = with("-imfchan r ");
+  CHECK(by_alpha != whole);
+  CHECK(by_red != whole);
+  CHECK(by_red != by_alpha);
+  CHECK(folder.run({"scene", "my house.obj", "-o", "s.json"}).exit_code == 0);
+  CHECK(text_of(folder / "s.json").find("\"channel\": \"red\"") != std::string::npos);
+  CHECK(folder.run({"render", "s.json", "--size", "96x72", "-o", "again.png"}).exit_code == 0);
+  CHECK(text_of(folder / "again.png") == by_red);
+  CHECK(folder.run({"mesh", "info", "my house.obj"}).out.find("textures    2 textures\n") != std::string::npos);
+}
+
 TEST_CASE("mesh info says what is in a model, and what is missing") {
   const ModelFolder folder;
   const Finished whole = folder.run({"mesh", "info", "my house.obj", "--json", "i.json"});

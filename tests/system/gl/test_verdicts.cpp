@@ -4,8 +4,11 @@
 #include <refraster/mesh.h>
 
 #include "gl/context/driver_environment.h"
+#include "tests/support/files/malformed_inputs.h"
 #include "tests/support/gl/device_images.h"
+#include "tests/support/gl/seeded_faults.h"
 #include "tests/support/scenes/half_textured.h"
+#include "tests/support/scenes/leaf_scene.h"
 #include "tests/support/scenes/listed_scenes.h"
 #include "tests/system/gl/small_scenes.h"
 #include "verify/device/read_profile.h"
@@ -66,6 +69,13 @@ double check_scene(const std::string& path, int width, int height, const DeviceP
   return check_scene(std::filesystem::path(path).stem(), listed_scene(path), width, height, profile);
 }
 
+/// Surfaces of which a part is cut out, by every filter.
+void check_leaves(const std::string& profile_name, int width, int height) {
+  const DeviceProfile profile = entered(profile_name);
+  for (const TextureFilter filter : {TextureFilter::nearest, TextureFilter::bilinear, TextureFilter::trilinear})
+    check_scene("leaves, " + std::string(name_of(filter)), leaf_scene(filter, 0.45), width, height, profile);
+}
+
 void check_gallery(const std::string& profile_name, int width, int height) {
   const DeviceProfile profile = entered(profile_name);
   double most = 0;
@@ -121,6 +131,24 @@ TEST_CASE("every texture of a material, wherever it is placed and whatever its n
         const DeviceProfile profile = entered("llvmpipe");
         CHECK_FALSE(judge(scene, in_float(drawn(without, 112, 63, profile)), profile, {}).is_explained());
       }
+}
+
+TEST_CASE("what llvmpipe cuts out by opacity is what is cut out here, or near the threshold") {
+  check_leaves("llvmpipe", 112, 63);
+  // The test can fail: at another threshold, and where nothing is cut out.
+  const DeviceProfile profile = entered("llvmpipe");
+  const Scene scene = leaf_scene(TextureFilter::bilinear);
+  const test::TemporaryFolder folder;
+  for (const std::string_view planted : {"< 0.6", "< 0.0"}) {
+    const SeededFault fault{"planted", {}, {{ShaderStage::fragment, "< opacityThreshold", planted}}};
+    const std::optional<Scene> faulty = with_fault(scene, fault, {112, 63}, folder.path);
+    REQUIRE(faulty);
+    const GlFrame frame = drawn(*faulty, 112, 63, profile);
+    for (DeviceImage image : {in_8_bits(frame), in_float(frame)}) {
+      image.ids = {}, image.depth = {}; // by its colours alone
+      CHECK(judge(scene, image, profile, {}).count(PixelClass::unexplained) > 20);
+    }
+  }
 }
 
 TEST_CASE("images of one row, of one column and of odd sides show the same surfaces, in colours that are explained") {
@@ -225,8 +253,16 @@ TEST_CASE("every scene through llvmpipe without its shortcuts shows the same sur
   check_gallery("llvmpipe-precise", 128, 72);
 }
 
+TEST_CASE("what opacity cuts out through llvmpipe without its shortcuts is explained") {
+  check_leaves("llvmpipe-precise", 128, 72);
+}
+
 TEST_CASE("every scene through softpipe shows the same surfaces, in colours that are explained") {
   check_gallery("softpipe", 96, 54);
+}
+
+TEST_CASE("what opacity cuts out through softpipe is explained") {
+  check_leaves("softpipe", 96, 54);
 }
 
 TEST_SUITE_END();

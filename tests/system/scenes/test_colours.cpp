@@ -3,6 +3,7 @@
 
 #include "tests/support/scenes/declared_scenes.h"
 #include "tests/support/scenes/half_textured.h"
+#include "tests/support/scenes/leaf_scene.h"
 #include "tests/support/scenes/listed_scenes.h"
 #include "tests/support/slow/slow_shading.h"
 
@@ -94,6 +95,11 @@ TEST_CASE("at chosen pixels, colours are those of a ray of long doubles and the 
 TEST_CASE("so they are of a mesh of which only some triangles have texture coordinates") {
   for (const TextureFilter filter : {TextureFilter::nearest, TextureFilter::bilinear, TextureFilter::trilinear})
     check_colours(half_textured(filter), 19);
+}
+
+TEST_CASE("so they are where surfaces are cut out by their opacity") {
+  for (const TextureFilter filter : {TextureFilter::nearest, TextureFilter::bilinear, TextureFilter::trilinear})
+    check_colours(leaf_scene(filter), 7);
 }
 
 TEST_CASE("so they are with every type of light, texture slot and vertex attribute") {

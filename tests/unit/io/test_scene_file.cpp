@@ -198,6 +198,67 @@ TEST_CASE("a texture is a path, or an object with all that can be said of it") {
         at + "specular_map/wrap: \"mirror\", \"repeat\" or \"clamp\"");
 }
 
+TEST_CASE("an opacity is alpha or luminance, or the channel that is asked for, of any fragment function") {
+  const TemporaryFolder folder;
+  const auto read = [&](const std::string& keys) {
+    write_files(folder.path, {{"s.json", scene_with("\"glossiness\": 8}", "\"glossiness\": 8, " + keys + "}")},
+                              {"rgba.png", png_bytes(1, 1, 4, 8, {10, 20, 30, 40})},
+                              {"rgb.png", png_bytes(1, 1, 3, 8, {10, 20, 30})},
+                              {"ga.png", png_bytes(1, 1, 2, 8, {50, 60})},
+                              {"g.png", png_bytes(1, 1, 1, 8, {70})},
+                              {"white.png", png_bytes(1, 1, 3, 8, {255, 255, 255})}});
+    return read_scene(folder / "s.json").objects[0].material;
+  };
+  const auto value = [&](const std::string& image, const std::string& channel) {
+    const std::string keys = channel.empty() ? "" : ", \"channel\": \"" + channel + "\"";
+    const Material material = read("\"opacity_map\": {\"path\": \"" + image + ".png\"" + keys + "}");
+    const PaddedVector<float>& rgb = material.opacity_map.texture->levels.at(0).rgb;
+    CHECK(rgb[0] == rgb[1]);
+    CHECK(rgb[0] == rgb[2]);
+    CHECK(material.opacity_threshold == 0.5);
+    return static_cast<double>(rgb[0]);
+  };
+  const double luminance = 0.2126 * 10 + 0.7152 * 20 + 0.0722 * 30; // ITU-R BT.709
+  CHECK(value("rgba", "") == 40);
+  CHECK(value("rgba", "auto") == 40);
+  CHECK(value("rgba", "red") == 10);
+  CHECK(value("rgba", "green") == 20);
+  CHECK(value("rgba", "blue") == 30);
+  CHECK(value("rgba", "alpha") == 40);
+  CHECK(value("rgba", "luminance") == doctest::Approx(luminance).epsilon(0x1p-23));
+  CHECK(value("rgb", "") == doctest::Approx(luminance).epsilon(0x1p-23));
+  CHECK(value("rgb", "alpha") == 255);
+  CHECK(value("ga", "") == 60);
+  CHECK(value("ga", "blue") == 50);
+  CHECK(value("g", "") == 70);
+  CHECK(value("g", "alpha") == 255);
+  CHECK(value("white", "") == 255);
+  const Material both = read("\"texture_file_path\": \"rgba.png\", \"opacity_map\": {\"path\": \"rgba.png\", "
+                             "\"filter\": \"nearest\", \"wrap\": \"clamp\", \"scale\": [2, 3], \"offset\": [4, 5]}, "
+                             "\"opacity_threshold\": 0.25");
+  CHECK(both.opacity_map.texture != both.diffuse_map.texture);
+  CHECK(both.opacity_map.filter == TextureFilter::nearest);
+  CHECK(both.opacity_map.wrap == TextureWrap::clamp);
+  CHECK(both.opacity_map.scale == Double2(2, 3));
+  CHECK(both.opacity_map.offset == Double2(4, 5));
+  CHECK(both.opacity_threshold == 0.25);
+  const auto refused = [&](const std::string& keys) {
+    try {
+      read(keys);
+    } catch (const InputError& error) {
+      const InputFault& fault = error.faults().at(0);
+      return fault.path + ": " + fault.found + ", " + fault.expected;
+    }
+    return std::string();
+  };
+  const std::string at = "/scene/objects/0/material/";
+  CHECK(refused("\"opacity_threshold\": 1.5") == at + "opacity_threshold: 1.5, a number from 0 to 1");
+  CHECK(refused("\"opacity_map\": {\"path\": \"g.png\", \"channel\": \"hue\"}")
+            .starts_with(at + "opacity_map/channel: \"hue\", \"auto\" or \"red\""));
+  CHECK(refused("\"diffuse_map\": {\"path\": \"g.png\", \"channel\": \"red\"}")
+            .starts_with(at + "diffuse_map/channel: an unknown key"));
+}
+
 TEST_CASE("shapes are made with their parameters, and equal ones once") {
   const std::string sphere = "{\"sphere\": {\"segments\": 8, \"rings\": 4}}";
   CHECK(scene(sphere, sphere).objects[0].mesh->triangles.size() == 2 * 8 * 3);

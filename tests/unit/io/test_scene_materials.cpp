@@ -167,6 +167,41 @@ TEST_CASE("maps of a library are textures with their options; those of colours a
   CHECK(std::get<BlinnPhong>(dark.fragment_function).ks == Double3(0.5, 0, 0));
 }
 
+TEST_CASE("map_d cuts out, by the channel of -imfchan; d below 1 beside it has no part in that") {
+  const auto opacity = [](const std::string& statements, std::string& noted) {
+    ModelFolder folder("", "newmtl green\n" + statements + "\n");
+    write_files(folder.path, {{"rgba.png", png_bytes(1, 1, 4, 8, {10, 20, 30, 40})}});
+    const Material material = material_of(folder.object(), 4);
+    noted = folder.noted();
+    CHECK(material.opacity_threshold == 0.5);
+    return material.opacity_map;
+  };
+  const auto value = [&](const std::string& statement) {
+    std::string noted;
+    const TextureMap map = opacity(statement, noted);
+    CHECK(noted.find("map_d") == std::string::npos);
+    CHECK(noted.find("-imfchan") == std::string::npos);
+    return map.texture ? static_cast<double>(map.texture->levels.at(0).rgb.at(0)) : -1;
+  };
+  CHECK(value("Kd 1 1 1") == -1);
+  CHECK(value("map_d rgba.png") == 40);
+  CHECK(value("map_d -imfchan r rgba.png") == 10);
+  CHECK(value("map_d -imfchan g rgba.png") == 20);
+  CHECK(value("map_d -imfchan b rgba.png") == 30);
+  CHECK(value("map_d -imfchan m rgba.png") == 40);
+  CHECK(value("map_d -imfchan l rgba.png") == doctest::Approx(18.596).epsilon(0x1p-20)); // 2.126 + 14.304 + 2.166
+  std::string noted;
+  const TextureMap map = opacity("map_d -s 2 3 -o 0.5 -clamp on -imfchan z rgba.png\nd 0.25", noted);
+  CHECK(map.scale == Double2(2, 3));
+  CHECK(map.offset == Double2(0.5, 0));
+  CHECK(map.wrap == TextureWrap::clamp);
+  CHECK(map.texture->levels.at(0).rgb.at(0) == 40);
+  CHECK(noted.find("-imfchan z, read without -imfchan: an image has no depth") != std::string::npos);
+  CHECK(noted.find("d below 1, read without it: map_d alone says what is cut out") != std::string::npos);
+  opacity("d 0.25", noted);
+  CHECK(noted.find("d below 1, drawn opaque: there is no blending") != std::string::npos);
+}
+
 TEST_CASE("a texture is found with / for \\, by its last component, without regard to case; never outside") {
   const auto found = [](const std::string& written, Outside outside = Outside::refused) {
     ModelFolder folder("", "newmtl green\nmap_Kd " + written + "\n");

@@ -156,6 +156,17 @@ TEST_CASE("triangles that face away and are culled, also those of a mirrored obj
   CHECK(render(scene, small()).counts.shaded > 0);
 }
 
+TEST_CASE("surfaces of which nothing is left by their opacity") {
+  Scene scene = scene_of({{0, 0, -5}, {0, 0, 9}});
+  TextureMap& map = scene.objects[0].material.opacity_map;
+  map.texture = std::make_shared<const Texture>(Texture{255, {TextureLevel{1, 1, {127, 127, 127}}}});
+  CHECK(explained(scene) ==
+        background_only + "all of the object \"ball 0\" is cut out: its opacity is below the threshold at the pixels' "
+                          "centres (\"opacity_map\"); the object \"ball 1\" lies behind the camera");
+  scene.objects[0].material.opacity_threshold = 0.25;
+  CHECK(render(scene, small()).counts.shaded > 0);
+}
+
 TEST_CASE("triangles without area and without a pixel's centre") {
   Scene scene = scene_of({{0, 0, -5}});
   scene.objects[0].scale = {0, 0, 1};

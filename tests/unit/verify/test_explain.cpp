@@ -152,6 +152,26 @@ TEST_CASE(
   CHECK(story.fragments.front().of.object == 3);
 }
 
+TEST_CASE("a triangle that is cut out there says so, with its opacity and the threshold") {
+  Scene scene = window_scene();
+  add_cover(scene, 2); // 1: cut out, or not
+  add_cover(scene, 4); // 2: behind it
+  Material& material = scene.objects[0].material;
+  material.opacity_map.texture = std::make_shared<const Texture>(Texture{255, {TextureLevel{1, 1, {102, 102, 102}}}});
+  Mesh mesh = *scene.objects[0].mesh;
+  mesh.uvs.assign(mesh.positions.size(), Float2(0.5f));
+  scene.objects[0].mesh = std::make_shared<const Mesh>(std::move(mesh));
+  const PixelStory cut = story_at(scene, 2, 3);
+  CHECK(cut.sample_stories[0].candidates.at(0).fate == CandidateFate::cut_out);
+  CHECK(cut.sample_stories[0].candidates.at(0).opacity.value().value == doctest::Approx(0.4));
+  CHECK(cut.sample_stories[0].candidates.at(1).fate == CandidateFate::seen);
+  CHECK(holds(story_text(cut), "0.4, below the threshold, 0.5"));
+  material.opacity_threshold = 0.25;
+  const PixelStory there = story_at(scene, 2, 3);
+  CHECK(there.sample_stories[0].candidates.at(0).fate == CandidateFate::seen);
+  CHECK(holds(story_text(there), "0.4, not below the threshold, 0.25"));
+}
+
 TEST_CASE("a triangle that crosses the eye plane is a candidate like any other") {
   Scene scene = window_scene();
   // A floor below the eye, from behind it to the far plane.
