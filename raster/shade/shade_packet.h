@@ -2,6 +2,7 @@
 // From interpolation to what shading starts from: a packet in lanes, or a single fragment in any Number.
 
 #include "raster/shade/interpolate.h"
+#include "shading/normal_map.h"
 #include "shading/sum_light.h"
 #include "shading/texture.h"
 
@@ -82,6 +83,44 @@ template <class Data, class T = typename Data::Number>
   return {max0(colour.x), max0(colour.y), max0(colour.z)};
 }
 
+/// The direction that the maps of a material say, in the frame of tangent, bitangent and normal; of a triangle without
+/// texture coordinates that of the normal.
+template <class Data, class T = typename Data::Number>
+Vec3<T> map_direction(const Material& material, const Data& data, const PacketBarycentrics<T>& at,
+                      const UndefinedTally<T>& tally) {
+  const Vec3<T> unturned(T(0), T(0), T(1));
+  if (!data.may_have_texture_coordinates()) return unturned;
+  Vec3<T> m = unturned;
+  if (material.normal_map.texture)
+    m = map_normal(material, texture_colour(material.normal_map, data, at, tally, SamplePlaced{}));
+  if (material.bump_map.texture) {
+    const Rgb<T> rise = texture_colour(material.bump_map, data, at, tally, ReadSlopes{});
+    const Double2 factors = slope_factors(material);
+    m.x -= rise.x * as<T>(within_range<T>(factors.x)), m.y -= rise.y * as<T>(within_range<T>(factors.y));
+  }
+  return select<T>(without_uv(data), unturned, m);
+}
+
+/// n, unit, as the maps of a material turn it, whose mesh has tangents. Out of line: few packets ask for it.
+/// Interpolates once more, as fragment_maps().
+template <class Data, class T = typename Data::Number>
+[[gnu::noinline]] Vec3<T> mapped_normal(const FrameContext& context, const Material& material, const Data& data,
+                                        const Vec3<T>& n, const UndefinedTally<T>& tally) {
+  const PacketBarycentrics<T> at = needs_derivatives(material.normal_map) || needs_derivatives(material.bump_map)
+                                       ? barycentrics<Derivatives::yes>(data)
+                                       : barycentrics<Derivatives::no>(data);
+  MaskOf<T> usable;
+  const Vec3<T> turned = turned_normal(n, attribute_value<&Mesh::tangents>(context, data, at.at),
+                                       map_direction(material, data, at, tally), usable);
+  tally.note(Undefined::zero_normal, !usable);
+  return turned;
+}
+
+/// Whether maps turn normals of this material on this object's mesh.
+inline bool turns_normals(const FrameContext& context, const Material& material, std::uint32_t object) {
+  return material.turns_normals() && !context.scene.objects[object].mesh->tangents.empty();
+}
+
 /// What every fragment of a material starts from.
 template <class Data, class T = typename Data::Number>
 PacketSurface<T> packet_surface(const FrameContext& context, const Material& material, const Data& data,
@@ -92,6 +131,8 @@ PacketSurface<T> packet_surface(const FrameContext& context, const Material& mat
   PacketSurface<T> surface;
   surface.position = attribute_value<&Mesh::positions>(context, data, at.at);
   surface.normal = shading_normal(context, data, attribute_value<&Mesh::normals>(context, data, at.at), tally);
+  if (context.uses.tangents && turns_normals(context, material, data.object())) [[unlikely]]
+    surface.normal = mapped_normal(context, material, data, surface.normal, tally);
   surface.to_eye = normalize(as<T>(context.scene.camera.position) - surface.position);
   tally.note(Undefined::eye_at_surface, dot(surface.to_eye, surface.to_eye) <= T(0));
   const bool shows_texture = base.texture && data.may_have_texture_coordinates();
