@@ -1,6 +1,6 @@
 #include "io/file/input_file.h"
 
-#include "io/file/pages.h"
+#include "io/work/pages.h"
 
 #include <algorithm>
 #include <cerrno>

@@ -2,12 +2,12 @@
 
 #include "io/file/input_file.h"
 #include "io/file/limits.h"
-#include "io/file/pages.h"
-#include "io/file/pieces.h"
 #include "io/mesh/obj/weld.h"
 #include "io/mesh/obj_colours.h"
 #include "io/mesh/obj_faces.h"
 #include "io/mesh/obj_numbers.h"
+#include "io/work/pages.h"
+#include "io/work/pieces.h"
 
 #include <algorithm>
 #include <cmath>

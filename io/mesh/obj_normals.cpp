@@ -1,8 +1,8 @@
-#include "io/file/pieces.h"
 #include "io/mesh/mesh_normals.h"
 #include "io/mesh/obj/normal_sums.h"
 #include "io/mesh/obj/polygon_batch.h"
 #include "io/mesh/obj_faces.h"
+#include "io/work/pieces.h"
 
 #include <algorithm>
 #include <functional>

@@ -1,8 +1,8 @@
 #include "io/mesh/obj_faces.h"
 
-#include "io/file/pieces.h"
 #include "io/mesh/obj/first_numbers.h"
 #include "io/mesh/triple_index.h"
+#include "io/work/pieces.h"
 #include "math/elementary/degrees.h"
 
 #include <algorithm>

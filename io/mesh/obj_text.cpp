@@ -1,11 +1,11 @@
 #include "io/mesh/obj_text.h"
 
-#include "io/file/pieces.h"
 #include "io/file/text_kind.h"
 #include "io/mesh/obj/chunk.h"
 #include "io/mesh/obj/faults.h"
 #include "io/mesh/obj/lines.h"
 #include "io/mesh/obj_numbers.h"
+#include "io/work/pieces.h"
 
 #include <algorithm>
 #include <atomic>

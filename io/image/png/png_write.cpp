@@ -1,9 +1,9 @@
 #include "io/image/png/png_write.h"
 
 #include "io/file/atomic_file.h"
-#include "io/file/pieces.h"
 #include "io/image/image_formats.h"
 #include "io/image/png/png_filter.h"
+#include "io/work/pieces.h"
 #include "raster/frame_context.h"
 
 #include <zlib.h>

@@ -3,7 +3,7 @@
 
 #include <refraster/memory.h>
 
-#include "io/file/pages.h"
+#include "io/work/pages.h"
 
 #include <cstddef>
 #include <cstdint>

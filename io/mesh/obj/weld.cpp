@@ -1,9 +1,9 @@
 #include "io/mesh/obj/weld.h"
 
-#include "io/file/pages.h"
-#include "io/file/pieces.h"
 #include "io/mesh/obj/first_numbers.h"
 #include "io/mesh/obj_faces.h"
+#include "io/work/pages.h"
+#include "io/work/pieces.h"
 
 #include <algorithm>
 #include <cstring>

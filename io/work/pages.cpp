@@ -1,4 +1,4 @@
-#include "io/file/pages.h"
+#include "io/work/pages.h"
 
 #include <cstdint>
 
