@@ -20,6 +20,18 @@ public:
   using std::runtime_error::runtime_error;
 };
 
+/// A number of samples a pixel that this OpenGL does not have.
+class NoSuchSamples : public NoOpenGl {
+public:
+  NoSuchSamples(const std::string& what, int asked, int fewer) : NoOpenGl(what), asked_(asked), fewer_(fewer) {}
+  int asked() const { return asked_; }
+  /// The most that it has below: 1, if nothing else.
+  int fewer() const { return fewer_; }
+
+private:
+  int asked_, fewer_;
+};
+
 struct GlOptions {
   int width = 1280, height = 720;
   int samples = 1; // a pixel: 1, 2, 4, 8 or 16, where the driver decides

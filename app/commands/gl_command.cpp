@@ -5,6 +5,7 @@
 
 #include "app/arguments.h"
 #include "app/command.h"
+#include "app/commands/fewer_samples.h"
 #include "app/commands/probe_run.h"
 #include "app/diagnostics.h"
 #include "app/memory_limit.h"
@@ -82,7 +83,11 @@ ExitCode run(const GlArguments& a) {
     print_file_notes(notes, a.diagnostics);
     if (options.want_ids) check_triangle_numbers(a.scene, scene, "--ids");
     line = progress_line(a.diagnostics, "drawing " + a.scene);
-    frame = render_gl(scene, options);
+    std::string fewer;
+    frame =
+        draw_with_samples(options.samples, a.picture.samples, fewer, [&](int) { return render_gl(scene, options); });
+    line.reset();
+    if (!fewer.empty()) print_note(fewer, a.diagnostics);
     note = why_dark(scene, options, frame);
   } catch (const NoOpenGl& error) {
     std::cerr << "refraster: " << error.what() << "\n";

@@ -6,6 +6,7 @@
 
 #include "app/arguments.h"
 #include "app/command.h"
+#include "app/commands/fewer_samples.h"
 #include "app/diagnostics.h"
 #include "app/memory_limit.h"
 #include "app/options/picture_options.h"
@@ -93,19 +94,23 @@ DeviceProfile profile_of_driver(const std::string& renderer) {
   return device_profile(widest_device);
 }
 
-/// Driven as the profile says: by its renderer, in its environment.
-DeviceImage image_from_opengl(const VerifyArguments& a, const Scene& scene, VerdictReport& report) {
+/// Driven as the profile says: by its renderer, in its environment; with the samples that it has.
+DeviceImage image_from_opengl(VerifyArguments& a, const Scene& scene, VerdictReport& report) {
   const DeviceProfile& profile = report.profile;
   enter_environment(profile.environment);
   GlOptions options;
   options.width = a.picture.width, options.height = a.picture.height;
-  options.samples = a.judging.samples;
   options.renderer = a.renderer.value_or(profile.renderer);
   const bool is_float = a.source == Source::opengl_float;
   options.want_rgb8 = !is_float, options.want_radiance = is_float;
   if (!is_float) options.transfer = a.picture.transfer;
-  options.want_ids = options.want_depth = a.judging.samples == 1;
-  GlFrame frame = render_gl(scene, options);
+  std::string fewer;
+  GlFrame frame = draw_with_samples(a.judging.samples, a.asked.samples, fewer, [&](int samples) {
+    options.samples = samples;
+    options.want_ids = options.want_depth = samples == 1;
+    return render_gl(scene, options);
+  });
+  if (!fewer.empty()) report.notes.add(Note{"", 0, "", fewer});
   if (a.diagnostics.verbosity == Verbosity::normal)
     for (const std::string& line : frame.warnings) std::cerr << "warning: " << line << "\n";
   if (a.device.empty()) report.profile = profile_of_driver(frame.driver.renderer);

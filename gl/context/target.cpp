@@ -39,10 +39,15 @@ std::vector<GLint> sample_counts(const GlApi& gl, GLenum format) {
   std::vector<GLint> both;
   std::set_intersection(colour.begin(), colour.end(), depth.begin(), depth.end(), std::back_inserter(both));
   std::string list = "1";
-  for (const GLint count : both) list += (count == both.back() ? " or " : ", ") + std::to_string(count);
+  int fewer = 1;
+  for (const GLint count : both) {
+    list += (count == both.back() ? " or " : ", ") + std::to_string(count);
+    if (count < samples) fewer = count;
+  }
   const GLubyte* const name = gl.GetString(GL_RENDERER);
-  throw NoOpenGl("this OpenGL (" + std::string(name ? reinterpret_cast<const char*>(name) : "without a name") +
-                 ") does not draw " + std::to_string(samples) + " samples a pixel, but " + list);
+  throw NoSuchSamples("this OpenGL (" + std::string(name ? reinterpret_cast<const char*>(name) : "without a name") +
+                          ") does not draw " + std::to_string(samples) + " samples a pixel, but " + list,
+                      samples, fewer);
 }
 
 GLuint multisample_texture(const GlApi& gl, GLenum format, const GlOptions& options) {

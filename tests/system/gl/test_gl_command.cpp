@@ -408,3 +408,27 @@ TEST_CASE("with --samples the report says where they lie, and a number that the 
   CHECK_MESSAGE(holds(eight.err, "does not draw 8 samples a pixel, but 1 or 4"), eight.err);
   CHECK(drawn("3").exit_code == 2);
 }
+
+TEST_CASE("a model's own number of samples becomes one that the driver has, with a note") {
+  const TemporaryFolder folder;
+  save_text(folder / "model.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const auto run = [&](const char* command, const std::string& renderer, std::vector<std::string> more) {
+    std::vector<std::string> words{command, "model.obj", "--size", "64x48", "--renderer", renderer, "--json", "-"};
+    words.insert(words.end(), more.begin(), more.end());
+    return run_program(folder.path, words);
+  };
+  for (const auto& [renderer, samples, said] :
+       {std::tuple{"llvmpipe", "4", "does not draw 8 samples a pixel, but 1 or 4: drawn with 4"},
+        {"softpipe", "1", "does not draw 8 samples a pixel, but 1: drawn with 1"}}) {
+    CAPTURE(renderer);
+    const Finished drawn = run("gl", renderer, {"-o", "gl.png"});
+    CHECK(drawn.exit_code == 0);
+    CHECK_MESSAGE(holds(drawn.out, "\"samples\": " + std::string(samples) + ",\n"), drawn.out);
+    CHECK_MESSAGE(holds(drawn.err, said), drawn.err);
+    const Finished judged = run("verify", renderer, {"--gl"});
+    CHECK_MESSAGE(judged.exit_code == 0, judged.err);
+    CHECK_MESSAGE(holds(judged.err, said), judged.err);
+    CHECK_MESSAGE(holds(judged.out, "\"samples\": " + std::string(samples) + ","), judged.out);
+    CHECK(run("gl", renderer, {"-o", "gl.png", "--samples", "8"}).exit_code == 5);
+  }
+}
