@@ -17,6 +17,7 @@ SceneUses uses_of(const Scene& scene) {
   for (const Object& object : scene.objects) {
     uses.two_sided |= object.two_sided == TwoSided::yes;
     uses.vertex_colours |= !object.mesh->colours.empty();
+    uses.tangents |= !object.mesh->tangents.empty();
   }
   uses.placed_textures = any_material(scene, [](const Material& material) {
     return any_texture(material, [](const TextureMap& map) { return map.is_placed(); });

@@ -24,6 +24,7 @@ struct SceneUses {
   bool two_sided = false;       // an object that is lit from both of its sides
   bool vertex_colours = false;  // a mesh with colours
   bool cut_outs = false;        // a material of which parts may be cut out: Material::has_cut_outs()
+  bool tangents = false;        // a mesh with tangents
   bool placed_textures = false; // a texture that is scaled, moved or clamped: TextureMap::is_placed()
 };
 

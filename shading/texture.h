@@ -173,20 +173,35 @@ T placed_step(const T& step, [[maybe_unused]] const T& u, double scale, [[maybe_
   return placed;
 }
 
-/// The colour of a material's texture at the texture coordinates uv, which change as in sample() of a texture: every
-/// number reads every slot by this. The texture is there.
+/// Where an image is read, and what that changes by for a pixel to the right and down.
+template <class T>
+struct PlacedTexture {
+  Vec2<T> at, right, down;
+};
+
+/// The place in the image of the texture coordinates uv, which change as in sample() of a texture.
 template <Number T>
-Rgb<T> sample(const TextureMap& map, const Vec2<T>& uv, const Vec2<T>& uv_dx, const Vec2<T>& uv_dy) {
-  const Texture& texture = *map.texture;
-  if (!map.is_placed()) return sample(texture, map.filter, uv, uv_dx, uv_dy);
+PlacedTexture<T> placed(const TextureMap& map, const Vec2<T>& uv, const Vec2<T>& uv_dx, const Vec2<T>& uv_dy) {
+  if (!map.is_placed()) return {uv, uv_dx, uv_dy};
   const Double2 &scale = map.scale, &offset = map.offset;
   const Vec2<T> at(uv.x * as<T>(scale.x) + as<T>(offset.x), uv.y * as<T>(scale.y) + as<T>(offset.y));
   const auto step = [&](const Vec2<T>& by) {
     return Vec2<T>(placed_step(by.x, uv.x, scale.x, offset.x), placed_step(by.y, uv.y, scale.y, offset.y));
   };
-  const Vec2<T> right = step(uv_dx), down = step(uv_dy);
-  if (map.wrap == TextureWrap::repeat) return sample(texture, map.filter, at, right, down);
-  return sample<TextureWrap::clamp>(texture, map.filter, at, right, down);
+  return {at, step(uv_dx), step(uv_dy)};
+}
+
+/// The colour there. The texture is there.
+template <Number T>
+Rgb<T> sample(const TextureMap& map, const PlacedTexture<T>& place) {
+  if (map.wrap == TextureWrap::repeat) return sample(*map.texture, map.filter, place.at, place.right, place.down);
+  return sample<TextureWrap::clamp>(*map.texture, map.filter, place.at, place.right, place.down);
+}
+
+/// The colour of a material's texture at the texture coordinates uv: every number reads every slot by this.
+template <Number T>
+Rgb<T> sample(const TextureMap& map, const Vec2<T>& uv, const Vec2<T>& uv_dx, const Vec2<T>& uv_dy) {
+  return sample(map, placed(map, uv, uv_dx, uv_dy));
 }
 
 } // namespace refraster::inline REFRASTER_KIT

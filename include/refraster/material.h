@@ -217,6 +217,10 @@ struct Material {
   /// Where the opacity at a pixel's centre, in double, is less than this, the triangle has none of the pixel's samples,
   /// and what is behind it is seen. In [0, 1].
   double opacity_threshold = 0.5;
+  TextureMap normal_map = {}; ///< of all functions: normals in the frame of the tangents, docs/normal-maps.md
+  TextureMap bump_map = {};   ///< of all functions: heights, in red, by whose slopes normals are turned
+  double normal_scale = 1;    ///< of normal_map: multiplies red and green, less 1/2: its strength; finite
+  double bump_scale = 1;      ///< of bump_map: height of white over black, in texels; finite
   /// Light of its own, of Phong and Blinn-Phong: added to the ambient term. Linear; each channel >= 0.
   Double3 emissive{0};
 
@@ -234,6 +238,9 @@ struct Material {
   /// Whether parts of it may be cut out: where its opacity is below the threshold.
   bool has_cut_outs() const { return opacity_map.texture && opacity_threshold > 0; }
 
+  /// Whether maps turn its normals: on meshes with tangents.
+  bool turns_normals() const { return normal_map.texture || bump_map.texture; }
+
   /// Of what shades it.
   std::string_view function_name() const {
     if (user_function) return user_function->name();
@@ -243,6 +250,9 @@ struct Material {
 
 /// What a texture's values are: r g b, or one number, three times the same.
 enum class SlotValue { colour, scalar };
+
+/// What a texture changes: colours, as a fragment function has them; or the surface itself, whatever the function.
+enum class SlotUse { colours, surface };
 
 /// A texture that a material may have. Where there is none, or no texture coordinates, it is white.
 struct TextureSlot {
@@ -256,6 +266,7 @@ struct TextureSlot {
   std::string_view place = {};             ///< the uniform of its scale and offset, in this order
   std::string_view meaning = {};           ///< of the image, for the documentation
   SlotValue value = SlotValue::colour;     ///< what is read of the image
+  SlotUse use = SlotUse::colours;          ///< what it changes
 };
 
 /// Every texture that a material may have. Scene files and their documentation, loading, checks and OpenGL's texture
@@ -291,7 +302,22 @@ inline constexpr std::array texture_slots{
                 "opacityTex",
                 "opacityTexPlace",
                 "how much of the surface is there: below `opacity_threshold` it is cut out",
-                SlotValue::scalar}};
+                SlotValue::scalar},
+    TextureSlot{.map = &Material::normal_map,
+                .name = "normal_map",
+                .key = "normal_map",
+                .sampler = "normalTex",
+                .place = "normalTexPlace",
+                .meaning = "turns normals: red along u, green along v, blue away from the surface, 1/2 is 0",
+                .use = SlotUse::surface},
+    TextureSlot{.map = &Material::bump_map,
+                .name = "bump_map",
+                .key = "bump_map",
+                .sampler = "bumpTex",
+                .place = "bumpTexPlace",
+                .meaning = "turns normals by the slopes of its heights",
+                .value = SlotValue::scalar,
+                .use = SlotUse::surface}};
 
 /// Calls visit(map) with each texture that the material has.
 void for_each_texture(auto& material, auto&& visit) {

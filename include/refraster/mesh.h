@@ -78,6 +78,9 @@ struct Mesh {
   std::vector<Float3> normals = {};   ///< as many as positions; any length
   std::vector<Float2> uvs = {};       ///< of the first vertices, all or some; the others have none
   std::vector<Float3> colours = {};   ///< linear; of the first vertices, all or some; the others are white
+  /// Where u grows, unit, and the handedness of the frame of tangent, bitangent and normal: 1, or -1 where uv is
+  /// mirrored. What add_tangents() makes; of the first vertices, all or some; without, no map turns a normal.
+  std::vector<Float4> tangents = {};
   std::vector<std::array<std::uint32_t, 3>> triangles = {}; ///< indices into the above, each < positions.size()
   /// In the order of triangles, no two of which begin at one; those before the first run name no material.
   std::vector<TriangleRun> material_runs = {};
@@ -87,10 +90,10 @@ struct Mesh {
 
 /// What turns an attribute of the mesh into one of the world.
 enum class Transformed {
-  as_position,  ///< the object's matrix
-  as_normal,    ///< its cofactors: stays perpendicular to what it was perpendicular to
-  as_direction, ///< its 3x3 part; a fourth component stays
-  as_is         ///< nothing
+  as_position, ///< the object's matrix
+  as_normal,   ///< its cofactors: stays perpendicular to what it was perpendicular to
+  as_tangent,  ///< its 3x3 part, then made unit; a fourth component is times the sign of its determinant
+  as_is        ///< nothing
 };
 
 /// What vertices bring and triangles interpolate.
@@ -123,7 +126,13 @@ inline constexpr std::tuple vertex_attributes{
                             .words = "vertex colours",
                             .input = "vColor",
                             .varying = "Color",
-                            .otherwise = 1}};
+                            .otherwise = 1},
+    VertexAttribute<Float4>{.values = &Mesh::tangents,
+                            .name = "tangents",
+                            .words = "tangents",
+                            .input = "vTangent",
+                            .varying = "Tangent",
+                            .transformed = Transformed::as_tangent}};
 
 /// Calls visit(attribute) with each.
 constexpr void for_each_vertex_attribute(auto&& visit) {
@@ -147,6 +156,14 @@ inline bool has_uvs(const Mesh& mesh, const std::array<std::uint32_t, 3>& triang
   const std::size_t count = mesh.uvs.size();
   return triangle[0] < count && triangle[1] < count && triangle[2] < count;
 }
+
+/// Gives the mesh the tangents that normal maps are made for: those of MikkTSpace, from positions, normals and texture
+/// coordinates; docs/tangents.md says how. A vertex that would need several, where uv is mirrored or breaks, is split:
+/// the triangles stay where they are, in their order, and look the same. The same bits on every machine. Of a mesh
+/// without texture coordinates there are none. Indices must be those of vertices.
+///
+/// Mikkelsen, "Simulation of Wrinkled Surfaces Revisited", 2008.
+void add_tangents(Mesh& mesh);
 
 // All are in object space, counter-clockwise seen from outside, with unit normals and uv in [0, 1]. Where uv jumps or
 // the normal breaks, vertices are duplicated; every vertex belongs to a triangle. The same bits on every machine, and

@@ -89,8 +89,8 @@ template <class Real>
            static_cast<Real>(std::min({uv[0], uv[1], uv[2]}))};
     t.row[static_cast<std::size_t>(max_uv_row + c)][3] = static_cast<Real>(std::max({uv[0], uv[1], uv[2]}));
   }
-  static_assert(attribute_rows == uv_row + 2 + 3, "a frame is to know whether there is another attribute");
-  if (context.uses.vertex_colours) [[unlikely]]
+  static_assert(attribute_rows == uv_row + 2 + 3 + 4, "a frame is to know whether there is another attribute");
+  if (context.uses.vertex_colours || context.uses.tangents) [[unlikely]]
     for_each_further_attribute(mesh, context.geometry.transforms[ref.object],
                                {indices[corner[0]], indices[corner[1]], indices[corner[2]]},
                                [&](int row, const auto& value) {
@@ -113,11 +113,12 @@ template <class Real>
                                     std::span<AttributeSetup<Real>> setups) {
   for (std::size_t i = 0; i < triangles.size(); ++i)
     if (is_turned(context, triangles[i].ref, triangles[i].number))
-      for (int r = normal_row; r < normal_row + 3; ++r)
+      for_each_turned_row(*context.scene.objects[triangles[i].ref.object].mesh, [&](std::size_t r) {
         for (std::size_t column = 0; column < 3; ++column) { // the fourth is another's
-          Real& value = setups[i].row[static_cast<std::size_t>(r)][column];
+          Real& value = setups[i].row[r][column];
           value = -value;
         }
+      });
 }
 
 // vertices_of(i): the three of triangles[i] in `vertices`.

@@ -36,7 +36,7 @@ constexpr int first_row(std::vector<Value> Mesh::*list) {
   return found;
 }
 inline constexpr int position_row = first_row(&Mesh::positions), normal_row = first_row(&Mesh::normals),
-                     uv_row = first_row(&Mesh::uvs);
+                     uv_row = first_row(&Mesh::uvs), tangent_row = first_row(&Mesh::tangents);
 static_assert(position_row == 0 && normal_row == 3 && uv_row == 6); // the fourth column is divided among these
 inline constexpr int attribute_rows =
     std::apply([](const auto&... each) { return (each.components + ...); }, vertex_attributes);
@@ -102,6 +102,14 @@ bool shows_back(const FrameContext& context, const TriangleRef& ref, std::uint32
 
 /// Whether its normals are turned: it shows its back, and its object is two-sided.
 bool is_turned(const FrameContext& context, const TriangleRef& ref, std::uint32_t number);
+
+/// Calls body(row) with those of AttributeSetup that are negated where a triangle is turned: of normals and, where the
+/// mesh has them, of tangents with their handedness, which make the normal of any map change its sign, and nothing else.
+void for_each_turned_row(const Mesh& mesh, auto&& body) {
+  for (int r = normal_row; r < normal_row + 3; ++r) body(static_cast<std::size_t>(r));
+  if (!mesh.tangents.empty())
+    for (int r = tangent_row; r < tangent_row + 4; ++r) body(static_cast<std::size_t>(r));
+}
 
 /// Sets up setups[i] for triangles[i]. Of one that is turned, normals and their differences are negated, which rounds
 /// nothing: what is interpolated is turned, bit for bit. What their edge functions need of `uncommon` is appended

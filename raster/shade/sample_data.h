@@ -226,11 +226,12 @@ private:
   }
 
   void turn_where(const MaskOf<T>& turned) {
-    for (int r = normal_row; r < normal_row + 3; ++r)
+    for_each_turned_row(*context_.scene.objects[ref_.object].mesh, [&](std::size_t r) {
       for (std::size_t column = 0; column < 3; ++column) {
-        T& value = row_[static_cast<std::size_t>(r)][column];
+        T& value = row_[r][column];
         value = select(turned, -value, value);
       }
+    });
     turned_ = turned;
   }
 

@@ -2,6 +2,7 @@
 // From interpolation to what shading starts from: a packet in lanes, or a single fragment in any Number.
 
 #include "raster/shade/interpolate.h"
+#include "shading/normal_map.h"
 #include "shading/sum_light.h"
 #include "shading/texture.h"
 
@@ -82,6 +83,37 @@ template <class Data, class T = typename Data::Number>
   return {max0(colour.x), max0(colour.y), max0(colour.z)};
 }
 
+/// n, unit, as the maps of a material turn it, whose mesh has tangents. Of a triangle without texture coordinates they
+/// say that it stays. Out of line: few packets ask for it. Interpolates once more, as fragment_maps().
+template <class Data, class T = typename Data::Number, class Read = SamplePlaced>
+[[gnu::noinline]] Vec3<T> mapped_normal(const FrameContext& context, const Material& material, const Data& data,
+                                        const Vec3<T>& n, const UndefinedTally<T>& tally, const Read& read = {}) {
+  const TextureMap &normals = material.normal_map, &heights = material.bump_map;
+  const PacketBarycentrics<T> at = needs_derivatives(normals) || needs_derivatives(heights)
+                                       ? barycentrics<Derivatives::yes>(data)
+                                       : barycentrics<Derivatives::no>(data);
+  Vec3<T> m(T(0), T(0), T(1));
+  if (data.may_have_texture_coordinates()) {
+    const Vec3<T> stays = m;
+    if (normals.texture) m = map_normal(material, texture_colour(normals, data, at, tally, read));
+    if (heights.texture) {
+      const Rgb<T> rise = texture_colour(heights, data, at, tally, ReadSlopes{});
+      const Double2 factors = slope_factors(material);
+      m.x -= rise.x * as<T>(within_range<T>(factors.x)), m.y -= rise.y * as<T>(within_range<T>(factors.y));
+    }
+    m = select<T>(without_uv(data), stays, m);
+  }
+  MaskOf<T> usable;
+  const Vec3<T> turned = turned_normal(n, attribute_value<&Mesh::tangents>(context, data, at.at), m, usable);
+  tally.note(Undefined::zero_normal, !usable);
+  return turned;
+}
+
+/// Whether maps turn normals of this material on this object's mesh.
+inline bool turns_normals(const FrameContext& context, const Material& material, std::uint32_t object) {
+  return material.turns_normals() && !context.scene.objects[object].mesh->tangents.empty();
+}
+
 /// What every fragment of a material starts from.
 template <class Data, class T = typename Data::Number>
 PacketSurface<T> packet_surface(const FrameContext& context, const Material& material, const Data& data,
@@ -92,6 +124,8 @@ PacketSurface<T> packet_surface(const FrameContext& context, const Material& mat
   PacketSurface<T> surface;
   surface.position = attribute_value<&Mesh::positions>(context, data, at.at);
   surface.normal = shading_normal(context, data, attribute_value<&Mesh::normals>(context, data, at.at), tally);
+  if (context.uses.tangents && turns_normals(context, material, data.object())) [[unlikely]]
+    surface.normal = mapped_normal(context, material, data, surface.normal, tally);
   surface.to_eye = normalize(as<T>(context.scene.camera.position) - surface.position);
   tally.note(Undefined::eye_at_surface, dot(surface.to_eye, surface.to_eye) <= T(0));
   const bool shows_texture = base.texture && data.may_have_texture_coordinates();

@@ -94,7 +94,7 @@ ObjectTransform object_transform(const Object& object, const Double4x4& clip_fro
   const Double3x3 linear = linear_part(object);
   Double4x4 model(linear);
   model[3] = {object.position.x, object.position.y, object.position.z, 1};
-  return {clip_from_world * model, model, normal_matrix(linear)};
+  return {clip_from_world * model, model, normal_matrix(linear), is_mirrored(object) ? -1.0 : 1.0};
 }
 
 Double4 clip_position(const ObjectTransform& transform, const Float3& position) {

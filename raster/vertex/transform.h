@@ -20,6 +20,7 @@ struct ObjectTransform {
   Double4x4 world_from_object; // model = T . Rx . Ry . Rz . S
   /// Cofactors of the model's 3x3 part, times the sign of its determinant, times a power of two.
   Double3x3 world_from_normal;
+  double handedness = 1; // of frames: -1 where the model mirrors
 };
 
 /// The camera's own space: x to the right, y up, z toward the viewer.

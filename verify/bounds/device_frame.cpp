@@ -23,6 +23,9 @@ constexpr double roundings_of_one = 5, roundings_of_three = 15;
 /// model's numbers, of two products, their difference, the determinant (five operations) and the division.
 constexpr double roundings_of_inverse = 10;
 
+/// Of a vector that is made unit: half of those of three squares, two sums and, once each, of products with the root.
+constexpr double roundings_of_unit = 4;
+
 } // namespace
 
 DeviceFrame::DeviceFrame(const Scene& scene, const RenderOptions& options, const DeviceProfile& profile,
@@ -62,6 +65,24 @@ double DeviceFrame::normal_error(std::size_t object, int row, const Float3& norm
   const double roundings = roundings_of_one + (matrices_ == ShaderMatrices::three ? roundings_of_inverse : 0);
   return roundings * profile_.operations.relative *
          (std::abs(m[0][row]) * n.x + std::abs(m[1][row]) * n.y + std::abs(m[2][row]) * n.z);
+}
+
+/// With a the exact product, d what the device is off by, per component: a / |a| changes by at most |d| / |a| plus
+/// |d_row| / |a|, up to |d| / |a| of that again; and unit() is off by its own roundings, of a dot product, its root and
+/// the product.
+double DeviceFrame::tangent_error(std::size_t object, int row, const Float3& tangent) const {
+  const Double4x4& m = geometry_.transforms[object].world_from_object;
+  const Double3 t = magnitudes(tangent);
+  if (t == Double3(0)) return 0;
+  const OperationErrors& operations = profile_.operations;
+  Double3 off;
+  for (int r = 0; r < 3; ++r)
+    off[r] = roundings_of_one * operations.relative *
+             (std::abs(m[0][r]) * t.x + std::abs(m[1][r]) * t.y + std::abs(m[2][r]) * t.z);
+  const double size = glm::length(Double3x3(m) * Double3(tangent)), part = glm::length(off) / size;
+  if (!(part < 0.25)) return std::numeric_limits<double>::infinity();
+  const double moved = (part + off[row] / size) / (1 - 2 * part);
+  return moved + roundings_of_unit * operations.relative + operations.root_relative + operations.quotient_relative;
 }
 
 } // namespace refraster

@@ -40,6 +40,8 @@ public:
   /// The same for world positions, and for normals in the space of world_from_normal.
   double world_error(std::size_t object, int row, const Float3& position) const;
   double normal_error(std::size_t object, int row, const Float3& normal) const;
+  /// Of a tangent in world space, which is made unit; infinite where it is too short for that, and not 0.
+  double tangent_error(std::size_t object, int row, const Float3& tangent) const;
 
 private:
   struct Magnitudes {

@@ -369,12 +369,17 @@ double DeviceTriangle::attribute_error(int row, double x, double y) const {
       value[i] = static_cast<double>(mesh.uvs[indices[i]][row - uv_row]);
     }
   }
-  if (row >= uv_row + 2) // which no vertex stage has changed
+  if (row >= uv_row + 2)
     for_each_further_attribute(mesh, geometry.transforms[ref_.object], indices, [&](int first, const auto& corners) {
       const auto component = static_cast<std::size_t>(row - first);
       if (row < first || component >= corners[0].size()) return;
       for (std::size_t i = 0; i < 3; ++i) value[i] = corners[i][component];
     });
+  if (row >= tangent_row && row < tangent_row + 3) // of further attributes those that a vertex stage changes
+    for (const std::uint32_t vertex : indices)
+      if (vertex < mesh.tangents.size())
+        corner_error =
+            std::max(corner_error, frame_.tangent_error(ref_.object, row - tangent_row, Float3(mesh.tangents[vertex])));
   const Plane g = plane(value, x, y), h = plane({1, 1, 1}, x, y);
   if (!(h.value > h.error)) return infinite;
   const double f = g.value / h.value;

@@ -61,9 +61,10 @@ std::optional<SampleData<Bounds>> device_sample(const DeviceFrame& frame, const 
   if (causes.has(BoundCause::interpolation)) {
     const Mesh& mesh = *object.mesh;
     const bool reads_uv = data.may_have_texture_coordinates() && is_textured(material);
-    const int rows = mesh.colours.empty() ? uv_row + 2 : attribute_rows;
-    for (int r = 0; r < rows; ++r) {
+    const bool reads_tangents = !mesh.tangents.empty() && material.turns_normals();
+    for (int r = 0; r < attribute_rows; ++r) {
       if (r >= uv_row && r < uv_row + 2 && !reads_uv) continue;
+      if (r >= uv_row + 2 && (r < tangent_row ? mesh.colours.empty() : !reads_tangents)) continue;
       const double error =
           triangle.attribute_error(r, centre_x, centre_y) * (r >= normal_row && r < uv_row ? data.normal_factor() : 1);
       if (!std::isfinite(error)) return {};

@@ -203,6 +203,11 @@ Surface surface_at(const FrameContext& context, const SampleData<double>& data, 
     UndefinedCounts counts;
     normal = shading_normal(context, data, normal, UndefinedTally<double>(counts, true));
   }
+  if (turns_normals(context, material_of(context.scene.objects[object], data.triangle()), object)) {
+    UndefinedCounts uncounted;
+    normal = mapped_normal(context, material_of(context.scene.objects[object], data.triangle()), data, normal,
+                           UndefinedTally<double>(uncounted, true));
+  }
   const Double3 way = context.scene.camera.position - surface.position;
   switch (steps.eye) {
   case Eye::right:
