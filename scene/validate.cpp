@@ -174,6 +174,8 @@ private:
     }
     field(at, "emissive", material.emissive, Range{});
     field(at, "opacity_threshold", material.opacity_threshold, Range{0, 1});
+    field(at, "normal_scale", material.normal_scale, any_number);
+    field(at, "bump_scale", material.bump_scale, any_number);
     for (const TextureSlot& slot : texture_slots) {
       const TextureMap& map = material.*slot.map;
       const Texture* const texture = map.texture.get();

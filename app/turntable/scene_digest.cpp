@@ -55,6 +55,7 @@ public:
       add(map.scale.x), add(map.scale.y), add(map.offset.x), add(map.offset.y);
     }
     add(material.emissive), add(material.opacity_threshold);
+    add(material.normal_scale), add(material.bump_scale);
   }
 
   std::string text() { return in_hexadecimal(sha256_.result()); }

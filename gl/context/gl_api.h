@@ -85,6 +85,7 @@ namespace refraster {
   F(UNIFORM1F, Uniform1f)                                                                                              \
   F(UNIFORM1I, Uniform1i)                                                                                              \
   F(UNIFORM1IV, Uniform1iv)                                                                                            \
+  F(UNIFORM2FV, Uniform2fv)                                                                                            \
   F(UNIFORM3FV, Uniform3fv)                                                                                            \
   F(UNIFORM4FV, Uniform4fv)                                                                                            \
   F(UNIFORMBLOCKBINDING, UniformBlockBinding)                                                                          \

@@ -69,7 +69,13 @@ const void* place_of(std::size_t triangle) {
 } // namespace
 
 GlDrawing::GlDrawing(const GlApi& gl, const Scene& scene, const GlOptions& options)
-    : gl_(gl), background_(scene.background), white_(upload_white(gl)), dummies_(gl, first_dummy_unit) {
+    : gl_(gl), background_(scene.background), dummies_(gl, first_dummy_unit) {
+  for (std::size_t i = 0; i < texture_slots.size(); ++i) {
+    const auto is_same = [&](const TextureSlot& slot) { return slot.blank == texture_slots[i].blank; };
+    const auto first = static_cast<std::size_t>(std::find_if(texture_slots.begin(), texture_slots.end(), is_same) -
+                                                texture_slots.begin());
+    blank_[i] = first < i ? blank_[first] : upload_blank(gl, texture_slots[i].blank);
+  }
   const double aspect = static_cast<double>(options.width) / options.height;
   const Double4x4 clip = clip_from_world(scene.camera, aspect);
   for (std::size_t i = 0; i < scene.objects.size(); ++i) items_.push_back(item(scene, i, options, clip));
@@ -141,17 +147,15 @@ GlDrawing::Part GlDrawing::part(const Object& object, const ShaderText& vertex, 
   return part;
 }
 
-// Whatever a shader does with its texture, white is what it gets where there are no coordinates to read another at. The
-// order of triangles stays: of equally near ones the first is seen.
+// Whatever a shader does with its textures, blank ones are what it gets where there are no coordinates to read others
+// at. The order of triangles stays: of equally near ones the first is seen.
 void GlDrawing::add_runs(const Mesh& mesh, std::size_t surface, std::size_t begin, std::size_t end, Item& item) const {
   const SlotTextures& textures = item.surfaces[surface].textures;
-  SlotTextures white;
-  white.fill(white_);
-  if (textures == white || mesh.uvs.size() == mesh.positions.size())
+  if (textures == blank_ || mesh.uvs.size() == mesh.positions.size())
     return item.runs.push_back({surface, textures, begin, end - begin});
   const std::size_t first = item.runs.size();
   for (std::size_t i = begin; i < end; ++i) {
-    const SlotTextures& here = has_uvs(mesh, mesh.triangles[i]) ? textures : white;
+    const SlotTextures& here = has_uvs(mesh, mesh.triangles[i]) ? textures : blank_;
     if (item.runs.size() == first || item.runs.back().textures != here) item.runs.push_back({surface, here, i, 0});
     ++item.runs.back().triangles;
   }
@@ -196,7 +200,7 @@ GlDrawing::Surface GlDrawing::surface(const Scene& scene, const Object& object, 
     const TextureMap& map = object.material.*texture_slots[i].map;
     surface.textures[i] = map.texture ? once(textures_, {map.texture.get(), map.filter, map.wrap},
                                              [&] { return upload_texture(gl_, map); })
-                                      : white_;
+                                      : blank_[i];
   }
   if (const Merl* const merl = object.material.measured())
     surface.table = once(tables_, {merl->table.get(), merl->lookup}, [&] {

@@ -43,8 +43,8 @@ public:
 private:
   /// In the order of texture_slots.
   using SlotTextures = std::array<GLuint, texture_slots.size()>;
-  /// Triangles that follow one another, have one material and show the same textures: white on those without texture
-  /// coordinates.
+  /// Triangles that follow one another, have one material and show the same textures: blank ones on those without
+  /// texture coordinates.
   struct Run {
     std::size_t surface = 0; // in Item::surfaces
     SlotTextures textures{};
@@ -106,7 +106,7 @@ private:
   const GlApi& gl_;
   Double3 background_;
   std::vector<Item> items_;
-  GLuint white_ = 0;
+  SlotTextures blank_{}; // what stands for each
   std::vector<std::string> shaders_;
   WarningList warnings_;
   DummyTextures dummies_;

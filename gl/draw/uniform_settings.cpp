@@ -29,6 +29,7 @@ constexpr std::string_view of_some_functions[] = {"ka", "kd", "ks", "glossiness"
 struct Expected {
   std::string_view name;
   GLenum operator()(float) const { return GL_FLOAT; }
+  GLenum operator()(const Float2&) const { return GL_FLOAT_VEC2; }
   GLenum operator()(const Float3&) const { return GL_FLOAT_VEC3; }
   GLenum operator()(const Float4&) const { return GL_FLOAT_VEC4; }
   GLenum operator()(const Float3x3&) const { return GL_FLOAT_MAT3; }

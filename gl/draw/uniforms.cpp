@@ -1,6 +1,7 @@
 #include "gl/draw/uniforms.h"
 
 #include "shading/light.h"
+#include "shading/normal_map.h"
 
 namespace refraster {
 namespace {
@@ -63,7 +64,7 @@ UniformValues object_uniforms(const Object& object, const Double4x4& clip_from_w
   values["model"] = Float4x4(transform.world_from_object);
   values["clipFromObject"] = Float4x4(transform.clip_from_object);
   values["normalMatrix"] = Float3x3(transform.world_from_normal);
-  values["frontSign"] = is_mirrored(object) ? -1.0f : 1.0f;
+  values["frontSign"] = values["modelHandedness"] = static_cast<float>(transform.handedness);
   for (std::size_t i = 0; i < texture_slots.size(); ++i) {
     const TextureSlot& slot = texture_slots[i];
     const TextureMap& map = object.material.*slot.map;
@@ -72,6 +73,9 @@ UniformValues object_uniforms(const Object& object, const Double4x4& clip_from_w
   }
   values["opacityThreshold"] = static_cast<float>(object.material.opacity_threshold);
   values["emissive"] = Float3(object.material.emissive);
+  values["normalFactors"] = Float2(normal_factors(object.material));
+  values["bumpFactors"] = Float2(slope_factors(object.material));
+  if (object.material.bump_map.texture) values["bumpTexel"] = Float2(texel_size(object.material.bump_map));
   if (object.material.user_function) {
     ParameterUniforms parameters(values);
     object.material.user_function->copy()->fields(parameters);
@@ -99,6 +103,7 @@ void set_uniform(const GlApi& gl, const UniformSetting& setting) {
     GLint at;
     void operator()(float x) const { gl.Uniform1f(at, x); }
     void operator()(int x) const { gl.Uniform1i(at, x); }
+    void operator()(const Float2& x) const { gl.Uniform2fv(at, 1, &x[0]); }
     void operator()(const Float3& x) const { gl.Uniform3fv(at, 1, &x[0]); }
     void operator()(const Float4& x) const { gl.Uniform4fv(at, 1, &x[0]); }
     void operator()(const Float3x3& x) const { gl.UniformMatrix3fv(at, 1, GL_FALSE, &x[0][0]); }

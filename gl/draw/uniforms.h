@@ -13,10 +13,9 @@
 
 namespace refraster {
 
-using Float4 = glm::vec4;
 using Float3x3 = glm::mat3;
 using Float4x4 = glm::mat4;
-using UniformValue = std::variant<float, int, Float3, Float4, Float3x3, Float4x4>;
+using UniformValue = std::variant<float, int, Float2, Float3, Float4, Float3x3, Float4x4>;
 using UniformValues = std::map<std::string, UniformValue>;
 
 /// The texture units that samplers are set to: those of texture_slots in their order, then these.

@@ -106,10 +106,13 @@ GLuint upload_texture(const GlApi& gl, const TextureMap& map) {
   return name;
 }
 
-GLuint upload_white(const GlApi& gl) {
-  auto white = std::make_shared<Texture>();
-  white->levels.push_back({1, 1, {255, 255, 255}});
-  return upload_texture(gl, {.texture = std::move(white), .filter = TextureFilter::nearest});
+GLuint upload_blank(const GlApi& gl, const Double3& colour) {
+  auto blank = std::make_shared<Texture>();
+  const bool is_white = colour == Double3(1);
+  blank->full_scale = is_white ? 255 : 1; // of others no value is to be rounded
+  const Float3 values(colour * blank->full_scale);
+  blank->levels.push_back({1, 1, {values.x, values.y, values.z}});
+  return upload_texture(gl, {.texture = std::move(blank), .filter = TextureFilter::nearest});
 }
 
 GLuint upload_table(const GlApi& gl, const MerlTable& table, TableContent content, MerlLookup lookup) {

@@ -16,8 +16,8 @@ GLuint upload_mesh(const GlApi& gl, const Mesh& mesh, unsigned attributes);
 /// is larger than this OpenGL's. Its scale and offset are the shader's affair.
 GLuint upload_texture(const GlApi& gl, const TextureMap& map);
 
-/// One white texel: what a shader samples of an object without a texture.
-GLuint upload_white(const GlApi& gl);
+/// One texel of this colour: what a shader samples of an object without a texture.
+GLuint upload_blank(const GlApi& gl, const Double3& colour);
 
 enum class TableContent { values, logarithms };
 

@@ -5,7 +5,15 @@ uniform float frontSign; // 1; -1 where the model mirrors, which turns its faces
 void main() {
     vec3 n = unit(fs_in(Normal));
 #ifdef TWO_SIDED
-    n *= gl_FrontFacing ? frontSign : -frontSign;
+    float side = gl_FrontFacing ? frontSign : -frontSign;
+    n *= side;
+#endif
+#ifdef HAS_TANGENTS // and maps that turn normals
+    vec4 tangent = fs_in(Tangent);
+#ifdef TWO_SIDED
+    tangent *= side;
+#endif
+    n = mapped_normal(n, tangent);
 #endif
     vec3 v = unit(viewPos - fs_in(FragPos));
     vec3 t = surface_colour();

@@ -63,8 +63,9 @@ std::string passed_on(const auto& attribute) {
     return "vec3(model * vec4(" + in + ", 1.0))";
   case Transformed::as_normal:
     return "normalMatrix * " + in;
-  case Transformed::as_direction:
-    return attribute.components == 4 ? "vec4(mat3(model) * " + in + ".xyz, " + in + ".w)" : "mat3(model) * " + in;
+  case Transformed::as_tangent:
+    return attribute.components == 4 ? "vec4(unit(mat3(model) * " + in + ".xyz), " + in + ".w * modelHandedness)"
+                                     : "unit(mat3(model) * " + in + ")";
   case Transformed::as_is:
     return in;
   }
@@ -109,7 +110,7 @@ void define_texture(std::ostream& text, const TextureSlot& slot, const TextureMa
 
 void define_function(std::ostream& text, const PhongParameters& function, const Material& material, MerlFilter) {
   for (const TextureSlot& slot : texture_slots)
-    if (slot.map != &Material::opacity_map) define_texture(text, slot, material.*slot.map);
+    if (slot.use == SlotUse::colours) define_texture(text, slot, material.*slot.map);
   define(text, "EMISSIVE", material.emissive != Double3(0));
   define(text, "SPECULAR", function.ks != Double3(0));
   define(text, "ZERO_GLOSSINESS", function.glossiness == 0);
@@ -153,7 +154,8 @@ bool has_own_glsl(const LightNames& lights) {
 bool has_own_glsl(const TextureSlot& slot) {
   const std::string declared = "sampler2D " + std::string(slot.sampler) + ";";
   return glsl_text.phong.find(declared) != std::string_view::npos ||
-         glsl_text.opacity.find(declared) != std::string_view::npos;
+         glsl_text.opacity.find(declared) != std::string_view::npos ||
+         glsl_text.normal_map.find(declared) != std::string_view::npos;
 }
 
 bool has_own_glsl(std::string_view varying) {
@@ -189,6 +191,7 @@ std::string own_vertex_glsl(const Mesh& mesh, GlslDialect dialect) {
     if (!is_handed_over(attribute, mesh)) return;
     inputs += "layout(location = " + std::to_string(here) + ") in " + type_of(attribute) + " ";
     inputs.append(attribute.input).append(";\n");
+    if (attribute.transformed == Transformed::as_tangent) inputs += "uniform float modelHandedness;\n";
     assignments.append("    vs_out(").append(attribute.varying).append(") = ").append(passed_on(attribute)) += ";\n";
   });
   return std::string(version(dialect)).append(inputs).append(varyings(mesh, dialect, "out")).append(glsl_text.vertex) +
@@ -210,8 +213,14 @@ std::string own_fragment_glsl(const Scene& scene, const Mesh& mesh, const Materi
       material.fragment_function);
   define_opacity(text, material);
   define(text, "TWO_SIDED", two_sided == TwoSided::yes);
-  text << varyings(mesh, dialect, "in") << glsl_text.surface << formulas << light_sum(scene) << glsl_text.opacity
-       << glsl_text.main;
+  const bool turns_normals = material.turns_normals() && !mesh.tangents.empty();
+  define(text, "HAS_TANGENTS", turns_normals);
+  for (const TextureSlot& slot : texture_slots)
+    if (turns_normals && (slot.map == &Material::normal_map || slot.map == &Material::bump_map))
+      define_texture(text, slot, material.*slot.map);
+  text << varyings(mesh, dialect, "in") << glsl_text.surface;
+  if (turns_normals) text << glsl_text.normal_map;
+  text << formulas << light_sum(scene) << glsl_text.opacity << glsl_text.main;
   return text.str();
 }
 

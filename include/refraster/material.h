@@ -254,7 +254,7 @@ enum class SlotValue { colour, scalar };
 /// What a texture changes: colours, as a fragment function has them; or the surface itself, whatever the function.
 enum class SlotUse { colours, surface };
 
-/// A texture that a material may have. Where there is none, or no texture coordinates, it is white.
+/// A texture that a material may have. Where there is none, or no texture coordinates, it is `blank`.
 struct TextureSlot {
   TextureMap Material::*map = nullptr;     ///< the member that holds it
   Double3 Material::*multiplied = nullptr; ///< the member that it multiplies, if the material itself has that
@@ -267,11 +267,13 @@ struct TextureSlot {
   std::string_view meaning = {};           ///< of the image, for the documentation
   SlotValue value = SlotValue::colour;     ///< what is read of the image
   SlotUse use = SlotUse::colours;          ///< what it changes
+  ScalarChannel channel = ScalarChannel::automatic; ///< of scalar values: which they are, where nothing else is said
+  Double3 blank{1}; ///< what stands for it where there is none: white, or what turns no normal
 };
 
 /// Every texture that a material may have. Scene files and their documentation, loading, checks and OpenGL's texture
-/// units follow from this list; what a texture's colour is for is in raster/shade/shade_packet.h, what an opacity is for
-/// in raster/shade/opacity.h.
+/// units follow from this list; what a texture's colour is for is in raster/shade/shade_packet.h, what an opacity is
+/// for in raster/shade/opacity.h.
 inline constexpr std::array texture_slots{
     TextureSlot{&Material::diffuse_map, nullptr, "texture", "diffuse_map", "texture_file_path", "texture_filter", "tex",
                 "texPlace", "a `.png`, `.jpg`, `.tga` or `.bmp` image; not loaded for `merl`"},
@@ -302,14 +304,16 @@ inline constexpr std::array texture_slots{
                 "opacityTex",
                 "opacityTexPlace",
                 "how much of the surface is there: below `opacity_threshold` it is cut out",
-                SlotValue::scalar},
+                SlotValue::scalar,
+                SlotUse::surface},
     TextureSlot{.map = &Material::normal_map,
                 .name = "normal_map",
                 .key = "normal_map",
                 .sampler = "normalTex",
                 .place = "normalTexPlace",
                 .meaning = "turns normals: red along u, green along v, blue away from the surface, 1/2 is 0",
-                .use = SlotUse::surface},
+                .use = SlotUse::surface,
+                .blank = {0.5, 0.5, 1}},
     TextureSlot{.map = &Material::bump_map,
                 .name = "bump_map",
                 .key = "bump_map",
@@ -317,7 +321,15 @@ inline constexpr std::array texture_slots{
                 .place = "bumpTexPlace",
                 .meaning = "turns normals by the slopes of its heights",
                 .value = SlotValue::scalar,
-                .use = SlotUse::surface}};
+                .use = SlotUse::surface,
+                .channel = ScalarChannel::luminance}};
+
+/// The slot of this member.
+constexpr TextureSlot declared(TextureMap Material::*map) {
+  for (const TextureSlot& slot : texture_slots)
+    if (slot.map == map) return slot;
+  return {};
+}
 
 /// Calls visit(map) with each texture that the material has.
 void for_each_texture(auto& material, auto&& visit) {

@@ -25,6 +25,7 @@ using Double3 = Vec3<double>;
 using Double4 = Vec4<double>;
 using Float2 = Vec2<float>;
 using Float3 = Vec3<float>;
+using Float4 = Vec4<float>;
 using Double3x3 = glm::dmat3; // column-major, as in GLM and GLSL: m[column][row]
 using Double4x4 = glm::dmat4;
 

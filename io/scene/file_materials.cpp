@@ -161,9 +161,13 @@ const std::vector<Material>& FileMaterials::materials(const std::string& obj_pat
     material.diffuse_map = map(described.diffuse_map, {ColourSpace::srgb}, described, obj_path);
     material.specular_map = map(described.specular_map, {}, described, obj_path);
     material.emissive_map = map(described.emissive_map, {ColourSpace::srgb}, described, obj_path);
-    material.opacity_map =
-        map(described.dissolve_map, {.channel = opacity_channel(described.dissolve_map)}, described, obj_path);
+    const auto scalar = [&](const MeshTexture& texture, TextureMap Material::*slot) {
+      material.*slot = map(texture, {.channel = scalar_channel(texture, declared(slot).channel)}, described, obj_path);
+    };
+    scalar(described.dissolve_map, &Material::opacity_map), scalar(described.bump_map, &Material::bump_map);
+    material.normal_map = map(described.normal_map, {}, described, obj_path);
     material.emissive = emissive_colour(described);
+    material.bump_scale = described.bump_map.bump_multiplier;
     if (notes_) note_what_is_not_shown(described, *notes_);
   }
   return entry->second;

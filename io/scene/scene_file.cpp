@@ -68,6 +68,7 @@ public:
     if (text.material_from == MaterialFrom::scene) load_material(text, result.material);
     else result.material = FileMaterials::plain(function_of(text));
     if (result.mesh) add_materials(text, result);
+    if (result.mesh && turns_normals(result)) result.mesh = with_tangents(result.mesh);
     if (result.mesh) note_untextured(text, result);
     for (const PathText* const path : {&text.obj_file, &text.vertex_shader, &text.fragment_shader})
       note_backslashes(*path);
@@ -92,7 +93,7 @@ private:
             return read_merl(path);
           });
     for (std::size_t i = 0; i < texture_slots.size(); ++i) {
-      if (material.measured() && texture_slots[i].map != &Material::opacity_map) continue;
+      if (material.measured() && texture_slots[i].use == SlotUse::colours) continue;
       TextureMap& map = material.*texture_slots[i].map;
       map = text.maps[i].map, map.texture = texture(text.maps[i]);
     }
@@ -178,6 +179,28 @@ private:
       return mesh;
     };
     return load(meshes_, text.obj_file, "an OBJ file", read, name_of(ObjOptions{text.normals, nullptr, text.colours}));
+  }
+
+  static bool turns_normals(const Object& object) {
+    const auto turns = [](const Material& material) { return material.turns_normals(); };
+    return turns(object.material) || std::any_of(object.materials.begin(), object.materials.end(), turns);
+  }
+
+  /// A copy that has them: of a mesh that several objects have, one.
+  std::shared_ptr<const Mesh> with_tangents(const std::shared_ptr<const Mesh>& mesh) {
+    std::shared_ptr<const Mesh>& entry = with_tangents_[mesh];
+    if (!entry) {
+      std::uint64_t bytes = mesh->triangles.size() * sizeof mesh->triangles[0] + mesh->uvs.size() * sizeof(Float4);
+      for_each_vertex_attribute([&](const auto& attribute) {
+        const auto& values = mesh.get()->*attribute.values;
+        bytes += values.size() * sizeof values[0];
+      });
+      options_.memory.need(bytes, "a mesh with tangents");
+      auto copy = std::make_shared<Mesh>(*mesh);
+      add_tangents(*copy);
+      entry = std::move(copy);
+    }
+    return entry;
   }
 
   void note_untextured(const ObjectText& text, const Object& object) {
@@ -276,7 +299,7 @@ private:
     if (!measured) note("brdf_file_path", text.brdf_file, " uses no measured table");
     for (std::size_t i = 0; i < texture_slots.size(); ++i) {
       const TextureSlot& slot = texture_slots[i];
-      if (slot.map == &Material::opacity_map) continue; // of any function
+      if (slot.use == SlotUse::surface) continue; // of any function
       const std::string_view key = map_key(slot, text.maps[i]);
       if (measured) note(key, text.maps[i].path, " shows no texture");
       else if (material.user_function && slot.map != &Material::diffuse_map)
@@ -330,6 +353,7 @@ private:
   std::set<std::string> described_; // identities of OBJ files whose materials are read
   FileMaterials file_materials_;
   std::vector<std::pair<Shape, std::shared_ptr<const Mesh>>> shapes_;
+  std::map<std::shared_ptr<const Mesh>, std::shared_ptr<const Mesh>> with_tangents_; // by the mesh without
 };
 
 } // namespace

@@ -135,7 +135,7 @@ using MapTexts = std::array<MapText, texture_slots.size()>;
 inline MapTexts map_texts() {
   MapTexts texts;
   for (std::size_t i = 0; i < texts.size(); ++i)
-    if (texture_slots[i].value == SlotValue::scalar) texts[i].reading.channel = ScalarChannel::automatic;
+    if (texture_slots[i].value == SlotValue::scalar) texts[i].reading.channel = texture_slots[i].channel;
   return texts;
 }
 
@@ -297,6 +297,10 @@ void material_keys(auto& text, auto&& keys) {
        otherwise("`\"0 0 0\"`; `\"1 1 1\"` beside an `emissive_map`"));
   keys("opacity_threshold", text.object.material.opacity_threshold, Range{0, 1},
        "where the `opacity_map` at a pixel's centre is less, nothing of the surface is in the pixel", defaulted);
+  keys("normal_scale", text.object.material.normal_scale, any_number,
+       "of `normal_map`: what the slopes of its normals are multiplied by", defaulted);
+  keys("bump_scale", text.object.material.bump_scale, any_number,
+       "of `bump_map`: how much higher white is than black, in texels", defaulted);
 }
 
 void object_keys(auto& text, auto&& keys) {

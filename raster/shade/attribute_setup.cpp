@@ -83,8 +83,7 @@ template <class Real>
       t.row[static_cast<std::size_t>(max_uv_row + c)][3] = Real(0);
       continue;
     }
-    const auto uv =
-        uv_component(mesh, {indices[corner[0]], indices[corner[1]], indices[corner[2]]}, c, repeats).value;
+    const auto uv = uv_component(mesh, {indices[corner[0]], indices[corner[1]], indices[corner[2]]}, c, repeats).value;
     row = {static_cast<Real>(uv[0]), static_cast<Real>(uv[1] - uv[0]), static_cast<Real>(uv[2] - uv[0]),
            static_cast<Real>(std::min({uv[0], uv[1], uv[2]}))};
     t.row[static_cast<std::size_t>(max_uv_row + c)][3] = static_cast<Real>(std::max({uv[0], uv[1], uv[2]}));

@@ -104,7 +104,8 @@ bool shows_back(const FrameContext& context, const TriangleRef& ref, std::uint32
 bool is_turned(const FrameContext& context, const TriangleRef& ref, std::uint32_t number);
 
 /// Calls body(row) with those of AttributeSetup that are negated where a triangle is turned: of normals and, where the
-/// mesh has them, of tangents with their handedness, which make the normal of any map change its sign, and nothing else.
+/// mesh has them, of tangents with their handedness, which make the normal of any map change its sign, and nothing
+/// else.
 void for_each_turned_row(const Mesh& mesh, auto&& body) {
   for (int r = normal_row; r < normal_row + 3; ++r) body(static_cast<std::size_t>(r));
   if (!mesh.tangents.empty())

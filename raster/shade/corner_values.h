@@ -42,8 +42,7 @@ corner_value(const Mesh& mesh, const ObjectTransform& transform, const VertexAtt
     Double3 xyz(result[0], result[1], result[2]);
     if (attribute.transformed == Transformed::as_position) xyz = Double3(transform.world_from_object * Double4(xyz, 1));
     if (attribute.transformed == Transformed::as_normal) xyz = transform.world_from_normal * xyz;
-    if (attribute.transformed == Transformed::as_tangent)
-      xyz = normalize(Double3x3(transform.world_from_object) * xyz);
+    if (attribute.transformed == Transformed::as_tangent) xyz = normalize(Double3x3(transform.world_from_object) * xyz);
     for (std::size_t c = 0; c < 3; ++c) result[c] = xyz[static_cast<glm::length_t>(c)];
   }
   if constexpr (Value::length() == 4)

@@ -44,7 +44,7 @@ Double3 emissive_colour(const MeshMaterial& material) {
   return material.emissive.value_or(Double3(material.emissive_map.path.empty() ? 0 : 1));
 }
 
-ScalarChannel opacity_channel(const MeshTexture& map) {
+ScalarChannel scalar_channel(const MeshTexture& map, ScalarChannel otherwise) {
   switch (map.channel) {
   case 'r':
     return ScalarChannel::red;
@@ -57,7 +57,7 @@ ScalarChannel opacity_channel(const MeshTexture& map) {
   case 'l':
     return ScalarChannel::luminance;
   default: // none, or z, a depth, which images do not have
-    return ScalarChannel::automatic;
+    return otherwise;
   }
 }
 
@@ -77,14 +77,11 @@ void note_what_is_not_shown(const MeshMaterial& material, NoteList& notes) {
     note("Pr or Pm", "drawn by Kd, Ks and Ns: roughness and metalness are read, but no fragment function uses them");
   if (!material.ambient_map.path.empty() && material.ambient_map.path != material.diffuse_map.path)
     note("map_Ka", "read without map_Ka: ambient light is coloured by map_Kd");
-  for (const MeshTexture* const map : {&material.diffuse_map, &material.specular_map, &material.emissive_map})
+  for (const MeshTexture* const map :
+       {&material.diffuse_map, &material.specular_map, &material.emissive_map, &material.normal_map})
     if (map->channel != 0 && map->channel != 'm') note("-imfchan", "read without -imfchan: a colour has all channels");
-  const auto unshown = [&](const MeshTexture& map, const char* what) {
-    if (!map.path.empty()) note(what, "read, but not shown yet");
-  };
-  if (material.dissolve_map.channel == 'z') note("-imfchan z", "read without -imfchan: an image has no depth");
-  unshown(material.bump_map, "map_Bump");
-  unshown(material.normal_map, "norm");
+  if (material.dissolve_map.channel == 'z' || material.bump_map.channel == 'z')
+    note("-imfchan z", "read without -imfchan: an image has no depth");
 }
 
 } // namespace refraster

@@ -17,8 +17,8 @@ PhongParameters phong_parameters(const MeshMaterial& material);
 /// Light of its own, linear, without texture.
 Double3 emissive_colour(const MeshMaterial& material);
 
-/// Which channel of a map_d is the opacity: that of -imfchan, if an image has it.
-ScalarChannel opacity_channel(const MeshTexture& map);
+/// Which channel of a map of single numbers is read: that of -imfchan, if an image has it.
+ScalarChannel scalar_channel(const MeshTexture& map, ScalarChannel otherwise);
 
 /// Notes what the file says of a material and no fragment function shows, each kind once.
 void note_what_is_not_shown(const MeshMaterial& material, NoteList& notes);

@@ -48,6 +48,7 @@ void write_uniforms(JsonWriter& json, const UniformValues& values) {
             const auto append = [&](const float* from, std::size_t count) { numbers.assign(from, from + count); };
             if constexpr (std::is_same_v<X, float>) setter = "uniform1fv", append(&x, 1);
             else if constexpr (std::is_same_v<X, int>) setter = "uniform1iv", numbers = {static_cast<double>(x)};
+            else if constexpr (std::is_same_v<X, Float2>) setter = "uniform2fv", append(&x[0], 2);
             else if constexpr (std::is_same_v<X, Float3>) setter = "uniform3fv", append(&x[0], 3);
             else if constexpr (std::is_same_v<X, Float4>) setter = "uniform4fv", append(&x[0], 4);
             else if constexpr (std::is_same_v<X, Float3x3>) setter = "uniformMatrix3fv", append(&x[0][0], 9);
