@@ -83,28 +83,35 @@ template <class Data, class T = typename Data::Number>
   return {max0(colour.x), max0(colour.y), max0(colour.z)};
 }
 
-/// n, unit, as the maps of a material turn it, whose mesh has tangents. Of a triangle without texture coordinates they
-/// say that it stays. Out of line: few packets ask for it. Interpolates once more, as fragment_maps().
-template <class Data, class T = typename Data::Number, class Read = SamplePlaced>
+/// The direction that the maps of a material say, in the frame of tangent, bitangent and normal; of a triangle without
+/// texture coordinates that of the normal.
+template <class Data, class T = typename Data::Number>
+Vec3<T> map_direction(const Material& material, const Data& data, const PacketBarycentrics<T>& at,
+                      const UndefinedTally<T>& tally) {
+  const Vec3<T> unturned(T(0), T(0), T(1));
+  if (!data.may_have_texture_coordinates()) return unturned;
+  Vec3<T> m = unturned;
+  if (material.normal_map.texture)
+    m = map_normal(material, texture_colour(material.normal_map, data, at, tally, SamplePlaced{}));
+  if (material.bump_map.texture) {
+    const Rgb<T> rise = texture_colour(material.bump_map, data, at, tally, ReadSlopes{});
+    const Double2 factors = slope_factors(material);
+    m.x -= rise.x * as<T>(within_range<T>(factors.x)), m.y -= rise.y * as<T>(within_range<T>(factors.y));
+  }
+  return select<T>(without_uv(data), unturned, m);
+}
+
+/// n, unit, as the maps of a material turn it, whose mesh has tangents. Out of line: few packets ask for it.
+/// Interpolates once more, as fragment_maps().
+template <class Data, class T = typename Data::Number>
 [[gnu::noinline]] Vec3<T> mapped_normal(const FrameContext& context, const Material& material, const Data& data,
-                                        const Vec3<T>& n, const UndefinedTally<T>& tally, const Read& read = {}) {
-  const TextureMap &normals = material.normal_map, &heights = material.bump_map;
-  const PacketBarycentrics<T> at = needs_derivatives(normals) || needs_derivatives(heights)
+                                        const Vec3<T>& n, const UndefinedTally<T>& tally) {
+  const PacketBarycentrics<T> at = needs_derivatives(material.normal_map) || needs_derivatives(material.bump_map)
                                        ? barycentrics<Derivatives::yes>(data)
                                        : barycentrics<Derivatives::no>(data);
-  Vec3<T> m(T(0), T(0), T(1));
-  if (data.may_have_texture_coordinates()) {
-    const Vec3<T> stays = m;
-    if (normals.texture) m = map_normal(material, texture_colour(normals, data, at, tally, read));
-    if (heights.texture) {
-      const Rgb<T> rise = texture_colour(heights, data, at, tally, ReadSlopes{});
-      const Double2 factors = slope_factors(material);
-      m.x -= rise.x * as<T>(within_range<T>(factors.x)), m.y -= rise.y * as<T>(within_range<T>(factors.y));
-    }
-    m = select<T>(without_uv(data), stays, m);
-  }
   MaskOf<T> usable;
-  const Vec3<T> turned = turned_normal(n, attribute_value<&Mesh::tangents>(context, data, at.at), m, usable);
+  const Vec3<T> turned = turned_normal(n, attribute_value<&Mesh::tangents>(context, data, at.at),
+                                       map_direction(material, data, at, tally), usable);
   tally.note(Undefined::zero_normal, !usable);
   return turned;
 }

@@ -76,11 +76,13 @@ std::string fault_of(const Mesh& mesh) {
   if (mesh.normals.size() != count) return "mesh: normals";
   if (mesh.uvs.size() > count) return "mesh: uvs";
   if (mesh.colours.size() > count) return "mesh: colours";
+  if (mesh.tangents.size() > count) return "mesh: tangents";
   for (std::size_t i = 0; i < count; ++i) {
     const Float3 p = mesh.positions[i], n = mesh.normals[i];
     const Float2 uv = i < mesh.uvs.size() ? mesh.uvs[i] : Float2(0.0f);
     const Float3 c = i < mesh.colours.size() ? mesh.colours[i] : Float3(1.0f);
-    if (!all_finite(std::array{p.x, p.y, p.z, n.x, n.y, n.z, uv.x, uv.y, c.x, c.y, c.z}))
+    const Float4 t = i < mesh.tangents.size() ? mesh.tangents[i] : Float4(0.0f);
+    if (!all_finite(std::array{p.x, p.y, p.z, n.x, n.y, n.z, uv.x, uv.y, c.x, c.y, c.z, t.x, t.y, t.z, t.w}))
       return "mesh: a vertex is not finite";
   }
   std::vector<char> used(count);
@@ -138,6 +140,8 @@ std::string fault_of(const Scene& scene) {
     const auto judge = [](const auto& function) { return function_fault(function); };
     if (std::string fault = std::visit(judge, object.material.fragment_function); !fault.empty()) return fault;
     if (!at_least_0(object.material.emissive)) return "material: emissive";
+    if (!std::isfinite(object.material.normal_scale) || !std::isfinite(object.material.bump_scale))
+      return "material: scale of a map";
     std::string of_textures;
     for_each_texture(object.material, [&](const TextureMap& map) {
       if (of_textures.empty()) of_textures = fault_of(map);

@@ -201,6 +201,15 @@ void add_surface(const FrameContext& context, const Material& material, std::uin
       if (map.texture) texture_colour(map, data, at, tally, TellReading{how});
     };
     describe(material.diffuse_map, story.texture);
+    if (turns_normals(context, material, data.object())) {
+      NormalMapStory maps;
+      const auto tangent = attribute_value<&Mesh::tangents>(context, data, at.at);
+      maps.unmapped = plain(shading_normal(context, data, attribute_value<&Mesh::normals>(context, data, at.at), tally));
+      maps.tangent = {plain(tangent.x), plain(tangent.y), plain(tangent.z)}, maps.handedness = plain(tangent.w);
+      maps.direction = plain(map_direction(material, data, at, tally));
+      describe(material.normal_map, maps.normal_map), describe(material.bump_map, maps.bump_map);
+      story.maps_of_normal = std::move(maps);
+    }
     if (!material.has_fragment_maps()) return;
     describe(material.specular_map, story.specular_map), describe(material.emissive_map, story.emissive_map);
   });

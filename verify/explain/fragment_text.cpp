@@ -40,7 +40,15 @@ std::string surface_text(const FragmentStory& f) {
   text += row("weights of the corners", std::vector<double>(f.weights.begin(), f.weights.end()));
   text += row("position", f.position);
   text += row(f.turned ? "normal, turned to the eye" : "normal as interpolated", f.interpolated_normal);
-  text += row("normal n, unit", f.normal);
+  if (const auto& maps = f.maps_of_normal) {
+    text += row("normal before maps, unit", maps->unmapped);
+    text += row("tangent t", maps->tangent);
+    text += row("handedness of the frame", std::vector<double>{maps->handedness});
+    text += row("direction m of the maps", maps->direction);
+    text += row("normal n, m in that frame", f.normal);
+  } else {
+    text += row("normal n, unit", f.normal);
+  }
   text += row("to the eye v, unit", f.to_eye);
   text += row("n.v", std::vector<double>{f.n_v});
   if (f.uv) text += row("texture coordinates u v", std::vector<double>{f.uv->x, f.uv->y});
@@ -80,6 +88,9 @@ std::string reading_text(const std::string& name, const TextureStory& t) {
 std::string textures_text(const FragmentStory& f) {
   std::string text = f.texture ? reading_text("TEXTURE", *f.texture) + row("colour t", f.texture_colour)
                                : row("texture colour t, no texture", f.texture_colour);
+  if (f.maps_of_normal && f.maps_of_normal->normal_map)
+    text += reading_text("NORMAL MAP", *f.maps_of_normal->normal_map);
+  if (f.maps_of_normal && f.maps_of_normal->bump_map) text += reading_text("BUMP MAP", *f.maps_of_normal->bump_map);
   if (f.specular_map) text += reading_text("SPECULAR MAP", *f.specular_map);
   if (f.specular_colour) text += row("colour that multiplies ks", *f.specular_colour);
   if (f.emissive_map) text += reading_text("EMISSIVE MAP", *f.emissive_map);

@@ -150,6 +150,15 @@ struct ExactTerms {
   Double3 radiance{0};
 };
 
+/// How maps turn a normal: unit(m.x t + m.y b + m.z n), b = w cross(n, t).
+struct NormalMapStory {
+  Double3 unmapped{0};  // n, unit: the normal before
+  Double3 tangent{0};   // t, as interpolated
+  double handedness{0}; // w
+  Double3 direction{0}; // m
+  std::optional<TextureStory> normal_map, bump_map;
+};
+
 /// One triangle that the pixel sees, shaded once at the pixel's centre, in double.
 struct FragmentStory {
   NamedTriangle of;
@@ -157,8 +166,9 @@ struct FragmentStory {
   std::array<double, 3> weights{}; // of its corners, perspective-correct; below 0 where the centre lies beside it
   Double3 position{0};             // world space
   Double3 interpolated_normal{0};  // as it comes out of interpolation
-  bool turned = false;             // both normals: a two-sided object shows its back
-  Double3 normal{0};               // n: unit
+  bool turned = false;             // all normals: a two-sided object shows its back
+  std::optional<NormalMapStory> maps_of_normal;
+  Double3 normal{0}; // n: unit
   Double3 to_eye{0};               // v: unit
   double n_v = 0;
   std::optional<Double2> uv; // as interpolated, not wrapped

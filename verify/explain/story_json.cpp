@@ -182,6 +182,17 @@ private:
       json_.member("position", listed(f.position));
       json_.member("interpolated_normal", listed(f.interpolated_normal));
       json_.member("normal", listed(f.normal));
+      if (const auto& maps = f.maps_of_normal)
+        json_.object("maps_of_normal", [&] {
+          json_.member("unmapped", listed(maps->unmapped));
+          json_.member("tangent", listed(maps->tangent));
+          json_.member("handedness", maps->handedness);
+          json_.member("direction", listed(maps->direction));
+          const auto reading = [&](std::string_view name, const std::optional<TextureStory>& texture) {
+            if (texture) json_.optional(name, texture, [&](const TextureStory& t) { write(t); });
+          };
+          reading("normal_map", maps->normal_map), reading("bump_map", maps->bump_map);
+        });
       if (f.turned) json_.member("turned", true);
       json_.member("to_eye", listed(f.to_eye));
       json_.member("n_v", f.n_v);

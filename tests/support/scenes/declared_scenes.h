@@ -70,6 +70,9 @@ inline std::vector<DeclaredEntry> declared_entries() {
       change_mesh(*scene, [](Mesh& mesh) {
         for (std::size_t v = 0; v < mesh.uvs.size(); ++v) mesh.uvs[v] = Float2(mesh.positions[v]);
       });
+    if (slot.use == SlotUse::surface)
+      for (Scene* const scene : {&entry.with, &entry.without})
+        change_mesh(*scene, [](Mesh& mesh) { add_tangents(mesh); });
     for (Scene* const scene : {&entry.with, &entry.without})
       if (slot.multiplied) scene->objects[0].material.*slot.multiplied = Double3(1);
     (entry.with.objects[0].material.*slot.map).texture = some_texture(i);

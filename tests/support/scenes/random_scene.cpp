@@ -100,6 +100,17 @@ std::vector<Float3> random_colours(const Mesh& mesh) {
   return colours;
 }
 
+/// Of one mesh in three: those of MikkTSpace, or any. From a generator of its own, likewise.
+void add_random_tangents(Mesh& mesh) {
+  Random random(2000 * mesh.positions.size() + mesh.triangles.size());
+  if (one_in(random, 3)) return add_tangents(mesh);
+  if (!one_in(random, 4)) return;
+  mesh.tangents.resize(mesh.positions.size() / (one_in(random, 3) ? 2 : 1));
+  for (Float4& value : mesh.tangents)
+    for (int c = 0; c < 4; ++c)
+      value[c] = one_in(random, 12) ? random.hard<float>() : static_cast<float>(random.uniform(-1, 1));
+}
+
 std::shared_ptr<const Texture> random_texture(Random& random, TextureFilter filter) {
   auto texture = std::make_shared<Texture>();
   texture->full_scale = one_in(random, 3) ? 65535 : 255;
@@ -133,6 +144,8 @@ void add_further_textures(const Random& random, Material& material) {
     const auto scale = [&] { return one_in(own, 8) ? own.log_uniform(1e-300, 1e300) : own.uniform(-4, 4); };
     map.scale = {scale(), scale()}, map.offset = {scale(), scale()};
   }
+  const auto strength = [&] { return one_in(own, 8) ? own.hard<double>() : own.uniform(-3, 3); };
+  material.normal_scale = strength(), material.bump_scale = strength();
 }
 
 /// Of few materials, from a generator of its own, which the other only seeds. Most thresholds cut out a part, some
@@ -211,6 +224,7 @@ Object random_object(Random& random) {
   object.name = "object";
   Mesh mesh = random_mesh(random);
   mesh.colours = random_colours(mesh);
+  add_random_tangents(mesh);
   object.mesh = std::make_shared<const Mesh>(std::move(mesh));
   object.position = one_in(random, 4) ? vector(random) : Double3{random.uniform(-1, 1), random.uniform(-1, 1), 0};
   object.rotate_degrees = vector(random) * (one_in(random, 2) ? 1.0 : 60.0);

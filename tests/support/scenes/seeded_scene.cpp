@@ -247,7 +247,18 @@ Material random_material(Random& random) {
     map.scale = {own.uniform(-3, 3), own.uniform(-3, 3)}, map.offset = {own.uniform(-1, 1), own.uniform(-1, 1)};
   }
   add_opacity(random, material);
+  material.normal_scale = own.uniform(-1.5, 1.5), material.bump_scale = own.uniform(-2, 2);
   return material;
+}
+
+/// Where its maps turn normals: without, as a scene that is made by hand may be, in one of four.
+void add_tangents_to(Object& object) {
+  const Mesh& mesh = *object.mesh;
+  Random own(2000 * mesh.positions.size() + mesh.triangles.size());
+  if (!object.material.turns_normals() || one_in(own, 4)) return;
+  Mesh with = mesh;
+  add_tangents(with);
+  object.mesh = std::make_shared<const Mesh>(std::move(with));
 }
 
 Object random_object(Random& random) {
@@ -261,6 +272,7 @@ Object random_object(Random& random) {
   object.cull = any_of<Cull>(random);
   object.two_sided = object.position.y < 0 ? TwoSided::yes : TwoSided::no; // no other number is drawn for it
   object.material = random_material(random);
+  add_tangents_to(object);
   return object;
 }
 
@@ -274,6 +286,7 @@ Object ground(Random& random, const Camera& camera) {
   object.scale = Double3(random.uniform(2, 30));
   object.cull = Cull::none;
   object.material = random_material(random);
+  add_tangents_to(object);
   return object;
 }
 

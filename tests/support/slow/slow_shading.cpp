@@ -77,6 +77,53 @@ Vec texture_colour(const TextureMap& map, const Seen& seen) {
   return {};
 }
 
+// Normals.
+
+/// By how much a map's value grows over a texel, in its first channel, along u or v of the image.
+Real slope(const TextureMap& map, const Seen& seen, int axis) {
+  const TextureLevel& image = map.texture->levels[0];
+  const Real texel = 1 / real(axis == 0 ? image.width : image.height);
+  const auto height = [&](Real to) {
+    Seen there = seen; // coordinates of the image itself
+    there.u = seen.u * real(map.scale.x) + real(map.offset.x) + (axis == 0 ? to : 0);
+    there.v = seen.v * real(map.scale.y) + real(map.offset.y) + (axis == 1 ? to : 0);
+    there.u_right *= real(map.scale.x), there.u_down *= real(map.scale.x);
+    there.v_right *= real(map.scale.y), there.v_down *= real(map.scale.y);
+    TextureMap plain = map;
+    plain.scale = Double2(1), plain.offset = Double2(0);
+    return texture_colour(plain, there).x;
+  };
+  return (height(texel) - height(-texel)) / 2;
+}
+
+Real sign_of(double x) {
+  return x > 0 ? 1 : x < 0 ? -1 : 0;
+}
+
+/// The surface's height over the plane of tangent and bitangent falls by what the maps' normals lean.
+Vec mapped_normal(const Seen& seen) {
+  const Material& material = *seen.material;
+  if (!seen.has_uv || (!material.normal_map.texture && !material.bump_map.texture)) return seen.normal;
+  if (seen.object->mesh->tangents.empty()) return seen.normal;
+  Vec m{0, 0, 1};
+  if (const TextureMap& map = material.normal_map; map.texture) {
+    const Vec colour = texture_colour(map, seen);
+    const Real strength = real(material.normal_scale);
+    m = {(2 * colour.x - 1) * strength * sign_of(map.scale.x), (2 * colour.y - 1) * strength * sign_of(map.scale.y),
+         2 * colour.z - 1};
+  }
+  if (const TextureMap& map = material.bump_map; map.texture) {
+    const Real strength = real(material.bump_scale);
+    m.x -= slope(map, seen, 0) * strength * sign_of(map.scale.x);
+    m.y -= slope(map, seen, 1) * strength * sign_of(map.scale.y);
+  }
+  // What is seen from behind is the same surface, and its normal the opposite one.
+  const Real side = seen.turned ? -1 : 1;
+  const Vec n = seen.normal * side, b = cross(n, seen.tangent) * seen.handedness;
+  const Vec sum = seen.tangent * m.x + b * m.y + n * m.z;
+  return length(sum) > 0 ? unit(sum) * side : seen.normal;
+}
+
 // Measured BRDFs.
 
 struct Angles {
@@ -207,7 +254,7 @@ concept HasFormula = requires(const Function& function, const Lit& at) {
 } // namespace
 
 Lit lit(const Scene& scene, const Seen& seen) {
-  return {seen.normal,
+  return {mapped_normal(seen),
           unit(vec(scene.camera.position) - seen.position),
           texture_colour(seen.material->diffuse_map, seen) * seen.colour,
           lights_at(scene, seen.position),

@@ -35,6 +35,15 @@ Real half_cotangent(double fov_y_degrees) {
   return half <= 45 ? 1 / std::tan(half * degree) : std::tan((90 - half) * degree);
 }
 
+/// The axes of a model that mirrors turn a right-handed frame into a left-handed one.
+void set_tangent(const Mesh& mesh, std::size_t vertex, const Axes& model, Real sign, Corner& corner) {
+  if (vertex >= mesh.tangents.size()) return;
+  const Float4& tangent = mesh.tangents[vertex];
+  const Vec direction = model * vec(tangent);
+  if (length(direction) > 0) corner.tangent = unit(direction);
+  corner.handedness = real(tangent.w) * sign;
+}
+
 } // namespace
 
 Viewer::Viewer(const Camera& camera, int width, int height)
@@ -73,6 +82,8 @@ Corner Viewer::cut(const Corner& front, const Corner& back) const {
   corner.has_uv = front.has_uv && back.has_uv;
   corner.u = front.u * s + back.u * t, corner.v = front.v * s + back.v * t;
   corner.colour = front.colour * s + back.colour * t;
+  corner.tangent = front.tangent * s + back.tangent * t;
+  corner.handedness = front.handedness * s + back.handedness * t;
   corner.window = window_of(corner);
   return corner;
 }
@@ -96,6 +107,7 @@ std::vector<Corner> corners_of(const Object& object, const Viewer& viewer) {
     corner.has_uv = i < mesh.uvs.size();
     if (corner.has_uv) corner.u = real(mesh.uvs[i].x), corner.v = real(mesh.uvs[i].y);
     if (i < mesh.colours.size()) corner.colour = vec(mesh.colours[i]);
+    set_tangent(mesh, i, model, sign, corner);
     viewer.place(corner);
   }
   return corners;
@@ -104,6 +116,9 @@ std::vector<Corner> corners_of(const Object& object, const Viewer& viewer) {
 std::vector<Corner> stored_corners(const Scene& scene, const Geometry& geometry, std::size_t index, int width,
                                    int height) {
   const Mesh& mesh = *scene.objects[index].mesh;
+  const Double4x4& m = geometry.transforms[index].world_from_object;
+  const Axes model{vec(m[0]), vec(m[1]), vec(m[2])};
+  const Real sign = dot(model.x, cross(model.y, model.z)) < 0 ? -1 : 1;
   std::vector<Corner> corners(mesh.positions.size());
   for (std::size_t i = 0; i < corners.size(); ++i) {
     Corner& corner = corners[i];
@@ -115,6 +130,7 @@ std::vector<Corner> stored_corners(const Scene& scene, const Geometry& geometry,
     corner.has_uv = i < mesh.uvs.size();
     if (corner.has_uv) corner.u = real(mesh.uvs[i].x), corner.v = real(mesh.uvs[i].y);
     if (i < mesh.colours.size()) corner.colour = vec(mesh.colours[i]);
+    set_tangent(mesh, i, model, sign, corner);
     corner.x = real(clip.x), corner.y = real(clip.y), corner.z = real(clip.z), corner.w = real(clip.w);
     if (window.outcode & outcode::unsnapped) {
       corner.window = {(corner.x + corner.w) * width / 2, (corner.w - corner.y) * height / 2, corner.w};

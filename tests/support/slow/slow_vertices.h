@@ -19,6 +19,8 @@ struct Corner {
   bool has_uv = false;
   Real u = 0, v = 0;
   Vec colour = {1, 1, 1};
+  Vec tangent; // unit, or 0: the mesh has none
+  Real handedness = 0;
 };
 
 class Viewer {

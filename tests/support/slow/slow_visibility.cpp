@@ -92,6 +92,9 @@ void look(const Object& object, const Material& material, Real side, const std::
   seen.has_uv = c[0]->has_uv && c[1]->has_uv && c[2]->has_uv;
   seen.u = mean(u), seen.v = mean(v);
   seen.colour = mean([](const Corner& corner) { return corner.colour; });
+  seen.tangent = mean([](const Corner& corner) { return corner.tangent; });
+  seen.handedness = mean([](const Corner& corner) { return corner.handedness; });
+  seen.turned = side < 0;
   seen.u_right = change(u, mu_right, sum_right), seen.v_right = change(v, mu_right, sum_right);
   seen.u_down = change(u, mu_down, sum_down), seen.v_down = change(v, mu_down, sum_down);
   if (length(normal) > 0) seen.normal = unit(normal);

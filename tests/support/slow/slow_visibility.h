@@ -23,6 +23,9 @@ struct Seen {
   bool has_uv = false;  // all corners of the triangle have texture coordinates
   Real u = 0, v = 0;
   Vec colour = {1, 1, 1};                                // of the vertices
+  Vec tangent;                                           // as interpolated; 0 without
+  Real handedness = 0;                                   // of the frame
+  bool turned = false;                                   // the normal is
   Real u_right = 0, v_right = 0, u_down = 0, v_down = 0; // their change by one pixel
 };
 
