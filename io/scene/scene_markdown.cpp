@@ -96,7 +96,9 @@ public:
 
   /// What an object may have there is told once, where there is a short form.
   void map(std::string_view key, MapText& text, std::string_view meaning, std::string_view short_form, const Double3*) {
-    row(key, expected_map(), "white", meaning);
+    const auto is_this = [&](const TextureSlot& slot) { return slot.key == key; };
+    const Double3 blank = std::find_if(texture_slots.begin(), texture_slots.end(), is_this)->blank;
+    row(key, expected_map(), blank == Double3(1) ? "white" : "a map that turns no normal", meaning);
     if (!short_form.empty())
       inside(place_ + '/' + std::string(key) + ", and every other texture",
              [&](MarkdownKeys& keys) { map_keys(text, keys); });

@@ -7,6 +7,7 @@
 #include "tests/support/files/malformed_inputs.h"
 #include "tests/support/gl/device_images.h"
 #include "tests/support/gl/seeded_faults.h"
+#include "tests/support/scenes/brick_scene.h"
 #include "tests/support/scenes/half_textured.h"
 #include "tests/support/scenes/leaf_scene.h"
 #include "tests/support/scenes/listed_scenes.h"
@@ -145,6 +146,41 @@ TEST_CASE("what llvmpipe cuts out by opacity is what is cut out here, or near th
       CHECK(judge(scene, image, profile, {}).count(PixelClass::unexplained) > 20);
     }
   }
+}
+
+TEST_CASE("normals that maps turn are explained, mirrored and from both sides; a wrong way of turning them is found") {
+  const DeviceProfile profile = entered("llvmpipe");
+  for (const TextureFilter filter : {TextureFilter::nearest, TextureFilter::bilinear, TextureFilter::trilinear})
+    for (const BrickMaps maps : {BrickMaps::normals, BrickMaps::heights, BrickMaps::both}) {
+      Scene scene = brick_scene(filter, maps);
+      Mesh half = *scene.objects[1].mesh; // open: its inside is seen, too
+      half.triangles.resize(half.triangles.size() / 2);
+      scene.objects[1].mesh = std::make_shared<const Mesh>(std::move(half));
+      scene.objects[1].two_sided = TwoSided::yes;
+      const std::string name(name_of(filter));
+      check_scene(name, scene, 112, 63, profile);
+      // The test can fail.
+      const auto is_explained = [&](auto&& plant) {
+        Scene wrong = scene;
+        for (Object& object : wrong.objects) plant(object);
+        return judge(scene, in_float(drawn(wrong, 112, 63, profile)), profile, {}).is_explained();
+      };
+      CHECK_FALSE(is_explained([](Object& object) { object.material.normal_map = object.material.bump_map = {}; }));
+      CHECK_FALSE(is_explained([](Object& object) { // the bitangent's sign
+        Mesh mesh = *object.mesh;
+        for (Float4& tangent : mesh.tangents) tangent.w = -tangent.w;
+        object.mesh = std::make_shared<const Mesh>(std::move(mesh));
+      }));
+      if (maps != BrickMaps::heights)
+        CHECK_FALSE(is_explained([](Object& object) { // green down, as Direct3D has it
+          Texture texture = *object.material.normal_map.texture;
+          for (TextureLevel& level : texture.levels)
+            for (std::size_t i = 1; i < level.rgb.size(); i += 3) level.rgb[i] = 255 - level.rgb[i];
+          object.material.normal_map.texture = std::make_shared<const Texture>(std::move(texture));
+        }));
+      if (maps != BrickMaps::normals)
+        CHECK_FALSE(is_explained([](Object& object) { object.material.bump_scale *= -1; })); // dents for bumps
+    }
 }
 
 TEST_CASE("images of one row, of one column and of odd sides show the same surfaces, in colours that are explained") {

@@ -259,6 +259,34 @@ TEST_CASE("an opacity is alpha or luminance, or the channel that is asked for, o
             .starts_with(at + "diffuse_map/channel: an unknown key"));
 }
 
+TEST_CASE("normals are turned by maps of any fragment function, and meshes that need tangents get them once") {
+  const TemporaryFolder folder;
+  const auto read = [&](const std::string& keys) {
+    write_files(folder.path, {{"s.json", scene_with("\"glossiness\": 8}", "\"glossiness\": 8, " + keys + "}")},
+                              {"a.png", png_bytes(2, 2, 3, 8, {128, 128, 255, 10, 20, 30, 1, 2, 3, 128, 255, 0})}});
+    return read_scene(folder / "s.json");
+  };
+  const Scene scene = read("\"normal_map\": \"a.png\", \"normal_scale\": -0.5, "
+                           "\"bump_map\": {\"path\": \"a.png\", \"channel\": \"blue\"}, \"bump_scale\": 3");
+  const Material& material = scene.objects[0].material;
+  CHECK(material.normal_scale == -0.5);
+  CHECK(material.bump_scale == 3);
+  const std::vector<float> directions(material.normal_map.texture->levels[0].rgb.begin(),
+                                      material.normal_map.texture->levels[0].rgb.end());
+  CHECK(directions ==
+        std::vector<float>{1, 2, 3, 128, 255, 0, 128, 128, 255, 10, 20, 30}); // the bottom row is the first
+  CHECK(material.bump_map.texture->levels[0].rgb[0] == 3);
+  CHECK(material.bump_map.texture->levels[0].rgb[1] == 3);
+  CHECK(scene.objects[0].mesh->tangents.size() == scene.objects[0].mesh->uvs.size());
+  CHECK(read("\"diffuse_map\": \"a.png\"").objects[0].mesh->tangents.empty());
+  const Material usual = read("\"bump_map\": \"a.png\"").objects[0].material;
+  CHECK(usual.normal_scale == 1);
+  CHECK(usual.bump_scale == 1);
+  CHECK(static_cast<double>(usual.bump_map.texture->levels[0].rgb[9]) ==
+        doctest::Approx(0.2126 * 10 + 0.7152 * 20 + 0.0722 * 30)); // luminance
+  CHECK_THROWS_AS(read("\"normal_map\": \"a.png\", \"normal_scale\": \"much\""), InputError);
+}
+
 TEST_CASE("shapes are made with their parameters, and equal ones once") {
   const std::string sphere = "{\"sphere\": {\"segments\": 8, \"rings\": 4}}";
   CHECK(scene(sphere, sphere).objects[0].mesh->triangles.size() == 2 * 8 * 3);

@@ -202,6 +202,34 @@ TEST_CASE("map_d cuts out, by the channel of -imfchan; d below 1 beside it has n
   CHECK(noted.find("d below 1, drawn opaque: there is no blending") != std::string::npos);
 }
 
+TEST_CASE("norm is a normal map, map_Bump and bump are heights, with their options; their mesh gets tangents") {
+  for (const std::string key : {"map_Bump", "map_bump", "bump"}) {
+    ModelFolder folder("",
+                       "newmtl green\nnorm -s 2 3 t.png\n" + key + " -bm -0.25 -imfchan g -o 0.5 -clamp on t.png\n");
+    const Object object = folder.object();
+    const Material& material = material_of(object, 4);
+    CHECK(material.normal_map.scale == Double2(2, 3));
+    CHECK(material.normal_map.filter == TextureFilter::trilinear);
+    CHECK(material.normal_map.texture->full_scale == 255); // values, not colours
+    CHECK(material.normal_scale == 1);
+    CHECK(material.bump_map.offset == Double2(0.5, 0));
+    CHECK(material.bump_map.wrap == TextureWrap::clamp);
+    CHECK(material.bump_scale == -0.25);
+    const auto& rgb = material.bump_map.texture->levels[0].rgb;
+    CHECK(rgb[0] == material.normal_map.texture->levels[0].rgb[1]); // green
+    CHECK(rgb[0] == rgb[2]);
+    CHECK(object.mesh->tangents.size() == object.mesh->uvs.size());
+    CHECK(folder.noted().find("shown") == std::string::npos);
+  }
+  // Without -bm and -imfchan: as high as the image's luminance; and where there is neither, no tangents.
+  ModelFolder plain("", "newmtl green\nbump t.png\n");
+  const Object object = plain.object();
+  CHECK(material_of(object, 4).bump_scale == 1);
+  CHECK_FALSE(material_of(object, 4).normal_map.texture);
+  CHECK(!object.mesh->tangents.empty());
+  CHECK(ModelFolder("", "newmtl green\nmap_Kd t.png\n").object().mesh->tangents.empty());
+}
+
 TEST_CASE("a texture is found with / for \\, by its last component, without regard to case; never outside") {
   const auto found = [](const std::string& written, Outside outside = Outside::refused) {
     ModelFolder folder("", "newmtl green\nmap_Kd " + written + "\n");
