@@ -144,7 +144,7 @@ E3 expected(const Scene& scene, int x, int y) {
   turned = unit_of(turned);
   E3 radiance;
   for (std::size_t c = 0; c < 3; ++c) {
-    const E3 l = unit_of(exact(scene.direction_lights[c].direction * -1.0));
+    const E3 l = exact(-normalize(scene.direction_lights[c].direction)); // a parameter, which is a double
     const Exact cosine = dot_of(turned, l);
     radiance[c] = cosine > Exact(0) ? cosine : Exact(0);
   }
@@ -194,7 +194,7 @@ TEST_CASE("a normal map, a bump map and both make of the interpolated frame what
   for (int which = 1; which < 4; ++which) {
     CAPTURE(which);
     material.normal_map.texture = which & 1 ? some_texture(5, 7, 3) : nullptr;
-    material.bump_map.texture = which & 2 ? some_texture(6, 4, 21) : nullptr;
+    material.bump_map.texture = which & 2 ? some_texture(8, 4, 21) : nullptr;
     material.normal_scale = 0.75, material.bump_scale = 1.5;
     // Some forty operations, each of which rounds values of up to 4 once: interpolation, 8; a texture, 12; the frame,
     // 12; lengths, 8; the light, 6.
