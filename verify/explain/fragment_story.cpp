@@ -204,7 +204,8 @@ void add_surface(const FrameContext& context, const Material& material, std::uin
     if (turns_normals(context, material, data.object())) {
       NormalMapStory maps;
       const auto tangent = attribute_value<&Mesh::tangents>(context, data, at.at);
-      maps.unmapped = plain(shading_normal(context, data, attribute_value<&Mesh::normals>(context, data, at.at), tally));
+      maps.unmapped =
+          plain(shading_normal(context, data, attribute_value<&Mesh::normals>(context, data, at.at), tally));
       maps.tangent = {plain(tangent.x), plain(tangent.y), plain(tangent.z)}, maps.handedness = plain(tangent.w);
       maps.direction = plain(map_direction(material, data, at, tally));
       describe(material.normal_map, maps.normal_map), describe(material.bump_map, maps.bump_map);
