@@ -72,6 +72,9 @@ enum class EdgeKind : std::uint8_t {
 /// anchored at the framebuffer's origin, where a small far triangle would lose its digits.
 template <class Real>
 struct AttributeSetup {
+  /// Leaves rows as they are in memory: of a tile with a thousand triangles each would be zeroed to be set at once.
+  AttributeSetup() {} // NOLINT(modernize-use-equals-default): a defaulted one would be asked for zeros
+
   /// Only of the kind wrapped. Sums and products of 32-bit integers are right modulo 2^32, so that a value of less than
   /// 2^31 comes out exact, however large the terms.
   std::array<WrappedEdge, 3> edge;
