@@ -204,28 +204,6 @@ private:
     return entry;
   }
 
-  static bool turns_normals(const Object& object) {
-    const auto turns = [](const Material& material) { return material.turns_normals(); };
-    return turns(object.material) || std::any_of(object.materials.begin(), object.materials.end(), turns);
-  }
-
-  /// A copy that has them: of a mesh that several objects have, one.
-  std::shared_ptr<const Mesh> with_tangents(const std::shared_ptr<const Mesh>& mesh) {
-    std::shared_ptr<const Mesh>& entry = with_tangents_[mesh];
-    if (!entry) {
-      std::uint64_t bytes = mesh->triangles.size() * sizeof mesh->triangles[0] + mesh->uvs.size() * sizeof(Float4);
-      for_each_vertex_attribute([&](const auto& attribute) {
-        const auto& values = mesh.get()->*attribute.values;
-        bytes += values.size() * sizeof values[0];
-      });
-      options_.memory.need(bytes, "a mesh with tangents");
-      auto copy = std::make_shared<Mesh>(*mesh);
-      add_tangents(*copy);
-      entry = std::move(copy);
-    }
-    return entry;
-  }
-
   void note_untextured(const ObjectText& text, const Object& object) {
     const Mesh& mesh = *object.mesh;
     if (!options_.notes || text.shape || mesh.uvs.size() == mesh.positions.size()) return;
