@@ -59,12 +59,19 @@ template <class Real>
 bool same_setups(const FrameContext& a, const FrameContext& b, std::span<const std::uint32_t> numbers) {
   UncommonEdges uncommon_a, uncommon_b;
   const auto setups_a = setups_of<Real>(a, numbers, uncommon_a), setups_b = setups_of<Real>(b, numbers, uncommon_b);
-  const std::size_t rows = a.uses.vertex_colours ? attribute_rows : uv_row + 2; // others are not set
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const AttributeSetup<Real>&x = setups_a[i], &y = setups_b[i];
     if (x.object != y.object || x.number != y.number || x.kind() != y.kind()) return false;
-    const bool has_colours = !a.scene.objects[x.object].mesh->colours.empty();
-    if (std::memcmp(x.row.data(), y.row.data(), (has_colours ? rows : uv_row + 2) * sizeof x.row[0]) != 0) return false;
+    const Mesh& mesh = *a.scene.objects[x.object].mesh;
+    bool same_rows = true;
+    for_each_attribute_row([&](const auto& attribute, int row) {
+      const bool is_set =
+          row <= uv_row || ((a.uses.vertex_colours || a.uses.tangents) && !(mesh.*attribute.values).empty());
+      const auto first = static_cast<std::size_t>(row);
+      if (is_set && std::memcmp(&x.row[first], &y.row[first], attribute.components * sizeof x.row[0]) != 0)
+        same_rows = false;
+    });
+    if (!same_rows) return false;
     if (x.kind() == EdgeKind::wrapped && std::memcmp(x.edge.data(), y.edge.data(), sizeof x.edge) != 0) return false;
     if (x.kind() == EdgeKind::large)
       for (std::size_t k = 0; k < 3; ++k)
