@@ -63,8 +63,8 @@ struct CacheFolder : TemporaryFolder {
   }
 };
 
-constexpr std::size_t vertices_at = 24, uvs_at = 32, colours_at = 40, triangles_at = 48,
-                      header_bytes = 72; // in a file
+constexpr std::size_t vertices_at = 24, uvs_at = 32, colours_at = 40, tangents_at = 48, triangles_at = 56,
+                      header_bytes = 80; // in a file
 
 } // namespace
 
@@ -187,7 +187,7 @@ TEST_CASE("a kept file that lies is not believed either") {
     check(vertices_at, count);
     check(triangles_at, count);
     check(uvs_at, count);
-    if (count > 0) check(colours_at, count);
+    if (count > 0) check(colours_at, count), check(tangents_at, count);
   }
   check(16, mesh_cache_version + 1);
   check(20, 1u);
@@ -266,8 +266,8 @@ TEST_CASE("mesh_cache_version is that of the meshes that are made today") {
                          "f 1/1 2/1 3/1 3/1 4/1\nf 1 5 6 2\nf 1 8 7 2\nf 3 2 1\n"}});
   store_mesh(folder.path, "c", {read_obj(folder / "c.obj"), {}});
   CHECK(mesh_cache_version == 4);
-  CHECK(file_sha256(folder / "m.4.mesh") == "e0d91301eb497ed8642cd448f42ba1d4bdbf99f49e67a33a8a72943f6ba4cc20");
-  CHECK(file_sha256(folder / "c.4.mesh") == "6d893d15bee0417aa7d8373e1fd482fdf469064e8dd68ae1799219c45a74d005");
+  CHECK(file_sha256(folder / "m.4.mesh") == "1e3c78314a9bcbb76cde7c82f88e64d013f2ba4391e8ab39e991e83d486cbca8");
+  CHECK(file_sha256(folder / "c.4.mesh") == "3e334f676c7fff6f90513b89fba530ef4a1fe27d7d219643913126f147b0da9d");
 }
 
 } // namespace refraster::test
