@@ -33,7 +33,8 @@ AttributeUse attribute_use(const GlApi& gl, const GlProgram& program, std::vecto
                                   [&](const MeshAttribute& m) { return attribute.name == m.name; });
     const auto first = static_cast<unsigned>(attribute.location);
     const auto end = first + static_cast<unsigned>(attribute.size * type.columns);
-    const bool fed = first < std::size(of_mesh) && type.base == GlslBase::float_;
+    // No attribute of a mesh is a matrix, nor several of them an array.
+    const bool fed = end == first + 1 && first < std::size(of_mesh) && type.base == GlslBase::float_;
     for (unsigned location = first; location < end; ++location)
       if (!fed || location >= std::size(of_mesh)) {
         if (location < std::size(of_mesh)) use.arrays &= ~(1u << location);

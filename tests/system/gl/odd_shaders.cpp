@@ -147,7 +147,7 @@ void add_attributes(std::vector<OddShader>& list) {
                   bare(usual_declarations + "layout(location = 4) in mat4 instance; out vec4 i;",
                        "i = instance[0]; " + usual_position),
                   bare("in vec4 i; out vec4 FragColor;", "FragColor = vec4(1.0 - i.xyz, 1.0) * i.w;"),
-                  {"ball: attribute mat4 instance" + not_set + constant},
+                  {"ball: attribute mat4 instance is at location 4, where vec4 vTangent is expected: " + constant},
                   white});
   list.push_back({"positions of four components",
                   bare("in vec4 vPos; uniform mat4 clipFromObject;", "gl_Position = clipFromObject * vPos;"),

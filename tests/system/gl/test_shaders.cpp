@@ -224,7 +224,7 @@ TEST_CASE("our GLSL knows every type of light, texture slot and vertex attribute
 
 TEST_CASE("an entry of a declared list without GLSL of ours is not left out silently") {
   CHECK_FALSE(has_own_glsl(LightNames{"laser_lights", "laser lights", "laserLights"}));
-  CHECK_FALSE(has_own_glsl(TextureSlot{.sampler = "bumpTex"}));
+  CHECK_FALSE(has_own_glsl(TextureSlot{.sampler = "furTex"}));
   CHECK_FALSE(has_own_glsl("Fur"));
   CHECK(without_glsl(ball(Phong{}), ball(Phong{}).objects[0]).empty());
 }
