@@ -59,7 +59,8 @@ struct TileFragments {
   [[gnu::flatten, gnu::noinline]] void surface(const TileScene& on, const Packet<T>& packet) {
     constexpr int lanes = NumberTraits<T>::lanes;
     const UndefinedTally<T> tally(undefined, first_lanes<RealOf<T>, lanes>(packet.count));
-    auto result = packet_surface(on.context(), on.scene.objects[0].material, PacketData<T, triangles>(packet), tally);
+    PacketSurface<T> result;
+    packet_surface(on.context(), on.scene.objects[0].material, PacketData<T, triangles>(packet), tally, result);
     benchmark::DoNotOptimize(result);
   }
   void interpolate(const TileScene& on) {

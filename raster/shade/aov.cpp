@@ -145,7 +145,7 @@ void write_aovs(const FrameContext& context, const VisibleTile& visible, std::sp
       const UndefinedTally<T> tally(uncounted, first_lanes<double, NumberTraits<T>::lanes>(packet.count));
       const PacketData<T, Triangles::many> data(packet);
       PacketSurface<T> surface;
-      if (wants_surface) surface = packet_surface(context, material, data, tally);
+      if (wants_surface) packet_surface(context, material, data, tally, surface);
       for (std::size_t i = 0; i < aovs.size(); ++i) {
         const auto channels = static_cast<std::size_t>(kind_of(aovs[i]).channels);
         // Pixel centres beside a triangle may make any number of it; and a finite double may lie beyond a float.

@@ -121,18 +121,16 @@ inline bool turns_normals(const FrameContext& context, const Material& material,
   return material.turns_normals() && !context.scene.objects[object].mesh->tangents.empty();
 }
 
-/// What every fragment of a material starts from.
+/// What every fragment of a material starts from, but for what maps make of its normal.
 template <class Data, class T = typename Data::Number>
-PacketSurface<T> packet_surface(const FrameContext& context, const Material& material, const Data& data,
-                                const UndefinedTally<T>& tally) {
+PacketSurface<T> unmapped_surface(const FrameContext& context, const Material& material, const Data& data,
+                                  const UndefinedTally<T>& tally) {
   const TextureMap& base = material.diffuse_map;
   const PacketBarycentrics<T> at =
       needs_derivatives(base) ? barycentrics<Derivatives::yes>(data) : barycentrics<Derivatives::no>(data);
   PacketSurface<T> surface;
   surface.position = attribute_value<&Mesh::positions>(context, data, at.at);
   surface.normal = shading_normal(context, data, attribute_value<&Mesh::normals>(context, data, at.at), tally);
-  if (context.uses.tangents && turns_normals(context, material, data.object())) [[unlikely]]
-    surface.normal = mapped_normal(context, material, data, surface.normal, tally);
   surface.to_eye = normalize(as<T>(context.scene.camera.position) - surface.position);
   tally.note(Undefined::eye_at_surface, dot(surface.to_eye, surface.to_eye) <= T(0));
   const bool shows_texture = base.texture && data.may_have_texture_coordinates();
@@ -142,6 +140,16 @@ PacketSurface<T> packet_surface(const FrameContext& context, const Material& mat
   if (context.uses.vertex_colours) [[unlikely]]
     surface.texture = surface.texture * vertex_colour(context, data, at);
   return surface;
+}
+
+/// What every fragment of a material starts from. Written where it stays before maps are asked for: whatever is in
+/// registers at a call would go through memory in every packet, also where the call is not made.
+template <class Data, class T = typename Data::Number>
+void packet_surface(const FrameContext& context, const Material& material, const Data& data,
+                    const UndefinedTally<T>& tally, PacketSurface<T>& surface) {
+  surface = unmapped_surface(context, material, data, tally);
+  if (context.uses.tangents && turns_normals(context, material, data.object())) [[unlikely]]
+    surface.normal = mapped_normal(context, material, data, surface.normal, tally);
 }
 
 /// What further textures of a material say of the same fragments: of one with has_fragment_maps(). Of coordinates that

@@ -126,7 +126,7 @@ private:
       for_each_sample(context, group, tile, [&](const SampleData<T>& data, std::uint32_t number) {
         add(
             number, T(0) <= T(0),
-            [&](const auto& tally, auto& surface) { surface = packet_surface(context, material, data, tally); },
+            [&](const auto& tally, auto& surface) { packet_surface(context, material, data, tally, surface); },
             [&](const auto& tally) { return fragment_maps(material, data, tally); });
       });
     }
@@ -174,7 +174,7 @@ private:
   [[gnu::flatten, gnu::noinline]] static void interpolate(const FrameContext& context, const Material& material,
                                                           const PacketData<T, triangles>& data,
                                                           const UndefinedTally<T>& tally, PacketSurface<T>& surface) {
-    surface = packet_surface(context, material, data, tally);
+    packet_surface(context, material, data, tally, surface);
   }
 
   [[no_unique_address]] Request request_;

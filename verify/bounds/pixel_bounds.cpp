@@ -133,7 +133,7 @@ PixelBounds PixelBounder::bounds(const DeviceTriangle& triangle, int x, int y, B
   batch.packets = 1;
   batch.in_use[0] = Certainty::yes;
   const UndefinedTally<Bounds> tally(undefined, Certainty::yes);
-  batch.surface[0] = packet_surface(context, material, data, tally);
+  packet_surface(context, material, data, tally, batch.surface[0]);
   with_maps(material, [&]<Maps maps>(std::integral_constant<Maps, maps>, const auto& function) {
     if constexpr (maps == Maps::yes) batch.maps[0] = fragment_maps(material, data, tally);
     sum_light<maps>(light_spans(frame_.scene()), function, batch, undefined);

@@ -159,7 +159,7 @@ FragmentTerms<T> fragment_terms(const FrameContext& context, std::uint32_t numbe
   FragmentTerms<T> terms;
   const UndefinedTally<T> tally(terms.undefined, first_lane<T>());
   with_sample<T>(context, number, x, y, [&](const auto& data) {
-    terms.surface = packet_surface(context, material, data, tally);
+    packet_surface(context, material, data, tally, terms.surface);
     if (material.has_fragment_maps()) terms.maps = fragment_maps(material, data, tally);
   });
   with_function(material, [&](const auto& function) { sum_terms(context.scene, function, terms); });
