@@ -1,6 +1,6 @@
 #include "io/file/input_file.h"
 
-#include "io/work/pages.h"
+#include "io/parallel/pages.h"
 
 #include <algorithm>
 #include <cerrno>

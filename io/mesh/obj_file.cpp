@@ -6,8 +6,8 @@
 #include "io/mesh/obj_colours.h"
 #include "io/mesh/obj_faces.h"
 #include "io/mesh/obj_numbers.h"
-#include "io/work/pages.h"
-#include "io/work/pieces.h"
+#include "io/parallel/pages.h"
+#include "io/parallel/pieces.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "io/mesh/obj/first_numbers.h"
 #include "io/mesh/triple_index.h"
-#include "io/work/pieces.h"
+#include "io/parallel/pieces.h"
 #include "math/elementary/degrees.h"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include "io/mesh/obj/faults.h"
 #include "io/mesh/obj/lines.h"
 #include "io/mesh/obj_numbers.h"
-#include "io/work/pieces.h"
+#include "io/parallel/pieces.h"
 
 #include <algorithm>
 #include <atomic>

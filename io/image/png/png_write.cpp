@@ -3,7 +3,7 @@
 #include "io/file/atomic_file.h"
 #include "io/image/image_formats.h"
 #include "io/image/png/png_filter.h"
-#include "io/work/pieces.h"
+#include "io/parallel/pieces.h"
 #include "raster/frame_context.h"
 
 #include <zlib.h>

@@ -1,7 +1,7 @@
 #pragma once
 // Numbers for what is equal, in the order in which it first appears, by several threads.
 
-#include "io/work/pieces.h"
+#include "io/parallel/pieces.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,7 +1,7 @@
 #include "io/mesh/obj/normal_sums.h"
 
 #include "io/mesh/obj/polygon_batch.h"
-#include "io/work/pieces.h"
+#include "io/parallel/pieces.h"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 
 #include <refraster/memory.h>
 
-#include "io/work/pages.h"
+#include "io/parallel/pages.h"
 
 #include <cstddef>
 #include <cstdint>

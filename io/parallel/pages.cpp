@@ -1,4 +1,4 @@
-#include "io/work/pages.h"
+#include "io/parallel/pages.h"
 
 #include <cstdint>
 
