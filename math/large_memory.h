@@ -9,12 +9,4 @@ namespace refraster {
 /// nothing depends on it but time.
 void advise_large_pages(void* memory, std::size_t bytes) noexcept;
 
-/// list.resize(size) for an empty list, in large pages where it is large.
-template <class List>
-void resize_in_large_pages(List& list, std::size_t size) {
-  list.reserve(size);
-  advise_large_pages(list.data(), size * sizeof *list.data());
-  list.resize(size);
-}
-
 } // namespace refraster
