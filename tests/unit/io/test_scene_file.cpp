@@ -13,6 +13,17 @@
 namespace refraster::test {
 namespace {
 
+/// What is said first of what is refused; "" of what is read.
+std::string first_fault(auto&& read) {
+  try {
+    read();
+  } catch (const InputError& error) {
+    const InputFault& fault = error.faults().at(0);
+    return fault.path + ": " + fault.found + ", " + fault.expected;
+  }
+  return "";
+}
+
 Scene scene(const std::string& text) {
   const TemporaryFolder folder;
   write_files(folder.path, {{"s.json", text}});
@@ -156,15 +167,7 @@ TEST_CASE("a texture is a path, or an object with all that can be said of it") {
                               {"b.png", grey_pixel}});
     return read_scene(folder / "s.json").objects[0].material;
   };
-  const auto refused = [&](const std::string& keys) {
-    try {
-      read(keys);
-    } catch (const InputError& error) {
-      const InputFault& fault = error.faults().at(0);
-      return fault.path + ": " + fault.found + ", " + fault.expected;
-    }
-    return std::string();
-  };
+  const auto refused = [&](const std::string& keys) { return first_fault([&] { read(keys); }); };
   const Material plain = read("\"diffuse_map\": \"a.png\", \"specular_map\": {\"path\": \"b.png\"}");
   CHECK(plain.diffuse_map.texture->full_scale == 255);
   CHECK_FALSE(plain.diffuse_map.is_placed());
@@ -242,15 +245,7 @@ TEST_CASE("an opacity is alpha or luminance, or the channel that is asked for, o
   CHECK(both.opacity_map.scale == Double2(2, 3));
   CHECK(both.opacity_map.offset == Double2(4, 5));
   CHECK(both.opacity_threshold == 0.25);
-  const auto refused = [&](const std::string& keys) {
-    try {
-      read(keys);
-    } catch (const InputError& error) {
-      const InputFault& fault = error.faults().at(0);
-      return fault.path + ": " + fault.found + ", " + fault.expected;
-    }
-    return std::string();
-  };
+  const auto refused = [&](const std::string& keys) { return first_fault([&] { read(keys); }); };
   const std::string at = "/scene/objects/0/material/";
   CHECK(refused("\"opacity_threshold\": 1.5") == at + "opacity_threshold: 1.5, a number from 0 to 1");
   CHECK(refused("\"opacity_map\": {\"path\": \"g.png\", \"channel\": \"hue\"}")
