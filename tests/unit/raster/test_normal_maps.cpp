@@ -6,6 +6,8 @@
 #include "math/exact.h"
 #include "raster/render_in.h"
 
+#include "tests/support/scenes/poster.h"
+
 #include <doctest/doctest.h>
 
 #include <array>
@@ -17,35 +19,16 @@ namespace {
 
 constexpr int side = 16;
 
-/// A square that fills the image, facing the camera at a distance of 1: its corners lie on the image's, so that the
-/// weights of corners at a pixel's centre are whole 32nds. It reflects red, green and blue of three lights from three
-/// sides, without a highlight: <n.l> each.
+/// A square that fills the image: weights of its corners at a pixel's centre are whole 32nds. It reflects red, green
+/// and blue of three lights from three sides, without a highlight: <n.l> each.
 Scene poster() {
-  Scene scene;
-  scene.camera.position = {0, 0, 1}, scene.camera.target = {0, 0, 0};
-  scene.camera.fov_y_degrees = 90;
+  Phong dull;
+  dull.ka = dull.ks = Double3(0), dull.kd = Double3(1);
+  Scene scene = poster_scene(dull);
   scene.direction_lights = {
       {{-1, -2, -3}, {1, 0, 0}}, {{2, -1, -4}, {0, 1, 0}}, {{0.5, 3, -2}, {0, 0, 1}}}; // the first travels to -x
-  Mesh mesh;
-  mesh.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
-  mesh.normals.assign(4, Float3(0, 0, 1));
-  mesh.uvs = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  mesh.tangents.assign(4, Float4(1, 0, 0, 1));
-  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-  Phong function;
-  function.ka = function.ks = Double3(0), function.kd = Double3(1);
-  Object object;
-  object.name = "poster";
-  object.mesh = std::make_shared<const Mesh>(std::move(mesh));
-  object.material.fragment_function = function;
-  scene.objects = {object};
+  change_mesh(scene, [](Mesh& mesh) { mesh.tangents.assign(4, Float4(1, 0, 0, 1)); });
   return scene;
-}
-
-void change_mesh(Scene& scene, auto&& change) {
-  Mesh mesh = *scene.objects[0].mesh;
-  change(mesh);
-  scene.objects[0].mesh = std::make_shared<const Mesh>(std::move(mesh));
 }
 
 /// All sorts of directions that are not away from the light.

@@ -4,6 +4,8 @@
 #include <refraster/render.h>
 #include <refraster/scene.h>
 
+#include "tests/support/scenes/poster.h"
+
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -14,27 +16,11 @@ namespace {
 constexpr int side = 16;
 constexpr Precision every_precision[] = {Precision::double_, Precision::float_, Precision::fast, Precision::exact};
 
-/// A square that fills the image, facing the camera: the pixel in column x and row y of 16 sees u = (x + 0.5) / 16 and
-/// v = (15.5 - y) / 16, times `repeats`.
-Scene poster(double repeats = 1) {
-  Scene scene;
-  scene.camera.position = {0, 0, 1};
-  scene.camera.target = {0, 0, 0};
-  scene.camera.fov_y_degrees = 90;
-  Mesh mesh;
-  mesh.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
-  mesh.normals.assign(4, Float3(0, 0, 1));
-  const auto r = static_cast<float>(repeats);
-  mesh.uvs = {{0, 0}, {r, 0}, {r, r}, {0, r}};
-  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-  Object object;
-  object.name = "poster";
-  object.mesh = std::make_shared<const Mesh>(std::move(mesh));
-  Phong function;
-  function.ka = function.kd = function.ks = Double3(0);
-  object.material.fragment_function = function;
-  scene.objects = {object};
-  return scene;
+/// Black, but for what a test adds.
+Scene poster(float repeats = 1) {
+  Phong black;
+  black.ka = black.kd = black.ks = Double3(0);
+  return poster_scene(black, repeats);
 }
 
 Phong& phong(Scene& scene) {

@@ -4,6 +4,8 @@
 #include <refraster/render.h>
 #include <refraster/scene.h>
 
+#include "tests/support/scenes/poster.h"
+
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -11,24 +13,12 @@
 namespace refraster::test {
 namespace {
 
-/// A square that fills the image, facing the camera, under ambient light of 1: its colour is what is seen.
+/// A square that fills the image under ambient light of 1: its vertices' colours are what is seen.
 Scene poster(std::vector<Float3> colours) {
-  Scene scene;
-  scene.camera.position = {0, 0, 1};
-  scene.camera.target = {0, 0, 0};
-  scene.camera.fov_y_degrees = 90;
-  Mesh mesh;
-  mesh.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
-  mesh.normals.assign(4, Float3(0, 0, 1));
-  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-  mesh.colours = std::move(colours);
-  Phong function;
-  function.ka = Double3(1), function.kd = function.ks = Double3(0);
-  Object object;
-  object.name = "poster";
-  object.mesh = std::make_shared<const Mesh>(std::move(mesh));
-  object.material.fragment_function = function;
-  scene.objects = {object};
+  Phong ambient;
+  ambient.ka = Double3(1), ambient.kd = ambient.ks = Double3(0);
+  Scene scene = poster_scene(ambient);
+  change_mesh(scene, [&](Mesh& mesh) { mesh.uvs.clear(), mesh.colours = std::move(colours); });
   return scene;
 }
 
