@@ -106,6 +106,8 @@ public:
   /// differences between any two neighbours in the block, of which OpenGL leaves open which.
   void set_place_in_block(int column, int row) { block_ = {column, row}; }
 
+  /// Whether normals are those of the other side anywhere.
+  bool has_turned_normals() const { return turned_ && any(*turned_); }
   /// Of a two-sided object: normals are turned where this says, whatever side our triangle shows.
   void set_turned(const MaskOf<T>& turned) {
     if (turned_) turn_where(*turned_); // back

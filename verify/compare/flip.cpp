@@ -1,7 +1,7 @@
 #include "verify/compare/flip.h"
 
 #include "math/vec.h"
-#include "verify/images/srgb.h"
+#include "shading/srgb_curve.h"
 
 #include <algorithm>
 #include <cmath>
@@ -162,7 +162,7 @@ Percept percept(const Image<float>& image) {
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x) {
       Double3 rgb;
-      for (int c = 0; c < 3; ++c) rgb[c] = linear_from_srgb(static_cast<double>(image.at(x, y)[c]) / 255);
+      for (int c = 0; c < 3; ++c) rgb[c] = srgb_decoded(static_cast<double>(image.at(x, y)[c]) / 255);
       const Double3 ycc = opponent_from_rgb(rgb);
       for (int c = 0; c < 3; ++c) *channels[c].at(x, y) = ycc[c];
       *lightness.at(x, y) = (ycc.x + 16) / 116;

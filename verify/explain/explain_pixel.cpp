@@ -2,10 +2,10 @@
 
 #include "raster/shade/resolve.h"
 #include "raster/shade/shade.h"
+#include "shading/srgb_curve.h"
 #include "verify/explain/candidates.h"
 #include "verify/explain/fragment_story.h"
 #include "verify/explain/would_be.h"
-#include "verify/images/srgb.h"
 
 #include <algorithm>
 #include <cmath>
@@ -96,7 +96,7 @@ RenderOptions options_of(const ExplainRequest& request) {
 
 /// The linear value that s stands for, 1 being white.
 double linear_of(double s, Transfer transfer) {
-  return transfer == Transfer::srgb ? linear_from_srgb(s) : s;
+  return transfer == Transfer::srgb ? srgb_decoded(s) : s;
 }
 double encoded_of(double x, Transfer transfer) {
   return transfer == Transfer::srgb ? srgb_encoded(std::clamp(x, 0.0, 1.0)) : x;

@@ -1,7 +1,10 @@
 #include "verify/hypotheses/hypothesis_list.h"
 
+#include "raster/frame_context.h"
+#include "verify/hypotheses/prepared.h"
+
 #include <algorithm>
-#include <array>
+#include <iterator>
 #include <utility>
 
 namespace refraster::hypotheses {
@@ -70,6 +73,10 @@ constexpr Declared declared[] = {
     {"culling_off", "back faces drawn where they are to be culled", any, set<&Steps::culling, Culling::off>},
     {"culling_back", "back faces culled", any, set<&Steps::culling, Culling::back>},
     {"culling_front", "front faces culled", any, set<&Steps::culling, Culling::front>},
+    {"opacity_missing", "what the opacity map cuts out drawn all the same", cut_outs,
+     set<&Steps::opacity, Opacity::missing>},
+    {"opacity_inverted", "the opacity map taken for transparency: what is there is cut out", cut_outs,
+     set<&Steps::opacity, Opacity::inverted>},
     {"object_missing", "an object missing", each_object, none<>},
     // Interpolation and vertices.
     {"varyings_not_perspective", "varyings interpolated without perspective correction", any,
@@ -87,6 +94,16 @@ constexpr Declared declared[] = {
     {"normals_reversed", "normals that point inward", any, set<&Steps::normal_side, NormalSide::reversed>},
     {"normals_turned_to_eye", "normals of back faces turned toward the eye", any,
      set<&Steps::normal_side, NormalSide::toward_eye>},
+    {"two_sided_missing", "two-sided objects lit from one side only", two_sided,
+     set<&Steps::both_sides, BothSides::one_only>},
+    {"normal_maps_missing", "normals as the mesh has them: the normal or bump map missing", normal_maps,
+     set<&Steps::normal_maps, NormalMaps::missing>},
+    {"tangents_reversed", "the tangents of a normal or bump map reversed: red counted from the other end", normal_maps,
+     set<&Steps::normal_maps, NormalMaps::tangent_reversed>},
+    {"bitangents_reversed", "the bitangents of a normal or bump map reversed: green counted from the other end",
+     normal_maps, set<&Steps::normal_maps, NormalMaps::bitangent_reversed>},
+    {"vertex_colors_missing", "the vertices' colours missing", Concerns::vertex_colours,
+     set<&Steps::vertex_colours, VertexColours::missing>},
     // Lights.
     {"light_not_normalised", "the direction to point lights not normalised", point_lights,
      set<&Steps::light_direction, LightDirection::not_normalised>},
@@ -159,6 +176,14 @@ constexpr Declared declared[] = {
     {"mip_bias_finer", "mip levels one too fine", textures, set<&Steps::mip_bias, MipBias::finer>},
     {"texture_decoded", "the texture raised to 2.2", textures, set<&Steps::texture_curve, TextureCurve::decoded>},
     {"texture_encoded", "the texture raised to 1/2.2", textures, set<&Steps::texture_curve, TextureCurve::encoded>},
+    {"srgb_texture_not_decoded", "an sRGB texture's values taken as they are stored", srgb_textures,
+     set<&Steps::texture_curve, TextureCurve::srgb_encoded>},
+    {"linear_texture_decoded", "a linear texture's values decoded as if they were sRGB", linear_textures,
+     set<&Steps::texture_curve, TextureCurve::srgb_decoded>},
+    {"specular_map_missing", "the specular map missing: white", specular_maps,
+     set<&Steps::specular_map, SpecularMap::missing>},
+    {"emission_missing", "the surface's own light missing", Concerns::emission,
+     set<&Steps::emission, Emission::missing>},
     // Measured reflection.
     {"merl_axes_exchanged", "θh and θd exchanged in the table", measured,
      set<&Steps::table_axes, TableAxes::theta_exchanged>},
@@ -195,49 +220,56 @@ constexpr Declared declared[] = {
     {"eye_at_origin", "the eye taken to be at the origin", any, set<&Steps::eye, Eye::from_origin>},
 };
 
-/// What `concerns` means in docs.
-constexpr std::string_view words_of(Concerns concerns) {
-  switch (concerns) {
-  case any:
-    return "every scene";
-  case plastics:
-    return "Phong, Blinn-Phong";
-  case Concerns::measured:
-    return "measured BRDFs";
-  case textures:
-    return "textures";
-  case point_lights:
-    return "point lights";
-  case attenuation:
-    return "attenuated lights";
-  case each_object:
-    return "each object by itself";
-  case each_light:
-    return "each light by itself";
-  }
-  return {};
+bool has_diffuse_map(const Material& m) {
+  return m.diffuse_map.texture != nullptr && !m.measured();
 }
 
-bool is_in(const Scene& scene, Concerns concerns) {
-  const auto any_object = [&](const auto& has) { return any_material(scene, has); };
-  switch (concerns) {
-  case any:
-  case each_object:
-  case each_light:
-    return true;
-  case plastics:
-    return any_object([](const Material& m) { return !m.user_function && !m.measured(); });
-  case Concerns::measured:
-    return any_object([](const Material& m) { return m.measured() != nullptr; });
-  case textures:
-    return any_object([](const Material& m) { return m.diffuse_map.texture != nullptr && !m.measured(); });
-  case point_lights:
-    return !scene.point_lights.empty();
-  case attenuation:
-    return std::any_of(scene.point_lights.begin(), scene.point_lights.end(),
-                       [](const PointLight& light) { return light.linear > 0 || light.quadratic > 0; });
-  }
-  return false;
+/// Whether any material of a scene is as `has` says.
+template <bool (*has)(const Material&)>
+bool of_any_material(const Scene& scene) {
+  return any_material(scene, has);
+}
+bool always(const Scene&) {
+  return true;
+}
+
+struct Concerned {
+  Concerns concerns;
+  std::string_view words; // in docs
+  bool (*is_in)(const Scene& scene);
+};
+
+constexpr Concerned concerned[] = {
+    {any, "every scene", always},
+    {plastics, "Phong, Blinn-Phong",
+     of_any_material<[](const Material& m) { return !m.user_function && !m.measured(); }>},
+    {Concerns::measured, "measured BRDFs", of_any_material<[](const Material& m) { return m.measured() != nullptr; }>},
+    {textures, "textures", of_any_material<has_diffuse_map>},
+    {srgb_textures, "sRGB textures",
+     of_any_material<[](const Material& m) { return has_diffuse_map(m) && is_decoded(*m.diffuse_map.texture); }>},
+    {linear_textures, "linear textures",
+     of_any_material<[](const Material& m) { return has_diffuse_map(m) && !is_decoded(*m.diffuse_map.texture); }>},
+    {specular_maps, "specular maps",
+     of_any_material<[](const Material& m) { return m.specular_map.texture != nullptr; }>},
+    {Concerns::emission, "surfaces that emit light",
+     of_any_material<[](const Material& m) { return m.emissive != Double3(0); }>},
+    {cut_outs, "opacity maps", of_any_material<[](const Material& m) { return m.has_cut_outs(); }>},
+    {normal_maps, "normal and bump maps", of_any_material<[](const Material& m) { return m.turns_normals(); }>},
+    {Concerns::vertex_colours, "colours of vertices", [](const Scene& scene) { return uses_of(scene).vertex_colours; }},
+    {two_sided, "two-sided objects", [](const Scene& scene) { return uses_of(scene).two_sided; }},
+    {point_lights, "point lights", [](const Scene& scene) { return !scene.point_lights.empty(); }},
+    {attenuation, "attenuated lights",
+     [](const Scene& scene) {
+       return std::any_of(scene.point_lights.begin(), scene.point_lights.end(),
+                          [](const PointLight& light) { return light.linear > 0 || light.quadratic > 0; });
+     }},
+    {each_object, "each object by itself", always},
+    {each_light, "each light by itself", always},
+};
+
+const Concerned& about(Concerns concerns) {
+  return *std::find_if(std::begin(concerned), std::end(concerned),
+                       [&](const Concerned& entry) { return entry.concerns == concerns; });
 }
 
 void add_each_object(const Scene& scene, const Declared& entry, std::vector<Hypothesis>& all) {
@@ -269,7 +301,7 @@ std::span<const Declared> declared_hypotheses() {
 std::vector<Hypothesis> hypotheses_for(const Scene& scene) {
   std::vector<Hypothesis> all;
   for (const Declared& entry : declared) {
-    if (!is_in(scene, entry.concerns)) continue;
+    if (!about(entry.concerns).is_in(scene)) continue;
     if (entry.concerns == each_object) add_each_object(scene, entry, all);
     else if (entry.concerns == each_light) add_each_light(scene, entry, all);
     else {
@@ -289,7 +321,7 @@ std::string hypotheses_markdown() {
         .append("` | ")
         .append(entry.text)
         .append(" | ")
-        .append(words_of(entry.concerns)) += " |\n";
+        .append(about(entry.concerns).words) += " |\n";
   return text;
 }
 

@@ -13,7 +13,24 @@
 namespace refraster::hypotheses {
 
 /// What a scene must have for a hypothesis to mean anything.
-enum class Concerns { any, plastics, measured, textures, point_lights, attenuation, each_object, each_light };
+enum class Concerns {
+  any,
+  plastics,
+  measured,
+  textures,
+  srgb_textures,
+  linear_textures,
+  specular_maps,
+  emission,
+  cut_outs,
+  normal_maps,
+  vertex_colours,
+  two_sided,
+  point_lights,
+  attenuation,
+  each_object,
+  each_light
+};
 
 /// An entry of the list.
 struct Declared {

@@ -1,6 +1,6 @@
 #include "verify/hypotheses/pixel_colours.h"
 
-#include "verify/images/srgb.h"
+#include "shading/srgb_curve.h"
 
 #include <cmath>
 
@@ -30,12 +30,25 @@ DepthRange depth_range(const Camera& camera, DepthPlanes planes) {
   return {camera.near, camera.far};
 }
 
+bool is_cut_out(const Covering& covering, Opacity opacity) {
+  switch (opacity) {
+  case Opacity::right:
+    return covering.opacity < covering.threshold;
+  case Opacity::missing:
+    return false;
+  case Opacity::inverted:
+    return 1 - covering.opacity < covering.threshold;
+  }
+  return false;
+}
+
 bool is_drawn(const Covering& covering, const Scene& scene, const Steps& steps, const DepthRange& range) {
   // The depth planes belong to what is drawn, up to rounding.
   constexpr double rounding = 1e-12;
   if (covering.object == steps.missing_object || covering.object == steps.other_missing_object) return false;
   if (!(covering.inverse_w * range.near <= 1 + rounding && covering.inverse_w * range.far >= 1 - rounding))
     return false;
+  if (is_cut_out(covering, steps.opacity)) return false;
   const bool back = covering.facing == Facing::back;
   switch (steps.culling) {
   case Culling::right:
@@ -55,7 +68,7 @@ Steps of_the_frame(const Steps& steps) {
   Steps result;
   result.view = steps.view;
   result.depth_test = steps.depth_test, result.depth_planes = steps.depth_planes;
-  result.culling = steps.culling, result.missing_object = steps.missing_object;
+  result.culling = steps.culling, result.opacity = steps.opacity, result.missing_object = steps.missing_object;
   result.other_missing_object = steps.other_missing_object;
   return result;
 }
@@ -156,7 +169,7 @@ Double3 PixelColours::stored(const Steps& steps, int alternative, const Nudge& n
     sum += colour / static_cast<double>(taps_.size());
   }
   if (setting_.transfer == Transfer::srgb)
-    for (int c = 0; c < 3; ++c) sum[c] = srgb_from_linear(std::min(std::max(sum[c], 0.0), 1.0));
+    for (int c = 0; c < 3; ++c) sum[c] = srgb_encoded(std::min(std::max(sum[c], 0.0), 1.0));
   return suspect && !in_shader(steps.output) ? output_of(sum, steps.output, setting_.scale) : sum;
 }
 

@@ -1,6 +1,9 @@
 #include "verify/hypotheses/prepared.h"
 
+#include "shading/srgb_curve.h"
+
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace refraster::hypotheses {
@@ -19,25 +22,40 @@ TableWithHoles read_all_the_same(const MerlTable& table) {
   return {std::make_shared<const MerlTable>(std::move(black)), std::make_shared<const MerlTable>(std::move(marks))};
 }
 
+Texture mip_mapped(Texture texture) {
+  build_mip_levels(texture);
+  return texture;
+}
+
 } // namespace
 
 Prepared::Prepared(const Scene& scene) {
   for_each_material(scene, [this](const Material& material) {
     if (const Merl* const merl = material.measured(); merl && merl->table)
       if (!tables_.contains(merl->table.get())) tables_[merl->table.get()] = read_all_the_same(*merl->table);
-    if (!material.diffuse_map.texture || mip_mapped_.contains(material.diffuse_map.texture.get())) return;
-    auto mapped = material.diffuse_map.texture;
-    if (mapped->levels.size() == 1) {
-      Texture with_levels = *mapped;
-      build_mip_levels(with_levels);
-      mapped = std::make_shared<const Texture>(std::move(with_levels));
-    }
-    mip_mapped_[material.diffuse_map.texture.get()] = std::move(mapped);
+    const std::shared_ptr<const Texture>& texture = material.diffuse_map.texture;
+    if (!texture || textures_.contains(texture.get())) return;
+    textures_[texture.get()].mip_mapped =
+        texture->levels.size() > 1
+            ? texture
+            : std::make_shared<const Texture>(mip_mapped({texture->full_scale, {texture->levels[0]}}));
   });
 }
 
 const Texture& Prepared::with_mip_levels(const Texture& texture) const {
-  return *mip_mapped_.at(&texture);
+  return *textures_.at(&texture).mip_mapped;
+}
+
+const Texture& Prepared::with_other_curve(const Texture& texture) const {
+  const TextureVariants& variants = textures_.at(&texture);
+  std::call_once(variants.once, [&] {
+    Texture changed{texture.full_scale, {texture.levels[0]}};
+    if (is_decoded(texture))
+      for (float& value : changed.levels[0].rgb) value = static_cast<float>(srgb_encoded(double{value}));
+    else decode_srgb(changed);
+    variants.other_curve = mip_mapped(std::move(changed));
+  });
+  return variants.other_curve;
 }
 
 const TableWithHoles* Prepared::with_holes(const MerlTable& table) const {

@@ -3,8 +3,8 @@
 #include "shading/fragment_batch.h"
 #include "shading/fragment_functions.h"
 #include "shading/light.h"
+#include "shading/srgb_curve.h"
 #include "verify/hypotheses/measured.h"
-#include "verify/images/srgb.h"
 
 #include <algorithm>
 #include <cmath>
@@ -217,9 +217,9 @@ Rgb<double> output_of(const Rgb<double>& linear, Output output, double scale) {
   case Output::gamma_decoded:
     return each([](double x) { return std::pow(std::max(x, 0.0), 2.2); });
   case Output::srgb_encoded:
-    return each([&](double x) { return srgb_from_linear(unit(x)); });
+    return each([&](double x) { return srgb_encoded(unit(x)); });
   case Output::srgb_decoded:
-    return each([&](double x) { return linear_from_srgb(unit(x)); });
+    return each([&](double x) { return srgb_decoded(unit(x)); });
   case Output::red_blue_exchanged:
     return {linear.z, linear.y, linear.x};
   case Output::video_range:

@@ -34,6 +34,7 @@ enum class View {
 enum class DepthTest { less, lequal, greater, always };
 enum class DepthPlanes { right, near_farther, near_nearer, far_nearer, far_farther };
 enum class Culling { right, off, back, front };
+enum class Opacity { right, missing, inverted };
 
 enum class Interpolation { right, without_perspective };
 enum class Varyings { right, in_half_precision };
@@ -48,6 +49,10 @@ enum class NormalLength {
   unit_at_corners    ///< normalised at the corners, and not again
 };
 enum class NormalSide { right, reversed, toward_eye };
+/// Of two-sided objects.
+enum class BothSides { right, one_only };
+/// What normal and bump maps make of a normal.
+enum class NormalMaps { right, missing, tangent_reversed, bitangent_reversed };
 enum class Eye { right, not_normalised, reversed, from_origin };
 
 enum class LightDirection { right, not_normalised, all_reversed, point_lights_reversed, direction_lights_reversed };
@@ -74,7 +79,10 @@ enum class TexturePlace { right, v_turned_over, u_turned_over, exchanged, half_t
 enum class TextureWrap { right, clamped, mirrored };
 enum class TextureUse { right, missing, on_highlight };
 enum class MipBias { right, coarser, finer };
-enum class TextureCurve { right, decoded, encoded };
+enum class TextureCurve { right, decoded, encoded, srgb_decoded, srgb_encoded };
+enum class VertexColours { right, missing };
+enum class SpecularMap { right, missing };
+enum class Emission { right, missing };
 
 enum class TableAxes { right, theta_exchanged, theta_h_without_root, phi_d_cut, phi_d_cut_other, phi_d_mirrored };
 enum class TableCosine { right, missing };
@@ -104,6 +112,7 @@ struct Steps {
   DepthTest depth_test = DepthTest::less;
   DepthPlanes depth_planes = DepthPlanes::right;
   Culling culling = Culling::right;
+  Opacity opacity = Opacity::right;
   std::uint32_t missing_object = none_missing;       // its index in the scene
   std::uint32_t other_missing_object = none_missing; // of a pair
   Interpolation interpolation = Interpolation::right;
@@ -111,6 +120,8 @@ struct Steps {
   NormalMatrix normal_matrix = NormalMatrix::right;
   NormalLength normal_length = NormalLength::unit;
   NormalSide normal_side = NormalSide::right;
+  BothSides both_sides = BothSides::right;
+  NormalMaps normal_maps = NormalMaps::right;
   Eye eye = Eye::right;
   LightDirection light_direction = LightDirection::right;
   Attenuation attenuation = Attenuation::right;
@@ -127,6 +138,9 @@ struct Steps {
   TextureUse texture_use = TextureUse::right;
   MipBias mip_bias = MipBias::right;
   TextureCurve texture_curve = TextureCurve::right;
+  VertexColours vertex_colours = VertexColours::right;
+  SpecularMap specular_map = SpecularMap::right;
+  Emission emission = Emission::right;
   std::optional<TextureFilter> texture_filter = std::nullopt; // instead of the material's
   TableAxes table_axes = TableAxes::right;
   TableCosine table_cosine = TableCosine::right;
@@ -145,6 +159,7 @@ void for_each_step(auto&& visit) {
   visit(&Steps::depth_test);
   visit(&Steps::depth_planes);
   visit(&Steps::culling);
+  visit(&Steps::opacity);
   visit(&Steps::missing_object);
   visit(&Steps::other_missing_object);
   visit(&Steps::interpolation);
@@ -152,6 +167,8 @@ void for_each_step(auto&& visit) {
   visit(&Steps::normal_matrix);
   visit(&Steps::normal_length);
   visit(&Steps::normal_side);
+  visit(&Steps::both_sides);
+  visit(&Steps::normal_maps);
   visit(&Steps::eye);
   visit(&Steps::light_direction);
   visit(&Steps::attenuation);
@@ -168,6 +185,9 @@ void for_each_step(auto&& visit) {
   visit(&Steps::texture_use);
   visit(&Steps::mip_bias);
   visit(&Steps::texture_curve);
+  visit(&Steps::vertex_colours);
+  visit(&Steps::specular_map);
+  visit(&Steps::emission);
   visit(&Steps::texture_filter);
   visit(&Steps::table_axes);
   visit(&Steps::table_cosine);

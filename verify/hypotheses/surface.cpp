@@ -165,6 +165,14 @@ Rgb<double> sample_wrapped(const Texture& texture, TextureFilter filter, const T
   return sum / texture.full_scale;
 }
 
+const Texture& texture_read(const Texture& texture, TextureFilter filter, TextureCurve curve,
+                            const Prepared& prepared) {
+  const bool decoded = is_decoded(texture);
+  if (curve == (decoded ? TextureCurve::srgb_encoded : TextureCurve::srgb_decoded))
+    return prepared.with_other_curve(texture);
+  return filter == TextureFilter::trilinear ? prepared.with_mip_levels(texture) : texture;
+}
+
 Rgb<double> texture_colour(const FrameContext& context, const SampleData<double>& data,
                            const PacketBarycentrics<double>& at, const Prepared& prepared, const Steps& steps,
                            const Nudge& nudge) {
@@ -173,16 +181,35 @@ Rgb<double> texture_colour(const FrameContext& context, const SampleData<double>
       steps.texture_use == TextureUse::missing)
     return Rgb<double>(1);
   const TextureFilter filter = steps.texture_filter.value_or(material.diffuse_map.filter);
-  const Texture& texture = filter == TextureFilter::trilinear ? prepared.with_mip_levels(*material.diffuse_map.texture)
-                                                              : *material.diffuse_map.texture;
+  const Texture& texture = texture_read(*material.diffuse_map.texture, filter, steps.texture_curve, prepared);
   const TexturePoint point = texture_point(context, data, at, material.diffuse_map, steps, nudge);
   Rgb<double> colour =
       sample_wrapped(texture, filter, point, material.diffuse_map.wrap, steps.texture_wrap) + nudge.texel;
-  if (steps.texture_curve != TextureCurve::right) {
+  if (steps.texture_curve == TextureCurve::decoded || steps.texture_curve == TextureCurve::encoded) {
     const double exponent = steps.texture_curve == TextureCurve::decoded ? 2.2 : 1 / 2.2;
     for (int c = 0; c < 3; ++c) colour[c] = std::pow(max0(colour[c]), exponent);
   }
   return colour;
+}
+
+/// Whether normals are those of the other side than is seen, and should not be.
+bool shows_wrong_side(const SampleData<double>& data, const Steps& steps) {
+  return steps.both_sides == BothSides::one_only && data.has_turned_normals();
+}
+
+/// As mapped_normal() of raster/shade, with a tangent or a bitangent reversed: what is along it counts the other way.
+Double3 mapped_normal_with(const FrameContext& context, const Material& material, const SampleData<double>& data,
+                           const Double3& normal, const Steps& steps) {
+  UndefinedCounts uncounted;
+  const UndefinedTally<double> tally(uncounted, true);
+  const PacketBarycentrics<double> at = barycentrics<Derivatives::yes>(data);
+  auto tangent = attribute_value<&Mesh::tangents>(context, data, at.at);
+  if (shows_wrong_side(data, steps)) tangent = -tangent;
+  Double3 direction = map_direction(material, data, at, tally);
+  if (steps.normal_maps == NormalMaps::tangent_reversed) direction.x = -direction.x;
+  if (steps.normal_maps == NormalMaps::bitangent_reversed) direction.y = -direction.y;
+  bool usable;
+  return turned_normal(normal, tangent, direction, usable);
 }
 
 } // namespace
@@ -203,11 +230,10 @@ Surface surface_at(const FrameContext& context, const SampleData<double>& data, 
     UndefinedCounts counts;
     normal = shading_normal(context, data, normal, UndefinedTally<double>(counts, true));
   }
-  if (turns_normals(context, material_of(context.scene.objects[object], data.triangle()), object)) {
-    UndefinedCounts uncounted;
-    normal = mapped_normal(context, material_of(context.scene.objects[object], data.triangle()), data, normal,
-                           UndefinedTally<double>(uncounted, true));
-  }
+  if (shows_wrong_side(data, steps)) normal = -normal;
+  const Material& material = material_of(context.scene.objects[object], data.triangle());
+  if (turns_normals(context, material, object) && steps.normal_maps != NormalMaps::missing)
+    normal = mapped_normal_with(context, material, data, normal, steps);
   const Double3 way = context.scene.camera.position - surface.position;
   switch (steps.eye) {
   case Eye::right:
@@ -226,11 +252,13 @@ Surface surface_at(const FrameContext& context, const SampleData<double>& data, 
   const bool away = steps.normal_side == NormalSide::toward_eye && dot(normal, way) < 0;
   surface.normal = steps.normal_side == NormalSide::reversed || away ? -normal : normal;
   surface.unit = steps.normal_length == NormalLength::unit && steps.eye != Eye::not_normalised;
-  surface.texture = texture_colour(context, data, at, prepared, steps, nudge) * vertex_colour(context, data, at);
-  if (const Material& material = material_of(context.scene.objects[object], data.triangle());
-      material.has_fragment_maps()) {
+  surface.texture = texture_colour(context, data, at, prepared, steps, nudge);
+  if (steps.vertex_colours == VertexColours::right) surface.texture *= vertex_colour(context, data, at);
+  if (material.has_fragment_maps()) {
     UndefinedCounts uncounted;
     surface.maps = fragment_maps(material, data, UndefinedTally<double>(uncounted, true));
+    if (steps.specular_map == SpecularMap::missing) surface.maps->specular = Rgb<double>(1);
+    if (steps.emission == Emission::missing) surface.maps->emission = Rgb<double>(0);
   }
   return surface;
 }

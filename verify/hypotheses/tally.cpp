@@ -1,8 +1,8 @@
 #include "verify/hypotheses/tally.h"
 
 #include "raster/parallel.h"
+#include "shading/srgb_curve.h"
 #include "verify/hypotheses/fit.h"
-#include "verify/images/srgb.h"
 #include "verify/transformations/whole_pixel_shift.h"
 
 #include <algorithm>
@@ -116,7 +116,7 @@ void Tallying::find_shift() {
   Image<float> right = render(request_.scene, options).radiance;
   for (float& value : right.values) {
     const double x = std::clamp(static_cast<double>(value), 0.0, 1.0);
-    if (request_.transfer == Transfer::srgb) value = static_cast<float>(srgb_from_linear(x));
+    if (request_.transfer == Transfer::srgb) value = static_cast<float>(srgb_encoded(x));
   }
   const StoredPrecision precision = StoredPrecision::floats(0x1p-24);
   const auto shifts = likely_shifts({right, 1, precision}, {*request_.actual, 1, precision}, 1);

@@ -1,6 +1,7 @@
 #include "verify/hypotheses/window_geometry.h"
 
 #include "raster/parallel.h"
+#include "raster/shade/opacity.h"
 
 #include <algorithm>
 #include <optional>
@@ -32,6 +33,7 @@ struct Candidate {
   const ProjectiveTriangle* projective = nullptr;
   std::array<double, 3> inverse_w{}; // of the corners, as set up
   Facing facing = Facing::front;
+  const Material* cut_outs = nullptr; // its material, if parts of that are cut out
 };
 
 Facing facing_of(const std::array<WindowVertex, 3>& v) {
@@ -79,8 +81,14 @@ void WindowGeometry::add_covering(std::size_t tile, std::span<const std::size_t>
   const PixelRect corner = tile_grid(context_).tile(tile);
   TriangleFinder finder(scene_, geometry_);
   const auto add = [&](const Candidate& candidate, std::size_t i) {
-    if (const std::optional<double> inverse_w = covered(candidate, scene_.camera, points[i]))
-      result[i].push_back({candidate.number, candidate.object, *inverse_w, candidate.facing});
+    const std::optional<double> inverse_w = covered(candidate, scene_.camera, points[i]);
+    if (!inverse_w) return;
+    Covering covering{candidate.number, candidate.object, *inverse_w, candidate.facing};
+    if (candidate.cut_outs) {
+      covering.opacity = opacity_at(context_, candidate.number, points[i].x / subpixels, points[i].y / subpixels);
+      covering.threshold = candidate.cut_outs->opacity_threshold;
+    }
+    result[i].push_back(covering);
   };
   const auto add_entry = [&](const TileEntry& entry) {
     Candidate candidate;
@@ -93,6 +101,8 @@ void WindowGeometry::add_covering(std::size_t tile, std::span<const std::size_t>
       if (!ready) {
         const TriangleRef ref = finder.at(entry.triangle);
         candidate.number = entry.triangle, candidate.object = ref.object;
+        const Material& material = material_of(scene_.objects[ref.object], ref.triangle);
+        if (material.has_cut_outs()) candidate.cut_outs = &material;
         if (entry.kind() == TileEntry::Kind::box) {
           const std::array<WindowVertex, 3> window = window_corners(geometry_, ref);
           candidate.snapped = set_up_snapped(window);

@@ -23,6 +23,8 @@ struct Covering {
   std::uint32_t object = 0;
   double inverse_w = 0; // 1 / distance along the line of sight
   Facing facing = Facing::front;
+  double opacity = 1;   // at the centre of the pixel that holds the point
+  double threshold = 0; // below this opacity the surface is cut out
 };
 
 /// A scene at a size, through the product's own vertex stage, binning and set-up: coverage is that of a frame. Nothing

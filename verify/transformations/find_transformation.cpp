@@ -1,4 +1,4 @@
-#include "verify/images/srgb.h"
+#include "shading/srgb_curve.h"
 #include "verify/transformations/scale_factor.h"
 #include "verify/transformations/undoing.h"
 #include "verify/transformations/whole_pixel_shift.h"
@@ -10,7 +10,7 @@ namespace {
 
 /// Linear from the curve's values, both in levels.
 double without_srgb_curve(double levels) {
-  return 255 * linear_from_srgb(levels / 255);
+  return 255 * srgb_decoded(levels / 255);
 }
 
 /// ITU-R BT.709: black at 16, white at 235.

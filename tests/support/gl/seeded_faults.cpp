@@ -183,9 +183,7 @@ std::vector<SeededFault> glsl_faults() {
          "    float detail = max(log2(max(length(right), length(up))), 0.0);\n"
          "    return mix(clamped_at(uv, int(detail)), clamped_at(uv, int(detail) + 1), fract(detail));\n"
          "}\n"}}},
-      {"mip levels one too coarse",
-       {"mip_bias_coarser"},
-       {{fragment, texel, "texture(tex, TEXTURE_AT, 1.0).rgb"}}},
+      {"mip levels one too coarse", {"mip_bias_coarser"}, {{fragment, texel, "texture(tex, TEXTURE_AT, 1.0).rgb"}}},
       {"mip levels one too fine", {"mip_bias_finer"}, {{fragment, texel, "texture(tex, TEXTURE_AT, -1.0).rgb"}}},
       {"texture decoded in the shader",
        {"texture_decoded"},
@@ -287,8 +285,8 @@ std::string save(const std::filesystem::path& path, const std::string& text) {
 const std::vector<SeededFault>& seeded_faults() {
   static const std::vector<SeededFault> all = [] {
     std::vector<SeededFault> faults = glsl_faults();
-    for (SeededFault& fault : seeded_scene_faults()) faults.push_back(std::move(fault));
-    for (SeededFault& fault : seeded_image_faults()) faults.push_back(std::move(fault));
+    for (const auto list : {seeded_scene_faults, seeded_map_faults, seeded_image_faults})
+      for (SeededFault& fault : list()) faults.push_back(std::move(fault));
     return faults;
   }();
   return all;

@@ -6,6 +6,7 @@
 namespace refraster {
 
 std::vector<SeededFault> seeded_scene_faults();
+std::vector<SeededFault> seeded_map_faults();
 std::vector<SeededFault> seeded_image_faults();
 
 } // namespace refraster

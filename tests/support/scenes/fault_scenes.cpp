@@ -1,6 +1,8 @@
 #include "tests/support/scenes/fault_scenes.h"
 
 #include "math/vec.h"
+#include "tests/support/scenes/brick_scene.h"
+#include "tests/support/scenes/leaf_scene.h"
 
 #include <cmath>
 #include <string>
@@ -138,12 +140,43 @@ Scene measured() {
   return scene;
 }
 
+/// Brighter and darker, alike nowhere, with the colours of its vertices.
+Mesh with_colours(Mesh mesh) {
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+    mesh.colours.emplace_back(0.3f + static_cast<float>(i % 8) / 10, 0.9f - static_cast<float>(i % 5) / 10, 0.5f);
+  return mesh;
+}
+
+/// What the other scenes have not: maps of normals, of opacity and of highlights, light of its own, colours of
+/// vertices, a texture in sRGB.
+Scene mapped() {
+  constexpr TextureFilter filter = TextureFilter::bilinear;
+  Scene scene = brick_scene(filter, BrickMaps::normals);
+  scene.point_lights[0] = {{-3, 4, 5}, {0.8, 0.75, 0.7}, 1, 0, 0};
+  const auto shine = plastic<BlinnPhong>({0.06, 0.06, 0.06}, {0.5, 0.5, 0.45}, {0.4, 0.4, 0.45}, 14);
+  Object ground = thing("ground", plane_mesh(2), {0, -1.1, -1}, {0, 10, 0}, {5, 1, 4}, shine);
+  Texture decoded = *patches(32, 24, filter);
+  decode_srgb(decoded);
+  ground.material.diffuse_map.texture = std::make_shared<const Texture>(std::move(decoded));
+  ground.material.specular_map.texture = patches(12, 10, filter);
+  Object knot = thing("coloured knot", with_colours(knot_mesh(64, 12, 0.3)), {0.05, 1.15, -0.8}, {20, 10, 0},
+                      Double3(0.32), shine);
+  Object lamp = thing("lamp", sphere_mesh(20, 10), {0.15, -0.55, 1.3}, {0, 0, 20}, Double3(0.32), shine);
+  lamp.material.emissive = {0.4, 0.35, 0.2};
+  lamp.material.emissive_map.texture = patches(10, 8, filter);
+  Object card = leaf_scene(filter).objects[0];
+  card.position = {-0.05, 0.35, 0.9}, card.rotate_degrees = {0, 200, 10}, card.scale = Double3(0.7);
+  for (Object* const object : {&ground, &knot, &lamp, &card}) scene.objects.push_back(std::move(*object));
+  return scene;
+}
+
 } // namespace
 
 const std::vector<FaultScene>& fault_scenes() {
   static const std::vector<FaultScene> all = {{"plastics", plastics(SpecularGate::open)},
                                               {"gated plastics", plastics(SpecularGate::cut_below_horizon)},
-                                              {"measured", measured()}};
+                                              {"measured", measured()},
+                                              {"mapped", mapped()}};
   return all;
 }
 

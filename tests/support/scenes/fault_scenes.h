@@ -15,7 +15,7 @@ struct FaultScene {
 
 /// Plastic things of both formulas with textures of every filter, lights of both types, attenuated or not, things that
 /// are stretched, open, culled, in one plane with others, and beyond the depth planes; the same with highlights that
-/// the horizon cuts off; and measured things, whose table has holes. Made once.
+/// the horizon cuts off; measured things, whose table has holes; and things with all other maps. Made once.
 const std::vector<FaultScene>& fault_scenes();
 
 } // namespace refraster

@@ -1,11 +1,11 @@
 // Hypotheses of what is wrong with an image, and how they are ranked: without OpenGL.
 
 #include "math/vec.h"
+#include "shading/srgb_curve.h"
 #include "tests/support/scenes/fault_scenes.h"
 #include "verify/hypotheses/hypothesis_list.h"
 #include "verify/hypotheses/pixel_colours.h"
 #include "verify/hypotheses/rank.h"
-#include "verify/images/srgb.h"
 
 #include <doctest/doctest.h>
 
@@ -42,7 +42,7 @@ Double3 at(const Image<double>& image, int x, int y) {
 Double3 rounded(Double3 value, Transfer transfer) {
   for (int c = 0; c < 3; ++c) {
     value[c] = std::clamp(value[c], 0.0, 1.0);
-    if (transfer == Transfer::srgb) value[c] = srgb_from_linear(value[c]);
+    if (transfer == Transfer::srgb) value[c] = srgb_encoded(value[c]);
     value[c] = std::nearbyint(255 * value[c]) / 255;
   }
   return value;
