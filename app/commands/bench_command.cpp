@@ -11,6 +11,7 @@
 #include "app/options/shared_options.h"
 #include "app/output.h"
 #include "app/progress_line.h"
+#include "bench/measure/command_runs.h"
 #include "bench/measure/precision_errors.h"
 #include "bench/measure/scene_bench.h"
 #include "bench/page/page.h"
@@ -38,6 +39,7 @@ namespace {
 using namespace bench;
 
 enum class Errors { measured, left_out };
+enum class WholeCommand { measured, left_out };
 
 /// A curve that is asked for, and how far it goes.
 struct GrowthRequest {
@@ -103,6 +105,8 @@ struct BenchArguments {
   std::string json, html, csv;
   Marginals marginals = Marginals::measured;
   Errors errors = Errors::measured;
+  WholeCommand whole_command = WholeCommand::measured;
+  std::vector<std::string> scene_words; // those of the command line that say how scenes are read
 };
 
 /// As it was typed, words with spaces in quotes.
@@ -118,6 +122,19 @@ std::string command_line() {
     start = end + 1;
   }
   return line;
+}
+
+/// The same options, of which what was given is kept: for a process that is to read scenes likewise.
+std::vector<Option> remembered(std::vector<Option> options, std::vector<std::string>& words) {
+  for (Option& option : options) {
+    if (option.is_argument()) continue;
+    option.read = [read = option.read, name = option.name, takes = option.takes, &words](const std::string& text) {
+      words.push_back(name);
+      if (takes != Takes::nothing) words.push_back(text);
+      return read(text);
+    };
+  }
+  return options;
 }
 
 std::optional<GlRenderer> renderer_named(const std::string& name) {
@@ -149,12 +166,13 @@ public:
     }
   }
 
-  void add(const std::string& name, const SceneSource& source) {
+  /// path: of the file that the scene is read from; empty: there is none.
+  void add(const std::string& name, const SceneSource& source, const std::string& path) {
     for (const Size& size : a_.sizes)
-      if (!interrupted()) add(name, source, size);
+      if (!interrupted()) add(name, source, path, size);
   }
 
-  void add(const std::string& name, const SceneSource& source, const Size& size) {
+  void add(const std::string& name, const SceneSource& source, const std::string& path, const Size& size) {
     const Scene scene = SceneSource(source).placed(size.width, size.height);
     SceneTask task{.name = name,
                    .scene = scene,
@@ -166,6 +184,8 @@ public:
                    .marginals = a_.marginals,
                    .opengl = opengl_};
     SceneResult result = timed(task);
+    if (interrupted()) return;
+    if (!path.empty() && a_.whole_command == WholeCommand::measured) result.commands = commands(task, path);
     if (interrupted()) return;
     if (a_.errors == Errors::measured)
       result.errors = precision_errors(task, static_cast<int>(run_.machine.usable_cpus.size()));
@@ -218,6 +238,23 @@ private:
     return bench_scene(task, repetitions_, thread_pool);
   }
 
+  std::vector<CommandResult> commands(const SceneTask& task, const std::string& path) {
+    const auto line = progress_line(a_.diagnostics, "measuring the whole command on " + task.name);
+    show_progress(line.get());
+    CommandTask whole{std::filesystem::read_symlink("/proc/self/exe"),
+                      a_.scene_words,
+                      task.width,
+                      task.height,
+                      task.samples,
+                      task.precisions,
+                      task.threads};
+    whole.words.push_back(path);
+    std::string failure;
+    std::vector<CommandResult> results = measure_commands(whole, repetitions_, failure);
+    if (!failure.empty()) run_.notes.push_back("the whole command is not measured on " + task.name + ": " + failure);
+    return results;
+  }
+
   /// On a line, if there is one.
   void show_progress(ProgressLine* line) {
     repetitions_.progress = {};
@@ -262,9 +299,9 @@ ExitCode run(const BenchArguments& a) {
     for (const std::string& path : a.scenes) scene_of(path, a, Remarks::withheld);
   Bench bench(a);
   try {
-    if (a.scenes.empty() && a.scaling.empty()) bench.add(built_in_name, {built_in_scene(), {}, {}});
+    if (a.scenes.empty() && a.scaling.empty()) bench.add(built_in_name, {built_in_scene(), {}, {}}, "");
     for (const std::string& path : a.scenes) {
-      bench.add(path, scene_of(path, a, Remarks::printed));
+      bench.add(path, scene_of(path, a, Remarks::printed), path);
       if (interrupted()) return ExitCode::interrupted;
     }
     for (const GrowthRequest& request : a.scaling) {
@@ -303,60 +340,66 @@ Command bench_command() {
   const auto set_precisions = [&a, precisions](const std::vector<std::size_t>& indices) {
     for (const std::size_t i : indices) a.precisions.push_back(precisions[i]);
   };
+  const OptionGroup view = scene_change_options(a.changes);
   std::string listed;
   for (const std::string& name : precisions) listed += (listed.empty() ? "" : ",") + name;
-  return {.name = "bench",
-          .meaning = "Measure what a pixel costs, and what accuracy it buys",
-          .groups = {{"Scenes",
-                      {refraster::arguments("SCENE", a.scenes,
-                                            "scene files or OBJ models; without one, a sphere that fills the image"),
-                       outside_option(a.reading.outside), cache_option(a.reading.mesh_cache)}},
-                     scene_change_options(a.changes),
-                     {"What is measured",
-                      {parsed_option("--size", "WxH,…", a.sizes, sizes_from,
-                                     "WIDTHxHEIGHT, each 1 to " + std::to_string(largest_side) +
-                                         ", separated by commas, each once",
-                                     "pixels of the image, or several sizes")
-                           .by_default("1280x720"),
-                       word_list_option("--precisions", "NAME,…", precisions, set_precisions, "number types of shading")
-                           .by_default(listed),
-                       parsed_option("--threads", "N,…", a.threads, thread_counts_from,
-                                     "numbers from 1 to 1024 separated by commas, each once", "numbers of threads")
-                           .by_default("1 and all CPUs"),
-                       number_choice_option("--samples", a.samples, {1, 2, 4, 8, 16}, "samples a pixel"),
-                       choice_option(
-                           "--gl", a.gl, {"llvmpipe", "softpipe", "default", "none"},
+  return {
+      .name = "bench",
+      .meaning = "Measure what a pixel costs, and what accuracy it buys",
+      .groups =
+          {{"Scenes",
+            remembered({refraster::arguments("SCENE", a.scenes,
+                                             "scene files or OBJ models; without one, a sphere that fills the image"),
+                        outside_option(a.reading.outside), cache_option(a.reading.mesh_cache)},
+                       a.scene_words)},
+           {view.heading, remembered(view.options, a.scene_words)},
+           {"What is measured",
+            {parsed_option("--size", "WxH,…", a.sizes, sizes_from,
+                           "WIDTHxHEIGHT, each 1 to " + std::to_string(largest_side) +
+                               ", separated by commas, each once",
+                           "pixels of the image, or several sizes")
+                 .by_default("1280x720"),
+             word_list_option("--precisions", "NAME,…", precisions, set_precisions, "number types of shading")
+                 .by_default(listed),
+             parsed_option("--threads", "N,…", a.threads, thread_counts_from,
+                           "numbers from 1 to 1024 separated by commas, each once", "numbers of threads")
+                 .by_default("1 and all CPUs"),
+             number_choice_option("--samples", a.samples, {1, 2, 4, 8, 16}, "samples a pixel"),
+             choice_option("--gl", a.gl, {"llvmpipe", "softpipe", "default", "none"},
                            "OpenGL to draw the same frames in between; left out where there is none, unless it is "
                            "named here")
-                           .by_default(default_gl),
-                       scaling_option(a.scaling),
-                       flag(
-                           "--no-marginal", [&a] { a.marginals = Marginals::left_out; },
-                           "only the scene as it is: no further light, texture, samples"),
-                       flag(
-                           "--no-error", [&a] { a.errors = Errors::left_out; },
-                           "do not measure how far images are from the right ones")}},
-                     {"How often",
-                      {number_option("--frames", a.frames, Range{1, 1000000},
-                                     "repetitions at least; each draws a frame of everything"),
-                       number_option("--seconds", a.seconds, Range{0, 86400},
-                                     "and more repetitions until so much time has passed, for each scene")}},
-                     {"Report",
-                      {file_option("--json", "FILE", a.json, "write the report as JSON; - is standard output"),
-                       file_option("--html", "FILE", a.html,
-                                   "write the report as one HTML page with pictures; - is standard output"),
-                       folder_option("--csv", a.csv, "folder to write a .csv file for each table to; made if need be"),
-                       memory_option(a.max_memory), strict_option(a.diagnostics), quiet_option(a.diagnostics)}}},
-          .notes = {"How it measures: docs/bench.md. The JSON: docs/reports.md."},
-          .finish = [arguments]() -> Action {
-            fill_defaults(*arguments);
-            for (const Size& size : arguments->sizes) check_frame_samples(size.width, size.height, arguments->samples);
-            return [arguments] {
-              arguments->reading.memory = set_memory_limit(
-                  arguments->max_memory, *std::max_element(arguments->threads.begin(), arguments->threads.end()));
-              return run(*arguments);
-            };
-          }};
+                 .by_default(default_gl),
+             scaling_option(a.scaling),
+             flag(
+                 "--no-marginal", [&a] { a.marginals = Marginals::left_out; },
+                 "only the scene as it is: no further light, texture, samples"),
+             flag(
+                 "--no-command", [&a] { a.whole_command = WholeCommand::left_out; },
+                 "do not measure whole commands: render, to a PNG, in a process of its own"),
+             flag(
+                 "--no-error", [&a] { a.errors = Errors::left_out; },
+                 "do not measure how far images are from the right ones")}},
+           {"How often",
+            {number_option("--frames", a.frames, Range{1, 1000000},
+                           "repetitions at least; each draws a frame of everything"),
+             number_option("--seconds", a.seconds, Range{0, 86400},
+                           "and more repetitions until so much time has passed, for each scene")}},
+           {"Report",
+            {file_option("--json", "FILE", a.json, "write the report as JSON; - is standard output"),
+             file_option("--html", "FILE", a.html,
+                         "write the report as one HTML page with pictures; - is standard output"),
+             folder_option("--csv", a.csv, "folder to write a .csv file for each table to; made if need be"),
+             memory_option(a.max_memory), strict_option(a.diagnostics), quiet_option(a.diagnostics)}}},
+      .notes = {"How it measures: docs/bench.md. The JSON: docs/reports.md."},
+      .finish = [arguments]() -> Action {
+        fill_defaults(*arguments);
+        for (const Size& size : arguments->sizes) check_frame_samples(size.width, size.height, arguments->samples);
+        return [arguments] {
+          arguments->reading.memory = set_memory_limit(
+              arguments->max_memory, *std::max_element(arguments->threads.begin(), arguments->threads.end()));
+          return run(*arguments);
+        };
+      }};
 }
 
 } // namespace refraster

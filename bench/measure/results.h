@@ -92,6 +92,21 @@ struct OpenGlResult {
   Spread frame_ms, cpu_ms;
 };
 
+/// The whole command, `refraster render` from its start to its end, in milliseconds.
+struct CommandResult {
+  std::string precision;
+  int threads = 1;
+  std::size_t repetitions = 0;
+  Spread whole_ms, cpu_ms;
+  Spread start_ms; // the whole less what follows: the process's start and end
+  Spread read_ms, frame_ms, write_ms;
+};
+/// The parts of CommandResult with their names, in order.
+inline constexpr std::pair<const char*, Spread CommandResult::*> command_parts[] = {
+    {"whole", &CommandResult::whole_ms}, {"start", &CommandResult::start_ms}, {"read", &CommandResult::read_ms},
+    {"frame", &CommandResult::frame_ms}, {"write", &CommandResult::write_ms}, {"cpu", &CommandResult::cpu_ms},
+};
+
 struct SceneResult {
   std::string scene;
   int width = 0, height = 0, samples = 1;
@@ -100,6 +115,7 @@ struct SceneResult {
   std::vector<PrecisionResult> precisions;
   std::vector<PrecisionError> errors;
   std::vector<OpenGlResult> opengl;
+  std::vector<CommandResult> commands; // none where there is no file to name
 
   double shaded() const { return static_cast<double>(counts.shaded); }
 };

@@ -2,7 +2,7 @@
 
 #include "bench/machine/memory.h"
 #include "bench/measure/frame_source.h"
-#include "raster/stopwatch.h"
+#include "raster/processor_time.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +30,8 @@ void measure_once(const Scene& scene, const RenderOptions& options, const Pinned
   restart_peak_memory();
   FrameSource source;
   source.draw(scene, options);
-  const Stopwatch wall, cpu(TimeOf::process);
+  const Stopwatch wall;
+  const ProcessorTime cpu;
   const Frame& frame = source.draw(scene, options);
   collected.cpu_ms.push_back(cpu.milliseconds());
   collected.wall_ms.push_back(wall.milliseconds());

@@ -2,8 +2,8 @@
 
 #include "bench/measure/frame_source.h"
 #include "bench/measure/gl_worker.h"
+#include "raster/processor_time.h"
 #include "raster/samples.h"
-#include "raster/stopwatch.h"
 
 #include <algorithm>
 #include <deque>
@@ -27,7 +27,8 @@ public:
     FrameCounts& counts = counts_.emplace_back();
     candidates_.push_back([this, &scene, options, &source, &counts] {
       thread_pool_.pin(options.threads);
-      const Stopwatch wall, cpu(TimeOf::process);
+      const Stopwatch wall;
+      const ProcessorTime cpu;
       const Frame& frame = source.draw(scene, options);
       const FrameTimes times{wall.milliseconds(), cpu.milliseconds(), frame.seconds, frame.tile_seconds};
       counts = frame.counts;

@@ -112,6 +112,12 @@ std::string run_html(const Run& run) {
                   "Median wall time of a frame; ±: half of the distance of the quartiles, in per cent of the median. "
                   "Cycles are reference cycles, of the time stamp counter.",
                   frames_table(run));
+  if (std::any_of(run.scenes.begin(), run.scenes.end(), [](const SceneResult& s) { return !s.commands.empty(); }))
+    page +=
+        section("The whole command",
+                "What a user waits for: refraster render, to a PNG, from the start of the process to its end, in ms. "
+                "Start is what is left beside reading, the frame and writing.",
+                commands_table(run));
   page += errors_section(run) + splits_section(run);
   page += section(
       "What one more thing costs",

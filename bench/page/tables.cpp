@@ -38,6 +38,26 @@ std::string frames_table(const Run& run) {
   return table.html();
 }
 
+std::string commands_table(const Run& run) {
+  HtmlTable table({"scene", "pixels", "", "threads", "ms", "", "start", "read", "frame", "write", "CPU ms"}, 3);
+  for (const SceneResult& scene : run.scenes) {
+    auto group = HtmlTable::Group::first;
+    for (const CommandResult& command : scene.commands) {
+      const bool first = group == HtmlTable::Group::first;
+      std::vector<std::string> row = {first ? short_name(scene) : "",
+                                      first ? format("%d × %d", scene.width, scene.height) : "", command.precision,
+                                      std::to_string(command.threads)};
+      for (const auto& [name, part] : command_parts) {
+        row.push_back(format("%.1f", (command.*part).median));
+        if (part == &CommandResult::whole_ms) row.push_back(plus_minus(command.whole_ms));
+      }
+      table.add(row, group);
+      group = HtmlTable::Group::same;
+    }
+  }
+  return table.html();
+}
+
 std::string errors_table(const Run& run) {
   HtmlTable table(
       {"scene", "precision", "exact: mean", "max", "double, levels: max", "99.9 %", "mean", "off by one", "by more"},

@@ -129,6 +129,21 @@ std::string split(const Run& run) {
   return csv.text();
 }
 
+std::string commands(const Run& run) {
+  Row headings = scene_headings();
+  append(headings, {"precision", "threads", "repetitions"});
+  for (const auto& [name, part] : command_parts) append(headings, spread_headings(std::string(name) + "_ms"));
+  Csv csv(headings);
+  for (const SceneResult& scene : run.scenes)
+    for (const CommandResult& command : scene.commands) {
+      Row row = scene_cells(scene);
+      append(row, {command.precision, command.threads, command.repetitions});
+      for (const auto& [name, part] : command_parts) append(row, spread_cells(command.*part));
+      csv.add(row);
+    }
+  return csv.text();
+}
+
 std::string costs(const Run& run) {
   Row headings = scene_headings();
   append(headings, {"precision", "threads", "what", "of"});
@@ -227,7 +242,7 @@ std::string machine(const Run& run) {
 } // namespace
 
 std::vector<CsvTable> csv_tables(const Run& run) {
-  constexpr std::string (*tables[])(const Run&) = {frames, split, costs, errors, scaling, machine};
+  constexpr std::string (*tables[])(const Run&) = {frames, split, commands, costs, errors, scaling, machine};
   static_assert(std::size(tables) == std::size(csv_file_names));
   std::vector<CsvTable> all;
   for (std::size_t i = 0; i < std::size(tables); ++i) all.push_back({csv_file_names[i], tables[i](run)});

@@ -17,7 +17,7 @@ struct CsvTable {
 };
 
 /// The names of the files, in the order of csv_tables.
-inline constexpr std::string_view csv_file_names[] = {"frames.csv", "split.csv",   "costs.csv",
+inline constexpr std::string_view csv_file_names[] = {"frames.csv", "split.csv",   "commands.csv", "costs.csv",
                                                       "errors.csv", "scaling.csv", "machine.csv"};
 
 /// All tables; one of which there is nothing to say has its headings only.

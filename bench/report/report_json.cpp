@@ -225,6 +225,19 @@ void write_opengl(JsonWriter& json, const SceneResult& scene) {
   }
 }
 
+void write_commands(JsonWriter& json, const SceneResult& scene) {
+  for (const CommandResult& command : scene.commands) {
+    json.object([&] {
+      write_scene_size(json, scene);
+      json.member("samples", scene.samples);
+      json.member("precision", command.precision);
+      json.member("threads", command.threads);
+      json.member("repetitions", command.repetitions);
+      for (const auto& [name, part] : command_parts) spread_member(json, std::string(name) + "_ms", command.*part);
+    });
+  }
+}
+
 void write_point(JsonWriter& json, const MeasuredPoint& measured, double time_at_first) {
   const ScalingPoint& point = measured.point;
   json.object([&] {
@@ -287,6 +300,9 @@ std::string run_json(const Run& run) {
     });
     json.array("opengl", [&] {
       for (const SceneResult& scene : run.scenes) write_opengl(json, scene);
+    });
+    json.array("commands", [&] {
+      for (const SceneResult& scene : run.scenes) write_commands(json, scene);
     });
     json.array("scaling", [&] {
       for (const ScalingCurve& curve : run.scaling) write_curve(json, curve);

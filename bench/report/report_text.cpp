@@ -56,6 +56,16 @@ std::string split(const SceneResult& scene) {
   return table.text();
 }
 
+std::string commands(const SceneResult& scene) {
+  TextTable table({"the whole command, ms", "threads", "whole", "start", "read", "frame", "write", "CPU"});
+  for (const CommandResult& command : scene.commands) {
+    std::vector<std::string> row = {command.precision, std::to_string(command.threads)};
+    for (const auto& [name, part] : command_parts) row.push_back(format("%.1f", (command.*part).median));
+    table.add(row);
+  }
+  return table.text();
+}
+
 std::string costs(const SceneResult& scene) {
   TextTable table({"what adds how much", "ns of CPU", "lower quartile", "upper quartile"});
   const auto row = [&](const std::string& precision, const std::string& what, const Spread& ns) {
@@ -175,6 +185,7 @@ std::string run_text(const Run& run) {
   for (const std::string& note : run.notes) text += "note: " + note + "\n";
   for (const SceneResult& scene : run.scenes) {
     text += "\n" + header(scene) + "\n" + frames(run, scene) + "\n" + split(scene);
+    if (!scene.commands.empty()) text += "\n" + commands(scene);
     if (scene.precisions.front().marginal) text += "\n" + costs(scene);
     if (!scene.errors.empty()) text += "\n" + errors(scene);
   }

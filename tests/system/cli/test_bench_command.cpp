@@ -60,7 +60,8 @@ TEST_CASE(
 
 TEST_CASE("what is left out is null or empty") {
   const BallFolder folder;
-  const Finished run = folder.bench({"ball.json", "--threads", "1", "--no-marginal", "--no-error", "--json", "-"});
+  const Finished run =
+      folder.bench({"ball.json", "--threads", "1", "--no-marginal", "--no-error", "--no-command", "--json", "-"});
   REQUIRE_MESSAGE(run.exit_code == 0, run.err);
   const Json json = parsed(run.out);
   CHECK(fault(json) == "");
@@ -69,7 +70,35 @@ TEST_CASE("what is left out is null or empty") {
   CHECK(result["marginal_cpu_ns_per_pixel"].IsNull());
   CHECK(result["fragment_functions"].Empty());
   CHECK(json["opengl"].Empty());
+  CHECK(json["commands"].Empty());
   CHECK(json["scaling"].Empty());
+}
+
+TEST_CASE("the whole command is measured with what is changed of the scene, and its parts add up") {
+  const BallFolder folder;
+  std::filesystem::create_directories(folder / "other");
+  std::filesystem::rename(folder / "ball.json", folder / "other/my ball.json");
+  const Words words = {"other/my ball.json", "--fov=30",   "--set",        "/scene/background=[0.1, 0.2, 0.3]",
+                       "--threads",          "1,2",        "--precisions", "float",
+                       "--no-marginal",      "--no-error", "--json",       "-"};
+  const Finished run = folder.bench(words);
+  REQUIRE_MESSAGE(run.exit_code == 0, run.err);
+  const Json json = parsed(run.out);
+  CHECK(fault(json) == "");
+  CHECK(json["notes"].Empty() == false); // of what can be said of so few repetitions
+  REQUIRE(json["commands"].Size() == 2);
+  for (const auto& command : json["commands"].GetArray()) {
+    CHECK(std::string(command["scene"].GetString()) == "other/my ball.json");
+    CHECK(command["repetitions"].GetInt() == 2);
+    // Each is a median of two, and so a mean, which is linear.
+    double sum = 0;
+    for (const char* const part : {"start_ms", "read_ms", "frame_ms", "write_ms"})
+      sum += command[part]["median"].GetDouble();
+    CHECK(sum == doctest::Approx(command["whole_ms"]["median"].GetDouble()));
+    CHECK(command["start_ms"]["min"].GetDouble() > 0);
+    CHECK(command["cpu_ms"]["min"].GetDouble() > 0);
+  }
+  CHECK(files_in(folder) == Words{"other"});
 }
 
 TEST_CASE("several sizes are measured one after the other") {
@@ -166,7 +195,7 @@ TEST_CASE("with --csv a folder is made that holds a file for each table, and wha
   for (const char* const where : {"figures/here", "made/too"}) {
     const Finished run = folder.bench({"ball.json", "--precisions", "float", "--threads", "1", "--csv", where});
     REQUIRE_MESSAGE(run.exit_code == 0, run.err);
-    for (const char* const name : {"frames", "split", "costs", "errors", "scaling", "machine"})
+    for (const char* const name : {"frames", "split", "commands", "costs", "errors", "scaling", "machine"})
       CHECK(text_of(folder / (std::string(where) + "/" + name + ".csv")).size() > 20);
     CHECK(text_of(folder / (std::string(where) + "/frames.csv")).find("\nball.json,80,45,1,2,536,") !=
           std::string::npos);

@@ -184,7 +184,7 @@ TEST_CASE("a model is explained, compared with and measured as it is rendered") 
   CHECK(explained.out.find("my house") != std::string::npos);
   CHECK(folder.run({"compare", "i.png", "i.png", "--scene", "my house.obj"}).exit_code == 0);
   const Finished measured = folder.run({"bench", "my house.obj", "--size", "32x32", "--frames", "1", "--seconds", "0",
-                                        "--gl", "none", "--no-marginal", "--no-error"});
+                                        "--gl", "none", "--no-marginal", "--no-command", "--no-error"});
   CHECK_MESSAGE(measured.exit_code == 0, measured.err);
   CHECK(measured.out.find("nothing is known of a shaded pixel") == std::string::npos);
   CHECK(folder.run({"verify", "my house.obj", "i.png"}).exit_code == 0);

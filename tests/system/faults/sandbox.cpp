@@ -175,10 +175,11 @@ std::vector<Command> commands_that_write(Effort effort) {
   commands.push_back({"render with --cache", with(render, {"out/o.png", "--cache", "cache"}), {"o.png"}});
   commands.back().words[1] = "mesh.json";
   commands.push_back({"merl synth", {"merl", "synth", "lambert", "-o", "out/t.binary"}, {"t.binary"}});
-  commands.push_back({"bench, report, page",
-                      {"bench", "s.json", "--size", "16x12", "--frames", "1", "--seconds", "0", "--threads", "1",
-                       "--gl", "none", "--no-marginal", "--no-error", "--json", "out/b.json", "--html", "out/b.html"},
-                      {"b.json", "b.html"}});
+  commands.push_back(
+      {"bench, report, page",
+       {"bench", "s.json", "--size", "16x12", "--frames", "1", "--seconds", "0", "--threads", "1", "--gl", "none",
+        "--no-marginal", "--no-command", "--no-error", "--json", "out/b.json", "--html", "out/b.html"},
+       {"b.json", "b.html"}});
   const Command gl{"gl .png, float .exr, depth .pfm, report",
                    {"gl", "s.json", "--size", "16x12", "-o", "out/g.png", "--float", "out/f.exr", "--depth",
                     "out/d.pfm", "--json", "out/g.json"},

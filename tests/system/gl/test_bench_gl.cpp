@@ -17,8 +17,8 @@ struct BallFolder : TemporaryFolder {
   BallFolder() { save_text(*this / "ball.json", ball_scene); }
 
   Finished bench(Words more) const {
-    Words words = {"bench",  "ball.json", "--size",    "80x45", "--frames",      "2",
-                   "--json", "-",         "--seconds", "0",     "--no-marginal", "--no-error"};
+    Words words = {"bench", "ball.json", "--size", "80x45",         "--frames",     "2",         "--json",
+                   "-",     "--seconds", "0",      "--no-marginal", "--no-command", "--no-error"};
     words.insert(words.end(), more.begin(), more.end());
     return run_program(path, words);
   }
