@@ -174,7 +174,7 @@ std::string file_of(const Image<Value>& image, const WriteOptions& options, cons
 
 } // namespace
 
-const PngPacking png_packing{.level = 4, .strategy = Z_DEFAULT_STRATEGY};
+const PngPacking png_packing{.level = 1, .strategy = Z_RLE};
 
 std::string png_file(const Image<std::uint8_t>& image, const WriteOptions& options, const PngPacking& packing) {
   return file_of(image, options, packing);
