@@ -2,33 +2,31 @@
 
 #include "io/file/input_file.h"
 
-#include <openssl/evp.h>
+#include <nettle/sha2.h>
 
 #include <algorithm>
 #include <cstdint>
 #include <limits>
-#include <new>
 #include <vector>
 
 namespace refraster {
 
 struct Sha256::State {
-  EVP_MD_CTX* context = EVP_MD_CTX_new();
-  ~State() { EVP_MD_CTX_free(context); }
+  sha256_ctx context;
 };
 
 Sha256::Sha256() : state_(std::make_unique<State>()) {
-  if (!state_->context || EVP_DigestInit_ex(state_->context, EVP_sha256(), nullptr) != 1) throw std::bad_alloc();
+  sha256_init(&state_->context);
 }
 Sha256::~Sha256() = default;
 
 void Sha256::add(const void* bytes, std::size_t size_bytes) {
-  EVP_DigestUpdate(state_->context, bytes, size_bytes);
+  sha256_update(&state_->context, size_bytes, static_cast<const std::uint8_t*>(bytes));
 }
 
 std::array<unsigned char, sha256_bytes> Sha256::result() {
   std::array<unsigned char, sha256_bytes> digest{};
-  EVP_DigestFinal_ex(state_->context, digest.data(), nullptr);
+  sha256_digest(&state_->context, digest.size(), digest.data());
   return digest;
 }
 

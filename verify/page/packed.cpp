@@ -2,7 +2,7 @@
 
 #include "io/image/png/png_filter.h"
 
-#include <openssl/evp.h>
+#include <nettle/base64.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -66,15 +66,8 @@ void need_same_size(const Image<Value>& a, const Image<Value>& b) {
 } // namespace
 
 std::string base64(const Bytes& bytes) {
-  constexpr std::size_t part = 3 << 20; // OpenSSL counts in int; of 3 bytes, so that no padding stands within
-  std::string text;
-  text.reserve(4 * ((bytes.size() + 2) / 3));
-  std::string letters(4 * (part / 3) + 1, '\0'); // and a 0, which it writes behind them
-  for (std::size_t at = 0; at < bytes.size(); at += part) {
-    const auto size = static_cast<int>(std::min(part, bytes.size() - at));
-    const int length = EVP_EncodeBlock(reinterpret_cast<unsigned char*>(letters.data()), &bytes[at], size);
-    text.append(letters, 0, static_cast<std::size_t>(length));
-  }
+  std::string text(BASE64_ENCODE_RAW_LENGTH(bytes.size()), '\0');
+  base64_encode_raw(text.data(), bytes.size(), bytes.data());
   return text;
 }
 
