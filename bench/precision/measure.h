@@ -6,7 +6,6 @@
 #include "raster/vertex/error_bounds.h"
 #include "shading/precision_bounds.h"
 
-#include <functional>
 #include <string_view>
 #include <vector>
 
@@ -27,10 +26,7 @@ struct ShadingRow {
   Error double_terms, float_terms, double_result, float_result, float_from_double;
   double double_other_bin = 0, float_other_bin = 0; // share of inputs that `nearest` reads from the neighbouring bin
 };
-/// Whether a family of inputs is measured, by its name.
-using WantedInputs = std::function<bool(std::string_view)>;
-std::vector<ShadingRow> measure_shading(
-    int trials, const WantedInputs& wanted = [](std::string_view) { return true; });
+std::vector<ShadingRow> measure_shading(int trials);
 
 /// A coordinate of the MERL table by one method, on one family of inputs.
 struct CoordinateRow {

@@ -155,17 +155,14 @@ std::vector<ShadingRow> measure_merl(const std::shared_ptr<const MerlTable>& tab
 
 } // namespace
 
-std::vector<ShadingRow> measure_shading(int trials, const WantedInputs& wanted) {
+std::vector<ShadingRow> measure_shading(int trials) {
   std::vector<ShadingRow> rows;
-  for (const Family& inputs : phong_families())
-    if (wanted(inputs.name)) rows.push_back(measure_phong<Phong>(inputs, trials));
-  for (const Family& inputs : phong_families())
-    if (wanted(inputs.name)) rows.push_back(measure_phong<BlinnPhong>(inputs, trials));
+  for (const Family& inputs : phong_families()) rows.push_back(measure_phong<Phong>(inputs, trials));
+  for (const Family& inputs : phong_families()) rows.push_back(measure_phong<BlinnPhong>(inputs, trials));
   const std::shared_ptr<const MerlTable> table(new MerlTable(merl_table_from(find_brdf_preset("nylon-like")->brdf)));
   std::vector<ShadingRow> merl;
   for (const Family& inputs : merl_families())
-    if (wanted(inputs.name))
-      for (ShadingRow& row : measure_merl(table, inputs, trials)) merl.push_back(std::move(row));
+    for (ShadingRow& row : measure_merl(table, inputs, trials)) merl.push_back(std::move(row));
   // By lookup, then by inputs.
   std::stable_sort(merl.begin(), merl.end(),
                    [](const ShadingRow& a, const ShadingRow& b) { return a.bound.function < b.bound.function; });

@@ -65,22 +65,9 @@ void check_functions(int trials, Judge judge) {
   }
 }
 
-bool every_family(std::string_view) {
-  return true;
-}
-/// Half of the families of MERL, which take the time.
-bool first_families(std::string_view inputs) {
-  return inputs == "ordinary" || inputs == "uniform" || inputs == "specular" || inputs == "retro";
-}
-bool other_families(std::string_view inputs) {
-  return !first_families(inputs);
-}
-
-void check_shading(int trials, Judge judge, bool (*wanted)(std::string_view)) {
-  const std::vector<ShadingRow> rows = measure_shading(trials, wanted);
-  CHECK(rows.size() ==
-        static_cast<std::size_t>(std::count_if(std::begin(precision_bounds), std::end(precision_bounds),
-                                               [&](const PrecisionBound& bound) { return wanted(bound.inputs); })));
+void check_shading(int trials, Judge judge) {
+  const std::vector<ShadingRow> rows = measure_shading(trials);
+  CHECK(rows.size() == std::size(precision_bounds));
   for (const ShadingRow& row : rows) {
     const auto check = [&](const std::string& number, const Error& error, const UlpBound& bound) {
       check_error(row.bound.function, row.bound.inputs, number, error, bound, judge);
@@ -149,7 +136,7 @@ TEST_CASE("no elementary function exceeds its bound") {
 }
 
 TEST_CASE("no fragment function exceeds its bounds on any family of inputs") {
-  check_shading(20, Judge::maximum, every_family);
+  check_shading(20, Judge::maximum);
 }
 
 TEST_CASE("no coordinate of the MERL table exceeds its bounds") {
@@ -171,20 +158,26 @@ TEST_CASE("an arc cosine in float misses the highlight by more than a bin, the c
   CHECK(closed_worst < 0.1);
 }
 
+namespace {
+
+/// Everything that the page measures, on a share of its inputs.
+void check_page(int share) {
+  check_functions(20000 / share, Judge::both);
+  check_shading(5000 / share, Judge::both);
+  check_coordinates(20000 / share, Judge::both);
+  check_vertices(measure_random_vertices(20000 / share), Judge::both);
+}
+
+} // namespace
+
 TEST_SUITE("slow") {
-  TEST_CASE("no elementary function exceeds its bound, 99 of 100 results keep to the tighter one") {
-    check_functions(20000, Judge::both);
+  TEST_CASE("nothing exceeds its bounds on a fifth of the page's inputs, 99 of 100 results keep to the tighter ones") {
+    check_page(5);
   }
-  TEST_CASE("no fragment function exceeds its bounds, 99 of 100 results keep to the tighter ones") {
-    check_shading(5000, Judge::both, first_families);
-  }
-  TEST_CASE("so it is with the other families of inputs") { // a test of its own: CMakeLists.txt
-    check_shading(5000, Judge::both, other_families);
-  }
-  TEST_CASE("no coordinate of the MERL table exceeds its bounds, 99 of 100 keep to the tighter ones") {
-    check_coordinates(20000, Judge::both);
-  }
-  TEST_CASE("nothing that the vertex stage stores exceeds its bounds in many random scenes") {
-    check_vertices(measure_random_vertices(20000), Judge::both);
+}
+
+TEST_SUITE("long") {
+  TEST_CASE("nothing exceeds its bounds on the page's inputs, 99 of 100 results keep to the tighter ones") {
+    check_page(1);
   }
 }

@@ -3,6 +3,7 @@
 #include <refraster/files.h>
 #include <refraster/notes.h>
 
+#include "io/brdf/merl_file.h"
 #include "tests/support/files/malformed_inputs.h"
 #include "tests/support/files/png_bytes.h"
 
@@ -200,6 +201,21 @@ TEST_CASE("map_d cuts out, by the channel of -imfchan; d below 1 beside it has n
   CHECK(noted.find("d below 1, read without it: map_d alone says what is cut out") != std::string::npos);
   opacity("d 0.25", noted);
   CHECK(noted.find("d below 1, drawn opaque: there is no blending") != std::string::npos);
+}
+
+TEST_CASE("a measured material is cut out by an opacity map, and a texture of colours beside it is noted") {
+  ModelFolder folder(R"(, "fragment_function": "merl", "vertex_shader_file_path": "a_vs.glsl",
+        "fragment_shader_file_path": "a_fs.glsl", "material": {"brdf_file_path": "t.binary",
+        "texture_file_path": "t.png", "opacity_map": "t.png", "opacity_threshold": 0.25})");
+  write_merl(folder / "t.binary", MerlTable(PaddedVector<double>(3 * MerlTable::samples, 0.5)));
+  const Material material = folder.object().material;
+  REQUIRE(material.measured() != nullptr);
+  CHECK(material.measured()->table->sample(1, 2, 3).y == doctest::Approx(0.5));
+  CHECK(material.has_cut_outs());
+  CHECK(material.opacity_threshold == 0.25);
+  CHECK(material.opacity_map.texture->levels.at(0).rgb.at(0) > 0);
+  CHECK(material.diffuse_map.texture == nullptr);
+  CHECK(folder.noted().find("t.png") != std::string::npos);
 }
 
 TEST_CASE("norm is a normal map, map_Bump and bump are heights, with their options; their mesh gets tangents") {
