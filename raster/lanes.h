@@ -20,6 +20,14 @@ Wide<F, N> lane_numbers() {
   (std::make_integer_sequence<int, N>{});
 }
 
+template <int N>
+VectorOf<std::int32_t, N> int_lane_numbers() {
+  return [&]<int... lane>(std::integer_sequence<int, lane...>) {
+    return VectorOf<std::int32_t, N>{lane...};
+  }
+  (std::make_integer_sequence<int, N>{});
+}
+
 /// Whole numbers under 2^31 as integers: fractions are cut off. And back.
 template <int N>
 VectorOf<std::int32_t, N> integers(const Wide<double, N>& x) {
@@ -44,6 +52,20 @@ Ints greater(const Ints& x, const Ints& y) {
 template <class F, int N>
 std::array<F, N> listed(const Wide<F, N>& x) {
   return std::bit_cast<std::array<F, N>>(x.v);
+}
+
+/// The lanes in which an integer is negative, as true is: a bit for each, lane 0 the lowest.
+template <class Ints>
+std::uint32_t negative_lanes(const Ints& x) {
+  constexpr int lanes = sizeof(Ints) / sizeof(std::int32_t);
+  using Floats = VectorOf<float, lanes>;
+  if constexpr (requires(Floats v) { registers::sign_bits(v); }) {
+    return registers::sign_bits(std::bit_cast<Floats>(x));
+  } else {
+    std::uint32_t set = 0;
+    for (int lane = 0; lane < lanes; ++lane) set |= (x[lane] < 0 ? 1u : 0u) << lane;
+    return set;
+  }
 }
 
 template <class Lanes>

@@ -1,5 +1,5 @@
 #pragma once
-// Radiance to whole numbers of 16 bits. Those of 8 bits are made while tiles are resolved (raster/shade/resolve.h).
+// Radiance to whole numbers of 16 bits. Those of 8 bits are made while tiles are resolved (raster/resolve/resolve.h).
 
 #include <refraster/image.h>
 #include <refraster/render.h>

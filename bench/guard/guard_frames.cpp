@@ -29,9 +29,14 @@ std::shared_ptr<const MerlTable> any_table() {
   return std::make_shared<const MerlTable>(std::move(rgb));
 }
 
+struct Workload {
+  Scene scene;
+  int samples = 1; // a pixel
+};
+
 /// The workloads without what scripts/make_bench_assets makes, which takes long to read where every instruction is
 /// counted: the measured table is another, and of the million triangles there are as many as fit the smaller frame.
-std::map<std::string, Scene> workloads(const std::string& folder) {
+std::map<std::string, Workload> workloads(const std::string& folder) {
   std::map<std::string, Scene> scenes;
   for (const char* name : {"sphere_blinn_phong", "sphere_back_faces", "textured", "sixteen_lights",
                            "layers_back_to_front", "layers_front_to_back"})
@@ -48,14 +53,21 @@ std::map<std::string, Scene> workloads(const std::string& folder) {
   tiny.camera.position = {0, 0, 3};
   tiny.camera.fov_y_degrees = 45;
   tiny.objects[0].mesh = std::make_shared<const Mesh>(waves({250, 125}));
-  return scenes;
+
+  std::map<std::string, Workload> result;
+  for (const auto& [name, scene] : scenes) result[name] = {scene};
+  for (const char* name : {"sphere_blinn_phong", "textured", "tiny_triangles"})
+    result[name + std::string("_4_samples")] = {scenes[name], 4};
+  return result;
 }
 
 void draw_all(const std::string& folder) {
   RenderOptions options;
   options.width = 320, options.height = 180;
   options.threads = 1;
-  for (const auto& [name, scene] : workloads(folder))
+  for (const auto& [name, workload] : workloads(folder)) {
+    const Scene& scene = workload.scene;
+    options.samples = workload.samples;
     std::apply(
         [&](auto... precision) {
           const auto draw = [&](Precision one) {
@@ -69,6 +81,7 @@ void draw_all(const std::string& folder) {
           (draw(decltype(precision)::id), ...);
         },
         LanePrecisions{});
+  }
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 #include "gl/probe/output_levels.h"
 
-#include "raster/shade/resolve.h"
+#include "raster/resolve/rgb8.h"
 
 #include <algorithm>
 #include <cmath>

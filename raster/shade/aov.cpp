@@ -72,14 +72,16 @@ void resolve_means(std::span<const FragmentRun> runs, std::span<const double> va
     std::size_t end = i;
     int covered = 0;
     for (; end < runs.size() && same_pixel(runs[i], runs[end]); ++end) covered += runs[end].samples;
-    for (int c = 0; c < channels; ++c) {
-      const auto value = [&](std::size_t k) {
-        return values[runs[k].first_fragment * static_cast<std::size_t>(channels) + static_cast<std::size_t>(c)];
-      };
-      double difference = 0;
-      for (std::size_t k = i; k < end; ++k) difference += (value(k) - value(i)) * (double(runs[k].samples) / covered);
-      put(runs[i].x, runs[i].y, c, value(i) + difference);
-    }
+    for (int pixel = 0; pixel < runs[i].length; ++pixel) // of several, each has one run
+      for (int c = 0; c < channels; ++c) {
+        const auto value = [&](std::size_t k) {
+          const std::size_t fragment = runs[k].first_fragment + static_cast<std::size_t>(pixel);
+          return values[fragment * static_cast<std::size_t>(channels) + static_cast<std::size_t>(c)];
+        };
+        double difference = 0;
+        for (std::size_t k = i; k < end; ++k) difference += (value(k) - value(i)) * (double(runs[k].samples) / covered);
+        put(runs[i].x + pixel, runs[i].y, c, value(i) + difference);
+      }
     i = end;
   }
 }

@@ -1,49 +1,6 @@
 #include "raster/shade/fragments.h"
 
-#include <algorithm>
-
 namespace refraster {
-
-namespace {
-
-void list_single_sample(const TileVisibility& visibility, const PixelRect& tile, std::vector<FragmentRun>& runs) {
-  for (int y = 0; y < tile.height; ++y) {
-    const std::int32_t* const row = visibility.row(0, y);
-    for (int x = 0; x < tile.width;) {
-      const std::int32_t slot = row[x];
-      int end = x + 1;
-      while (end < tile.width && row[end] == slot) ++end;
-      if (slot != nothing)
-        runs.push_back({slot, 0, static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y),
-                        static_cast<std::uint8_t>(end - x), 1});
-      x = end;
-    }
-  }
-}
-
-void list_multisample(const TileVisibility& visibility, const PixelRect& tile, int samples,
-                      std::vector<FragmentRun>& runs) {
-  for (int y = 0; y < tile.height; ++y)
-    for (int x = 0; x < tile.width; ++x) {
-      const std::size_t first = runs.size();
-      for (int s = 0; s < samples; ++s) {
-        const std::int32_t slot = visibility.row(s, y)[x];
-        if (slot == nothing) continue;
-        const auto same = std::find_if(runs.begin() + static_cast<std::ptrdiff_t>(first), runs.end(),
-                                       [=](const FragmentRun& run) { return run.slot == slot; });
-        if (same != runs.end()) ++same->samples;
-        else runs.push_back({slot, 0, static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y), 1, 1});
-      }
-    }
-}
-
-} // namespace
-
-void list_runs(const TileVisibility& visibility, const PixelRect& tile, int samples, std::vector<FragmentRun>& runs) {
-  runs.clear();
-  if (samples == 1) list_single_sample(visibility, tile, runs);
-  else list_multisample(visibility, tile, samples, runs);
-}
 
 // Each triangle that is seen, in submission order. Triangles of one object follow one another, and those of a material
 // do as the file has them: a group.

@@ -1,8 +1,9 @@
 #pragma once
-// What a tile sees, as runs of neighbouring pixels: the work list of shading.
+// The fragments of a tile, gathered by triangle and packed into registers.
 
 #include "raster/shade/attribute_setup.h"
-#include "raster/visibility/visibility.h"
+#include "raster/shade/fragment_runs.h"
+#include "raster/shade/packets.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -11,20 +12,6 @@
 #include <vector>
 
 namespace refraster {
-
-/// Neighbouring pixels of one row that see one triangle with the same number of samples. Each pixel of a run is one
-/// fragment: it is shaded once.
-struct FragmentRun {
-  std::int32_t slot = 0; // of the triangle, in the tile's list; then of its attribute set-up, in TileAttributes
-  std::uint32_t first_fragment = 0; // the run's fragments have consecutive numbers
-  std::uint8_t x = 0, y = 0;        // leftmost pixel, counted from the tile's corner
-  std::uint8_t length = 1;          // pixels
-  std::uint8_t samples = 1;         // of each pixel that see the triangle
-};
-
-/// The tile's fragments in row order, and within a pixel in the order of its samples. With more than one sample a pixel
-/// every run is one pixel long.
-void list_runs(const TileVisibility& visibility, const PixelRect& tile, int samples, std::vector<FragmentRun>& runs);
 
 /// The visible triangles of a tile, set up for shading once each in submission order, and the tile's runs gathered by
 /// triangle, and so by runs of triangles of an object that share a material. So most packets of fragments lie in one
@@ -67,75 +54,45 @@ private:
 extern template class TileAttributes<double>;
 extern template class TileAttributes<float>;
 
-/// Whether a packet's fragments lie in one triangle: its data are then broadcast to all lanes, else read for each.
-enum class Triangles { one, many };
-
-/// As many fragments as T has lanes, of one material.
-template <class T>
-struct Packet {
-  static constexpr int lanes = NumberTraits<T>::lanes;
-  using Real = RealOf<T>;
-  using Ints = VectorOf<std::int32_t, lanes>;
-
-  const AttributeSetup<Real>* setups = nullptr; // the tile's
-  Ints setup{};                                 // which of them each lane sees
-  Ints x{}, y{};                                // pixel centres, subpixels of the window
-  int count = 0;                                // lanes in use; the others repeat the last one
-  Triangles triangles = Triangles::one;
-  EdgeKind edges = EdgeKind::wrapped; // the greatest of all lanes
-
-  const AttributeSetup<Real>& triangle(int lane) const { return setups[setup[lane]]; }
-
-  /// Puts `pixels` neighbours, x_first and on, into the lanes from `count` on. The lanes after them repeat the last.
-  void append(std::int32_t slot, std::int32_t x_first, std::int32_t y_all, int pixels) {
-    const EdgeKind kind = setups[slot].kind();
-    if (count == 0) triangles = Triangles::one, edges = kind;
-    else {
-      if (setup[count - 1] != slot) triangles = Triangles::many;
-      edges = std::max(edges, kind);
-    }
-    const Ints after = lane_numbers() - count; // 0 in the first new lane
-    const Ints clamped = after < pixels - 1 ? after : pixels - 1 - Ints{};
-    setup = after < 0 ? setup : slot - Ints{};
-    x = after < 0 ? x : x_first + clamped * subpixels;
-    y = after < 0 ? y : y_all - Ints{};
-    count += pixels;
-  }
-
-private:
-  static Ints lane_numbers() {
-    return [&]<int... I>(std::integer_sequence<int, I...>) {
-      return Ints{I...};
-    }
-    (std::make_integer_sequence<int, lanes>{});
-  }
-};
-
-/// Calls body(packet, number of its first fragment) for all fragments of a group, in order. Formulas are total, so that
-/// lanes beyond packet.count may be computed.
+/// Calls body(packets, number of their first fragment) for all fragments of a group, in order: as many packets at a
+/// time as `packets` holds, which is empty before and after. Formulas are total, so that lanes beyond packet.count may
+/// be computed.
 template <class T, class Body>
-void for_each_packet(const TileAttributes<RealOf<T>>& setups, const typename TileAttributes<RealOf<T>>::Group& group,
-                     const PixelRect& tile, Body&& body) {
-  constexpr int lanes = NumberTraits<T>::lanes;
-  Packet<T> packet;
-  packet.setups = setups.setups();
-  std::uint32_t first = 0;
+void for_each_packet_list(const TileAttributes<RealOf<T>>& setups,
+                          const typename TileAttributes<RealOf<T>>::Group& group, const PixelRect& tile,
+                          PacketList<T>& packets, Body&& body) {
+  const auto& list = std::as_const(packets);
   const std::span<const FragmentRun> runs = setups.sorted().subspan(group.begin_run, group.end_run - group.begin_run);
+  if (runs.empty()) return;
+  std::uint32_t first = runs.front().first_fragment;
+  const auto finish = [&] {
+    body(list, first);
+    first += static_cast<std::uint32_t>(packets.fragments());
+    packets.clear();
+  };
+  packets.clear(); // of a frame that an exception ended
   for (const FragmentRun& run : runs) {
     const std::int32_t left = (tile.x + run.x) * subpixels + subpixels / 2;
     const std::int32_t y = (tile.y + run.y) * subpixels + subpixels / 2;
     for (int done = 0; done < run.length;) {
-      if (packet.count == 0) first = run.first_fragment + static_cast<std::uint32_t>(done);
-      const int here = std::min(run.length - done, lanes - packet.count);
-      packet.append(run.slot, left + done * subpixels, y, here);
+      const int here = std::min(run.length - done, packets.room());
+      packets.add(setups.setups()[run.slot], left + done * subpixels, y, here);
       done += here;
-      if (packet.count == lanes) {
-        body(std::as_const(packet), first);
-        packet.count = 0;
-      }
+      if (packets.room() == 0) finish();
     }
   }
-  if (packet.count > 0) body(std::as_const(packet), first);
+  if (packets.fragments() > 0) finish();
+}
+
+/// Calls body(packet, number of its first fragment) for all fragments of a group, in order.
+template <class T, class Body>
+void for_each_packet(const TileAttributes<RealOf<T>>& setups, const typename TileAttributes<RealOf<T>>::Group& group,
+                     const PixelRect& tile, Body&& body) {
+  PacketList<T> packets;
+  for_each_packet_list(setups, group, tile, packets, [&](const PacketList<T>& list, std::uint32_t first) {
+    for (int i = 0; i < list.packets(); ++i)
+      body(list.packet(i), first + static_cast<std::uint32_t>(i * NumberTraits<T>::lanes));
+  });
 }
 
 } // namespace refraster

@@ -34,8 +34,12 @@ struct Parts {
   }
 };
 
-/// The numbers of a packet's triangles, each in its lane.
-template <class T, Triangles triangles>
+/// What is known of how the values of a packet's edge functions are computed: that all are of the kind wrapped, or
+/// nothing.
+enum class Edges { wrapped, any };
+
+/// The numbers of a packet's triangles, each in its lane. For as long as the packet's list stays as it is.
+template <class T, Triangles triangles, Edges edges_known = Edges::any>
 class PacketData {
 public:
   using Number = T;
@@ -44,17 +48,11 @@ public:
   using Row = std::array<T, 4>;
   using Ints = typename Packet<T>::Ints;
 
-  explicit PacketData(const Packet<T>& packet) : packet_(packet) {
-    if constexpr (triangles == Triangles::many)
-      for (int lane = 0; lane < lanes; ++lane) at_[static_cast<std::size_t>(lane)] = &packet.triangle(lane);
-    else at_[0] = &packet.triangle(0);
-  }
+  explicit PacketData(const Packet<T>& packet) : packet_(packet), first_(&packet.triangle(0)) {}
 
   /// A row of AttributeSetup.
   Row row(int r) const {
-    const auto place = [&](int lane) {
-      return at_[static_cast<std::size_t>(lane)]->row[static_cast<std::size_t>(r)].data();
-    };
+    const auto place = [&](int lane) { return of_lane(lane).row[static_cast<std::size_t>(r)].data(); };
     if constexpr (triangles == Triangles::many) {
       const auto numbers = gather_rows<Real, lanes>(place);
       return {T(numbers[0].v), T(numbers[1].v), T(numbers[2].v), T(numbers[3].v)};
@@ -62,9 +60,7 @@ public:
   }
   /// a, b, c of an edge function modulo 2^32.
   std::array<Ints, 3> edge(int k) const {
-    const auto place = [&](int lane) {
-      return &at_[static_cast<std::size_t>(lane)]->edge[static_cast<std::size_t>(k)];
-    };
+    const auto place = [&](int lane) { return &of_lane(lane).edge[static_cast<std::size_t>(k)]; };
     if constexpr (triangles == Triangles::many) {
       // Only moved about, never computed with: any bits are good floats.
       const auto bits =
@@ -76,9 +72,10 @@ public:
   }
 
   const Packet<T>& packet() const { return packet_; }
+  bool are_wrapped() const { return edges_known == Edges::wrapped || packet_.edges == EdgeKind::wrapped; }
 
   /// Of all lanes.
-  std::uint32_t object() const { return packet_.triangle(0).object; }
+  std::uint32_t object() const { return first_->object; }
 
   /// Lanes differ in that: without_uv() says which have none.
   static constexpr bool may_have_texture_coordinates() { return true; }
@@ -97,8 +94,13 @@ public:
   }
 
 private:
-  const Packet<T>& packet_;
-  std::array<const AttributeSetup<Real>*, triangles == Triangles::many ? lanes : 1> at_;
+  const AttributeSetup<Real>& of_lane(int lane) const {
+    if constexpr (triangles == Triangles::one) return *first_;
+    else return packet_.triangle(lane);
+  }
+
+  Packet<T> packet_;
+  const AttributeSetup<Real>* first_;
 };
 
 /// Of a large triangle, exact in double.
@@ -139,25 +141,34 @@ struct EdgeValues {
   std::array<T, 3> value, right, down;
 };
 
-template <Derivatives derivatives, class T, Triangles triangles>
-EdgeValues<T> wrapped_edge_values(const PacketData<T, triangles>& data) {
+template <Derivatives derivatives, class T, Triangles triangles, Edges edges_known>
+EdgeValues<T> wrapped_edge_values(const PacketData<T, triangles, edges_known>& data) {
   using Ints = typename Packet<T>::Ints;
   using Unsigned = VectorOf<std::uint32_t, NumberTraits<T>::lanes>; // which may overflow
   const auto rounded = [](const Unsigned& bits) {
     return T(__builtin_convertvector(std::bit_cast<Ints>(bits), typename T::Lanes));
   };
   EdgeValues<T> edges;
-  const auto x = std::bit_cast<Unsigned>(data.packet().x), y = std::bit_cast<Unsigned>(data.packet().y);
-  for (int k = 0; k < 3; ++k) {
-    const std::array<Ints, 3> edge = data.edge(k);
-    const auto a = std::bit_cast<Unsigned>(edge[0]), b = std::bit_cast<Unsigned>(edge[1]);
-    const auto i = static_cast<std::size_t>(k);
-    edges.value[i] = rounded(a * x + b * y + std::bit_cast<Unsigned>(edge[2]));
+  const auto x = std::bit_cast<Unsigned>(data.packet().x()), y = std::bit_cast<Unsigned>(data.packet().y());
+  // All three add up to the same everywhere (SnappedSetup), and so do they modulo 2^32.
+  const std::array<Ints, 3> edge0 = data.edge(0);
+  Unsigned rest = std::bit_cast<Unsigned>(edge0[2]);
+  const auto step = [&](std::size_t k, const Ints& a, const Ints& b) {
     if constexpr (derivatives == Derivatives::yes) {
-      edges.right[i] = rounded(a * subpixels);
-      edges.down[i] = rounded(b * subpixels);
+      edges.right[k] = rounded(std::bit_cast<Unsigned>(a) * subpixels);
+      edges.down[k] = rounded(std::bit_cast<Unsigned>(b) * subpixels);
     }
+  };
+  step(0, edge0[0], edge0[1]);
+  for (std::size_t k = 1; k < 3; ++k) {
+    const std::array<Ints, 3> edge = data.edge(static_cast<int>(k));
+    const auto a = std::bit_cast<Unsigned>(edge[0]), b = std::bit_cast<Unsigned>(edge[1]);
+    const Unsigned at_origin = std::bit_cast<Unsigned>(edge[2]), change = a * x + b * y;
+    edges.value[k] = rounded(change + at_origin);
+    rest = rest - change;
+    step(k, edge[0], edge[1]);
   }
+  edges.value[0] = rounded(rest);
   return edges;
 }
 
@@ -167,7 +178,7 @@ EdgeValues<T> uncommon_edge_values(const Packet<T>& packet) {
   using Part = Parts<T>;
   const auto& triangle = packet.triangle(0);
   const auto part = [&]<int p>(std::integral_constant<int, p>) {
-    const auto x = Part::template widened<p>(packet.x), y = Part::template widened<p>(packet.y);
+    const auto x = Part::template widened<p>(packet.x()), y = Part::template widened<p>(packet.y());
     return triangle.projective ? projective_values(*triangle.projective, x, y) : large_values(*triangle.large, x, y);
   };
   const auto rounded = [](const auto& low, const auto& high) -> T {
@@ -192,7 +203,7 @@ template <class T>
   EdgeValues<T> edges;
   for (int lane = 0; lane < NumberTraits<T>::lanes; ++lane) {
     const auto& t = packet.triangle(lane);
-    const std::int32_t x = packet.x[lane], y = packet.y[lane];
+    const std::int32_t x = packet.x_of_lane[lane], y = packet.y_of_lane[lane];
     const DoubleValues<double> values = t.projective ? projective_values<double>(*t.projective, x, y)
                                         : t.large    ? large_values<double>(*t.large, x, y)
                                                      : large_values<double>(unwrapped(t.edge, x, y), x, y);
@@ -230,9 +241,9 @@ struct PacketBarycentrics {
   MaskOf<T> inside; // the sample lies in the triangle, by signs that no rounding has touched
 };
 
-template <Derivatives derivatives, class T, Triangles triangles>
-EdgeValues<T> edge_values(const PacketData<T, triangles>& data) {
-  if (data.packet().edges == EdgeKind::wrapped) [[likely]]
+template <Derivatives derivatives, class T, Triangles triangles, Edges edges_known>
+EdgeValues<T> edge_values(const PacketData<T, triangles, edges_known>& data) {
+  if (data.are_wrapped()) [[likely]]
     return wrapped_edge_values<derivatives>(data);
   if (triangles == Triangles::one) return uncommon_edge_values<derivatives>(data.packet());
   return mixed_edge_values(data.packet());

@@ -18,10 +18,9 @@ public:
 
   /// Of neighbouring pixels, from (x, y) to the right.
   [[gnu::noinline]] T at(const Material& material, int x, int y, int pixels) const {
-    Packet<T> packet;
-    packet.setups = &setup_;
-    packet.append(0, x * subpixels + subpixels / 2, y * subpixels + subpixels / 2, pixels);
-    return opacity(material, PacketData<T, Triangles::one>(packet));
+    PacketList<T> packets;
+    packets.add(setup_, x * subpixels + subpixels / 2, y * subpixels + subpixels / 2, pixels);
+    return opacity(material, PacketData<T, Triangles::one>(packets.packet(0)));
   }
 
 private:

@@ -8,17 +8,24 @@
 
 namespace refraster {
 
-/// The interpolated normal at unit length; where that is 0, the triangle's own; where that is 0 too, 0.
+/// The interpolated normal; where that is 0, the triangle's own; where that is 0 too, 0. Of any length.
 template <class Data, class T = typename Data::Number>
-Vec3<T> shading_normal(const FrameContext& context, const Data& data, const Vec3<T>& interpolated,
-                       const UndefinedTally<T>& tally) {
+Vec3<T> normal_of_any_length(const FrameContext& context, const Data& data, const Vec3<T>& interpolated,
+                             const UndefinedTally<T>& tally) {
   const auto is_zero = [](const Vec3<T>& n) { return max(abs(n.x), max(abs(n.y), abs(n.z))) <= T(0); };
   const MaskOf<T> zero = is_zero(interpolated);
-  if (!any(zero)) return normalize(interpolated);
+  if (!any(zero)) [[likely]]
+    return interpolated;
   tally.note(Undefined::zero_normal, zero);
   const Vec3<T> own = data.own_normals(context);
   tally.note(Undefined::no_normal, zero & is_zero(own));
-  return normalize(select<T>(zero, own, interpolated));
+  return select<T>(zero, own, interpolated);
+}
+/// The same at unit length; where it is 0, 0.
+template <class Data, class T = typename Data::Number>
+Vec3<T> shading_normal(const FrameContext& context, const Data& data, const Vec3<T>& interpolated,
+                       const UndefinedTally<T>& tally) {
+  return normalize(normal_of_any_length(context, data, interpolated, tally));
 }
 
 /// Reads a texture as it is to be shown.
@@ -118,38 +125,52 @@ template <class Data, class T = typename Data::Number>
 
 /// Whether maps turn normals of this material on this object's mesh.
 inline bool turns_normals(const FrameContext& context, const Material& material, std::uint32_t object) {
-  return material.turns_normals() && !context.scene.objects[object].mesh->tangents.empty();
+  return context.uses.tangents && material.turns_normals() && !context.scene.objects[object].mesh->tangents.empty();
 }
 
-/// What every fragment of a material starts from, but for what maps make of its normal.
+// What every fragment of a material starts from comes in three steps, so that each may be taken for many packets before
+// the next: what one packet waits for, roots and quotients above all, another fills the time of.
+
+/// The first step: what triangles bring. The normal is of any length, and the direction to the eye is not there yet.
 template <class Data, class T = typename Data::Number>
-PacketSurface<T> unmapped_surface(const FrameContext& context, const Material& material, const Data& data,
-                                  const UndefinedTally<T>& tally) {
+void interpolate_surface(const FrameContext& context, const Material& material, const Data& data,
+                         const UndefinedTally<T>& tally, PacketSurface<T>& surface) {
   const TextureMap& base = material.diffuse_map;
   const PacketBarycentrics<T> at =
       needs_derivatives(base) ? barycentrics<Derivatives::yes>(data) : barycentrics<Derivatives::no>(data);
-  PacketSurface<T> surface;
   surface.position = attribute_value<&Mesh::positions>(context, data, at.at);
-  surface.normal = shading_normal(context, data, attribute_value<&Mesh::normals>(context, data, at.at), tally);
-  surface.to_eye = normalize(as<T>(context.scene.camera.position) - surface.position);
-  tally.note(Undefined::eye_at_surface, dot(surface.to_eye, surface.to_eye) <= T(0));
+  surface.normal = normal_of_any_length(context, data, attribute_value<&Mesh::normals>(context, data, at.at), tally);
   const bool shows_texture = base.texture && data.may_have_texture_coordinates();
   if (!shows_texture) surface.texture = Rgb<T>(T(1));
   else if (!context.uses.placed_textures) [[likely]] surface.texture = texture_colour(base, data, at, tally);
   else surface.texture = texture_colour(base, data, at, tally, SamplePlaced{});
   if (context.uses.vertex_colours) [[unlikely]]
     surface.texture = surface.texture * vertex_colour(context, data, at);
-  return surface;
 }
 
-/// What every fragment of a material starts from. Written where it stays before maps are asked for: whatever is in
-/// registers at a call would go through memory in every packet, also where the call is not made.
+/// The second step: the normal at unit length, and the direction to the eye.
+template <class T>
+void normalize_surface(const Vec3<T>& eye, const UndefinedTally<T>& tally, PacketSurface<T>& surface) {
+  surface.normal = normalize(surface.normal);
+  surface.to_eye = normalize(eye - surface.position);
+  tally.note(Undefined::eye_at_surface, dot(surface.to_eye, surface.to_eye) <= T(0));
+}
+
+/// The third step, for a material and an object of which turns_normals() is true.
+template <class Data, class T = typename Data::Number>
+void map_surface(const FrameContext& context, const Material& material, const Data& data,
+                 const UndefinedTally<T>& tally, PacketSurface<T>& surface) {
+  surface.normal = mapped_normal(context, material, data, surface.normal, tally);
+}
+
+/// All three for one packet.
 template <class Data, class T = typename Data::Number>
 void packet_surface(const FrameContext& context, const Material& material, const Data& data,
                     const UndefinedTally<T>& tally, PacketSurface<T>& surface) {
-  surface = unmapped_surface(context, material, data, tally);
-  if (context.uses.tangents && turns_normals(context, material, data.object())) [[unlikely]]
-    surface.normal = mapped_normal(context, material, data, surface.normal, tally);
+  interpolate_surface(context, material, data, tally, surface);
+  normalize_surface(as<T>(context.scene.camera.position), tally, surface);
+  if (turns_normals(context, material, data.object())) [[unlikely]]
+    map_surface(context, material, data, tally, surface);
 }
 
 /// What further textures of a material say of the same fragments: of one with has_fragment_maps(). Of coordinates that

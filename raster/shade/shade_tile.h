@@ -3,9 +3,9 @@
 // raster/render_in.h. For a number without lanes raster/shade/sample_data.h must be included too.
 
 #include "raster/shade/fragments.h"
-#include "raster/shade/resolve.h"
+#include "raster/shade/packet_surfaces.h"
+#include "raster/resolve/resolve.h"
 #include "raster/shade/shade.h"
-#include "raster/shade/shade_packet.h"
 #include "raster/shade/user_shading.h"
 #include "raster/stopwatch.h"
 #include "shading/fragment_functions.h"
@@ -89,7 +89,6 @@ private:
   template <Maps maps, class SomeFunction>
   void shade_group(const FrameContext& context, const PixelRect& tile, const Material& material,
                    const SomeFunction& function, const Group& group, UndefinedCounts& undefined) {
-    batch_.packets = 0; // of a frame that an exception ended
     const auto shade_batch = [&] {
       const Scene& scene = context.scene;
       if constexpr (std::is_same_v<SomeFunction, UserFunction>)
@@ -101,36 +100,25 @@ private:
                        batch_.sum[static_cast<std::size_t>(i)]);
       batch_.packets = 0;
     };
-    // surface_of(tally, surface) interpolates what `in_use` says is there, maps_of(tally) what else is read there.
-    const auto add = [&](std::uint32_t first, const MaskOf<T>& in_use, const auto& surface_of, const auto& maps_of) {
-      if (batch_.packets == 0) batch_.first_fragment = first;
-      const auto at = static_cast<std::size_t>(batch_.packets++);
-      batch_.in_use[at] = in_use;
-      const UndefinedTally<T> tally(undefined, batch_.in_use[at]);
-      surface_of(tally, batch_.surface[at]);
-      if constexpr (maps == Maps::yes) batch_.maps[at] = maps_of(tally);
-      if (batch_.packets == batch_.capacity) shade_batch();
-    };
     if constexpr (has_lanes) {
-      for_each_packet<T>(setups_, group, tile, [&](const Packet<T>& packet, std::uint32_t first) {
-        add(
-            first, first_lanes<Real, NumberTraits<T>::lanes>(packet.count),
-            [&](const auto& tally, auto& surface) {
-              if (packet.triangles == Triangles::one)
-                interpolate(context, material, PacketData<T, Triangles::one>(packet), tally, surface);
-              else interpolate(context, material, PacketData<T, Triangles::many>(packet), tally, surface);
-            },
-            [&](const auto& tally) { return fragment_maps(material, PacketData<T, Triangles::many>(packet), tally); });
+      for_each_packet_list(setups_, group, tile, packets_, [&](const PacketList<T>& packets, std::uint32_t first) {
+        batch_.first_fragment = first;
+        make_surfaces<maps>(context, material, packets, undefined, batch_);
+        shade_batch();
       });
     } else {
+      batch_.packets = 0; // of a frame that an exception ended
       for_each_sample(context, group, tile, [&](const SampleData<T>& data, std::uint32_t number) {
-        add(
-            number, T(0) <= T(0),
-            [&](const auto& tally, auto& surface) { packet_surface(context, material, data, tally, surface); },
-            [&](const auto& tally) { return fragment_maps(material, data, tally); });
+        if (batch_.packets == 0) batch_.first_fragment = number;
+        const auto at = static_cast<std::size_t>(batch_.packets++);
+        batch_.in_use[at] = T(0) <= T(0);
+        const UndefinedTally<T> tally(undefined, batch_.in_use[at]);
+        packet_surface(context, material, data, tally, batch_.surface[at]);
+        if constexpr (maps == Maps::yes) batch_.maps[at] = fragment_maps(material, data, tally);
+        if (batch_.packets == batch_.capacity) shade_batch();
       });
+      if (batch_.packets > 0) shade_batch();
     }
-    if (batch_.packets > 0) shade_batch();
   }
 
   /// Calls body(data, number) for each fragment of a group, in order: at pixel centres, as far off as was asked for. A
@@ -169,17 +157,10 @@ private:
     runs_ = std::move(kept);
   }
 
-  // Everything that a packet's surface needs is inlined here: no call, and no vector in memory, in between.
-  template <Triangles triangles>
-  [[gnu::flatten, gnu::noinline]] static void interpolate(const FrameContext& context, const Material& material,
-                                                          const PacketData<T, triangles>& data,
-                                                          const UndefinedTally<T>& tally, PacketSurface<T>& surface) {
-    packet_surface(context, material, data, tally, surface);
-  }
-
   [[no_unique_address]] Request request_;
   std::vector<FragmentRun> runs_;
   TileAttributes<Real> setups_;
+  PacketList<T> packets_;
   PacketBatch<T> batch_;
   UserShading<T> user_shading_;
   FragmentColours<T> colours_;

@@ -1,7 +1,7 @@
 #include "raster/visibility/bin.h"
 
 #include "raster/parallel.h"
-#include "raster/visibility/small_triangles.h"
+#include "raster/visibility/tiny/small_triangles.h"
 #include "scene/scene_checks.h"
 
 #include <algorithm>
@@ -44,19 +44,6 @@ using Doubles = Native<double>;
 using Ints = VectorOf<std::int32_t, lanes>; // a triangle in each lane
 using LaneSet = std::uint32_t;              // a bit for each lane
 
-// The lanes in which x is negative, as true is.
-template <class V>
-LaneSet set_where(const V& x) {
-  using Floats = VectorOf<float, sizeof(V) / sizeof(float)>;
-  if constexpr (requires(Floats v) { registers::sign_bits(v); }) {
-    return registers::sign_bits(std::bit_cast<Floats>(x));
-  } else {
-    LaneSet set = 0;
-    for (int lane = 0; lane < lanes; ++lane) set |= (x[lane] < 0 ? 1u : 0u) << lane;
-    return set;
-  }
-}
-
 Ints ints(std::int32_t x) {
   return x - Ints{};
 }
@@ -81,7 +68,7 @@ constexpr auto every_fourth = [] {
 // A rectangle of pixels in each lane, counted from the grid's corner, ends included.
 struct BoxLanes {
   Ints left, top, right, bottom;
-  LaneSet empty() const { return set_where((left > right) | (top > bottom)); }
+  LaneSet empty() const { return negative_lanes((left > right) | (top > bottom)); }
 };
 
 // Consecutive triangles [begin, end) of the frame, of one object.
@@ -220,9 +207,9 @@ private:
     };
     const auto count = [](LaneSet set) { return static_cast<std::uint64_t>(std::popcount(set)); };
     FrameCounts& counts = output.counts;
-    counts.not_finite += count(leave(set_where((any_state & not_finite) != 0)));
-    counts.outside += count(leave(set_where((all_sides & outcode::sides) != 0)));
-    const LaneSet projective = leave(set_where((any_state & unsnapped) != 0));
+    counts.not_finite += count(leave(negative_lanes((any_state & not_finite) != 0)));
+    counts.outside += count(leave(negative_lanes((all_sides & outcode::sides) != 0)));
+    const LaneSet projective = leave(negative_lanes((any_state & unsnapped) != 0));
 
     const Doubles area = (v1.x - v0.x) * (v2.y - v0.y) - (v2.x - v0.x) * (v1.y - v0.y); // twice; > 0 seen from behind
     counts.degenerate += count(leave(lane_set(area == Doubles(0.0))));
@@ -234,9 +221,9 @@ private:
     counts.outside += count(leave(box.empty()));
 
     counts.drawn += count(left);
-    counts.clipped += count(left & set_where((any_side & (outcode::near | outcode::far)) != 0));
+    counts.clipped += count(left & negative_lanes((any_side & (outcode::near | outcode::far)) != 0));
     const LaneSet small =
-        samples_ == 1 ? left & ~set_where(((box.right - box.left) > 1) | ((box.bottom - box.top) > 1)) : 0;
+        samples_ == 1 ? left & ~negative_lanes(((box.right - box.left) > 1) | ((box.bottom - box.top) > 1)) : 0;
     if (small == left && projective == 0) {
       if (small) add_samples(covered_samples(window, box, small), batch, output);
     } else {
@@ -257,7 +244,7 @@ private:
     const auto coverage = cover_small(set_up_snapped(window.corner[0], window.corner[1], window.corner[2]),
                                       sample(box.left, grid_.x, first_x_), sample(box.top, grid_.y, first_y_));
     // Beyond the box, which the grid may have cut, there is nothing.
-    const LaneSet two_wide = set_where(box.left < box.right), two_high = set_where(box.top < box.bottom);
+    const LaneSet two_wide = negative_lanes(box.left < box.right), two_high = negative_lanes(box.top < box.bottom);
     const std::array<LaneSet, 4> within{small, small & two_wide, small & two_high, small & two_wide & two_high};
     SampleLanes result;
     result.covered = 0;

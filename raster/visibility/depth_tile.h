@@ -6,8 +6,9 @@
 #include "raster/lanes.h"
 
 #include <array>
+#include <bit>
 #include <cstdint>
-#include <cstring>
+#include <limits>
 #include <vector>
 
 namespace refraster {
@@ -41,6 +42,15 @@ public:
       nearest_[sample] = slot;
     }
   }
+  /// The same without a branch: for triangles that come in any order, so that no one can guess what is nearer.
+  void depth_test_and_write_unguessed(std::size_t sample, double z, std::int32_t slot) {
+    const double old = depth_[sample];
+    const std::int32_t seen = nearest_[sample];
+    const auto nearer = -static_cast<std::int64_t>((z < old) | ((z == old) & (slot < seen)));
+    const auto bits = std::bit_cast<std::int64_t>(old);
+    depth_[sample] = std::bit_cast<double>(bits ^ ((bits ^ std::bit_cast<std::int64_t>(z)) & nearer));
+    nearest_[sample] = seen ^ ((seen ^ slot) & static_cast<std::int32_t>(nearer));
+  }
   /// Samples of a row, from one of them on.
   struct Samples {
     double* depth;
@@ -54,21 +64,30 @@ public:
   /// Updates the bounds: is_occluded() accounts for what was drawn before.
   void refresh_bounds();
   /// All samples of these pixels, ends included, are known to be nearer than z.
-  bool is_occluded(int left, int top, int right, int bottom, double z) const;
+  bool is_occluded(int left, int top, int right, int bottom, double z) const {
+    return !(tile_bound_ >= z) || (tile_bound_ < unbounded && are_blocks_occluded(left, top, right, bottom, z));
+  }
 
 private:
-  static constexpr int block = 8; // pixels, one above the other
+  // Bounds: none of the samples lies behind. Of `block` pixels one above the other; of as many of these side by side;
+  // of the whole tile, which is all that most triangles ask for that lie behind others.
+  static constexpr int block = 8;
+  static constexpr double unbounded = std::numeric_limits<double>::infinity();
   using Slots = VectorOf<std::int32_t, lanes>;
 
-  const double* bound(int block_row, int x) const {
-    return &bound_[static_cast<std::size_t>(block_row) * stride_ + static_cast<std::size_t>(x)];
+  bool are_blocks_occluded(int left, int top, int right, int bottom, double z) const;
+  std::size_t column_at(int block_row, int x) const {
+    return static_cast<std::size_t>(block_row) * stride_ + static_cast<std::size_t>(x);
+  }
+  std::size_t block_at(int block_row, int column) const {
+    return static_cast<std::size_t>(block_row) * (rows_ / block) + static_cast<std::size_t>(column);
   }
 
   std::size_t rows_, stride_;
   std::size_t samples_ = 0;
-  int height_ = 0; // of the tile
-  bool bounded_ = false;
-  std::vector<double> depth_, bound_; // of a block: none of its samples lies behind
+  int width_ = 0, height_ = 0; // of the tile
+  double tile_bound_ = unbounded;
+  std::vector<double> depth_, column_bound_, block_bound_;
   std::vector<std::int32_t> nearest_;
 };
 
@@ -88,16 +107,6 @@ inline void DepthTile::Samples::depth_test_and_write(const Row& z, MaskOf<Row> c
 #endif
   const Slots where = __builtin_convertvector(lane_bits(seen), Slots);
   store_lanes(nearest, where ? slot - Slots{} : load_lanes<Slots>(nearest));
-}
-
-inline bool DepthTile::is_occluded(int left, int top, int right, int bottom, double z) const {
-  if (!bounded_) return false;
-  for (int row = top / block; row <= bottom / block; ++row)
-    for (int x = left; x <= right; x += lanes) {
-      const auto within = lane_numbers<double, lanes>() <= Row(static_cast<double>(right - x));
-      if (any(within & (load_lanes<Row>(bound(row, x)) >= Row(z)))) return false;
-    }
-  return true;
 }
 
 } // namespace refraster

@@ -40,11 +40,7 @@ struct RowWalk {
                                                 const PixelRect& tile, std::span<const SamplePosition> samples,
                                                 DepthTile& depths) {
   const std::size_t count = triangles.size();
-  const auto corner = [&](std::size_t k) {
-    return gather_corners<lanes>([&](int lane) -> const PlacedVertex& {
-      return vertices[triangles[std::min(static_cast<std::size_t>(lane), count - 1)].vertex[k]];
-    });
-  };
+  const auto corner = [&](std::size_t k) { return corners_of(triangles, vertices, k); };
   const CornerLanes<lanes> v0 = corner(0), v1 = corner(1), v2 = corner(2);
   const SnappedSetup<Row, 1> t = set_up_snapped(v0, v1, v2);
   const DepthPlane<Row> depth = depth_plane(t);
@@ -62,22 +58,11 @@ struct RowWalk {
   store_lanes(ready_.slope1.data(), depth.slope1), store_lanes(ready_.slope2.data(), depth.slope2);
   store_lanes(ready_.z_min.data(), depth.z_min), store_lanes(ready_.z_max.data(), depth.z_max);
 
-  const Ints x_min = lesser(v0.x_subpixel, lesser(v1.x_subpixel, v2.x_subpixel));
-  const Ints y_min = lesser(v0.y_subpixel, lesser(v1.y_subpixel, v2.y_subpixel));
-  const Ints x_max = greater(v0.x_subpixel, greater(v1.x_subpixel, v2.x_subpixel));
-  const Ints y_max = greater(v0.y_subpixel, greater(v1.y_subpixel, v2.y_subpixel));
-  // Pixels p of the tile with bounding box min <= 256 p + sample <= max.
-  const auto first = [](const Ints& min, int offset, int begin) {
-    return greater(((min - offset + (subpixels - 1)) >> 8) - begin, Ints{});
-  };
-  const auto last = [](const Ints& max, int offset, int begin, int size) {
-    return lesser(((max - offset) >> 8) - begin, size - 1 - Ints{});
-  };
+  const SubpixelBoxes boxes(v0, v1, v2);
   double area = 0;
   for (std::size_t s = 0; s < samples.size(); ++s) {
     const SamplePosition sample = samples[s];
-    const Ints left = first(x_min, sample.x, tile.x), right = last(x_max, sample.x, tile.x, tile.width);
-    const Ints top = first(y_min, sample.y, tile.y), bottom = last(y_max, sample.y, tile.y, tile.height);
+    const auto [left, top, right, bottom] = boxes.pixels(tile, sample);
     const auto subpixel = [](const Ints& p, int begin, int offset) {
       return numbers<lanes>((p + begin) * subpixels + offset);
     };
@@ -97,7 +82,7 @@ struct RowWalk {
     if (s == 0) {
       // The triangle's area, if it lies in the tile; up to the whole of the tile, the less of its box lies there.
       const Row pixels(1.0 / (subpixels * subpixels));
-      const Row box = numbers<lanes>(x_max - x_min) * numbers<lanes>(y_max - y_min) * pixels;
+      const Row box = numbers<lanes>(boxes.x_max - boxes.x_min) * numbers<lanes>(boxes.y_max - boxes.y_min) * pixels;
       const Row in_tile = numbers<lanes>(right - left + 1) * numbers<lanes>(bottom - top + 1);
       const Row fraction = min(in_tile / box, Row(1.0));
       const Row covered = t.size * pixels * Row(0.5) * fraction * (Row(2.0) - fraction);

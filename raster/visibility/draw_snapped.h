@@ -7,6 +7,7 @@
 #include "raster/visibility/row_spans.h"
 #include "raster/visibility/snapped_setup.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -17,6 +18,45 @@ namespace refraster {
 struct PlacedTriangle {
   std::uint32_t vertex[3]; // in the list of vertices
   std::int32_t slot;
+};
+
+/// Corner k of as many triangles as a register has lanes; lanes to spare repeat the last triangle.
+inline CornerLanes<DepthTile::lanes> corners_of(std::span<const PlacedTriangle> triangles, const PlacedVertex* vertices,
+                                                std::size_t k) {
+  return gather_corners<DepthTile::lanes>([&](int lane) -> const PlacedVertex& {
+    return vertices[triangles[std::min(static_cast<std::size_t>(lane), triangles.size() - 1)].vertex[k]];
+  });
+}
+
+/// Pixels of a tile, ends included, in each lane; none where left > right or top > bottom.
+struct PixelBoxes {
+  using Ints = VectorOf<std::int32_t, DepthTile::lanes>;
+  Ints left, top, right, bottom;
+};
+
+/// The bounding boxes of triangles, subpixels of the window.
+struct SubpixelBoxes {
+  using Corner = CornerLanes<DepthTile::lanes>;
+  using Ints = PixelBoxes::Ints;
+  Ints x_min, y_min, x_max, y_max;
+
+  SubpixelBoxes(const Corner& v0, const Corner& v1, const Corner& v2)
+      : x_min(lesser(v0.x_subpixel, lesser(v1.x_subpixel, v2.x_subpixel))),
+        y_min(lesser(v0.y_subpixel, lesser(v1.y_subpixel, v2.y_subpixel))),
+        x_max(greater(v0.x_subpixel, greater(v1.x_subpixel, v2.x_subpixel))),
+        y_max(greater(v0.y_subpixel, greater(v1.y_subpixel, v2.y_subpixel))) {}
+
+  /// The pixels p of the tile with min <= 256 p + sample <= max.
+  PixelBoxes pixels(const PixelRect& tile, const SamplePosition& sample) const {
+    const auto first = [](const Ints& min, int offset, int begin) {
+      return greater(((min - offset + (subpixels - 1)) >> 8) - begin, Ints{});
+    };
+    const auto last = [](const Ints& max, int offset, int begin, int size) {
+      return lesser(((max - offset) >> 8) - begin, size - 1 - Ints{});
+    };
+    return {first(x_min, sample.x, tile.x), first(y_min, sample.y, tile.y), last(x_max, sample.x, tile.x, tile.width),
+            last(y_max, sample.y, tile.y, tile.height)};
+  }
 };
 
 class SnappedRasterizer {

@@ -140,39 +140,50 @@ void TileVisibility::draw_boxed(const FrameContext& context) {
   const Geometry& geometry = context.geometry;
   const bool stored = geometry.all_stored();
   const PlacedVertex* const vertices = stored ? geometry.window.placed.data() : corners_.data();
-  const auto draw_together = [&] {
-    drawn += rasterizer_.draw({together.data(), count}, vertices, tile_, samples_, depths_);
-    count = 0;
-    waiting = 0;
+  SmallTriangles waiting_small;
+  const auto add_drawn = [&](double pixels) {
+    drawn += pixels;
     if (drawn < enough) return;
     drawn = 0;
     depths_.refresh_bounds();
+  };
+  const auto draw_together = [&] {
+    add_drawn(rasterizer_.draw({together.data(), count}, vertices, tile_, samples_, depths_));
+    count = 0;
+    waiting = 0;
   };
   for (const Boxed& boxed : boxed_) {
     const TileEntry& entry = boxed.entry;
     if (depths_.is_occluded(entry.left(), entry.top(), entry.right(), entry.bottom(), entry.z)) continue;
     const TriangleRef ref = finder.at(entry.triangle);
-    together[count] = {{ref.vertex[0], ref.vertex[1], ref.vertex[2]}, boxed.slot};
+    PlacedTriangle triangle{{ref.vertex[0], ref.vertex[1], ref.vertex[2]}, boxed.slot};
+    const bool small = SmallTriangles::is_small(entry);
     if (!stored) [[unlikely]] { // then those that are drawn together are listed anew
       const std::array<WindowVertex, 3> corners = window_corners(geometry, ref);
       for (std::size_t k = 0; k < 3; ++k) {
-        const std::size_t place = 3 * count + k;
+        const std::size_t place = small ? corners_.size() / 2 + 3 * waiting_small.size() + k : 3 * count + k;
         corners_[place] = PlacedVertex::of(corners[k]);
-        together[count].vertex[k] = static_cast<std::uint32_t>(place);
+        triangle.vertex[k] = static_cast<std::uint32_t>(place);
       }
     }
     if constexpr (cut_outs == WithCutOuts::yes)
       if (cut_outs_->has_cut_outs(entry.triangle)) {
-        rasterizer_.draw({&together[count], 1}, vertices, tile_, samples_, alone());
+        rasterizer_.draw({&triangle, 1}, vertices, tile_, samples_, alone());
         add_what_is_there(
             {entry.left(), entry.top(), entry.right() - entry.left() + 1, entry.bottom() - entry.top() + 1},
             boxed.slot);
         continue;
       }
-    ++count;
+    if (small) {
+      waiting_small.add(triangle);
+      if (waiting_small.full()) add_drawn(waiting_small.draw(vertices, tile_, samples_, depths_));
+      continue;
+    }
+    together[count++] = triangle;
     waiting += (entry.right() - entry.left() + 1) * (entry.bottom() - entry.top() + 1);
     if (count == together.size() || waiting >= enough) draw_together();
   }
+  if (!waiting_small.empty()) waiting_small.draw(vertices, tile_, samples_, depths_);
   if (count > 0) draw_together();
 }
 

@@ -3,6 +3,7 @@
 
 #include "raster/visibility/bin.h"
 #include "raster/visibility/cut_outs.h"
+#include "raster/visibility/tiny/draw_small.h"
 #include "raster/visibility/draw_snapped.h"
 
 #include <array>
@@ -59,7 +60,8 @@ private:
 
   DepthTile depths_;
   SnappedRasterizer rasterizer_;
-  std::array<PlacedVertex, 3 * SnappedRasterizer::lanes> corners_; // of triangles drawn together, where not all are stored
+  // Where not all are stored: of triangles drawn together, and of small ones.
+  std::array<PlacedVertex, 2 * 3 * SnappedRasterizer::lanes> corners_;
   std::vector<std::uint32_t> triangles_;
   std::vector<Boxed> boxed_, sorted_;
   // Of frames with cut-outs: where their triangles are drawn alone; empty again after each.

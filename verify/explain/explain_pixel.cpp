@@ -1,6 +1,6 @@
 #include "verify/explain/explain_pixel.h"
 
-#include "raster/shade/resolve.h"
+#include "raster/resolve/rgb8.h"
 #include "raster/shade/shade.h"
 #include "shading/srgb_curve.h"
 #include "verify/explain/candidates.h"

@@ -62,10 +62,9 @@ auto with_sample(const FrameContext& context, std::uint32_t number, std::int32_t
     AttributeSetup<RealOf<T>> setup;
     UncommonEdges uncommon;
     set_up_attributes<RealOf<T>>(context, std::span(&triangle, 1), std::span(&setup, 1), uncommon);
-    Packet<T> packet;
-    packet.setups = &setup;
-    packet.append(0, x, y, 1);
-    return body(PacketData<T, Triangles::one>(packet));
+    PacketList<T> packets;
+    packets.add(setup, x, y, 1);
+    return body(PacketData<T, Triangles::one>(packets.packet(0)));
   } else {
     SampleData<T> data(context, number);
     data.move_to(x, y);

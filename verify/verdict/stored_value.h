@@ -1,7 +1,7 @@
 #pragma once
 // From what a formula gives to what an image stores.
 
-#include "raster/shade/resolve.h"
+#include "raster/resolve/rgb8.h"
 #include "verify/verdict/verdict.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // The extremes (docs/extremes.md), rows S: shading.
 
-#include "raster/shade/resolve.h"
+#include "raster/resolve/rgb8.h"
 #include "shading/fragment_functions.h"
 #include "shading/light.h"
 #include "tests/support/for_all.h"
@@ -292,7 +292,7 @@ TEST_CASE("S12: float images keep values outside 0 to 1, levels clamp; NaN and i
   CHECK(frame.radiance.values[0] == largest);
   CHECK(frame.radiance.values[1] == -largest);
   // Every level is reached, and the borders lie half way.
-  const auto level_of = [](auto x) { return level_bits(x, Transfer::linear); };
+  const auto level_of = [](auto x) { return level_bits<Transfer::linear>(x); };
   for (int level = 0; level < 256; ++level) {
     CHECK(level_of(level / 255.0) == level);
     CHECK(level_of(static_cast<float>(level) / 255.f) == level);
