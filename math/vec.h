@@ -16,6 +16,12 @@ Vec3<T> as(const Double3& parameter) {
   return {as<T>(parameter.x), as<T>(parameter.y), as<T>(parameter.z)};
 }
 
+/// a, component by component: GCC 12 copies a whole vector of lanes through memory.
+template <class T>
+Vec3<T> copied(const Vec3<T>& a) {
+  return {a.x, a.y, a.z};
+}
+
 template <class T>
 T dot(const Vec3<T>& a, const Vec3<T>& b) {
   return multiply_add(a.z, b.z, multiply_add(a.y, b.y, a.x * b.x));
@@ -72,6 +78,43 @@ MaskOf<T> square_in_range(const T& squared_length) {
   return (squared_length >= T(1 / far)) & (squared_length <= T(far));
 }
 
+/// length(a) and normalize(a).
+template <class T>
+struct LengthAndDirection {
+  T length;
+  Vec3<T> direction;
+};
+
+/// Of lanes: the two share a square root. Branches join in numbers, never in vectors: GCC 12 sends those through
+/// memory.
+template <class T>
+  requires(NumberTraits<T>::has_lanes&& NumberTraits<T>::is_ieee)
+LengthAndDirection<T> length_and_direction(const Vec3<T>& a) {
+  T x = a.x, y = a.y, z = a.z, squared = squared_length(a), back(1);
+  const MaskOf<T> ordinary = square_in_range(squared);
+  const bool is_rare = any(!ordinary);
+  if (is_rare) [[unlikely]] {
+    // What lies beside it in a register must not matter: an estimate has other bits, and a component that is subnormal
+    // would lose its last ones twice where it is scaled first.
+    const T scale = select(ordinary, T(1), reciprocal_binade(a));
+    x *= scale, y *= scale, z *= scale;
+    squared = squared_length(Vec3<T>(x, y, z)); // in [1, 12), or 0, where it was not ordinary
+    back = exact_reciprocal(scale);
+  }
+  T length, inverse;
+  if constexpr (is_fast<T>) inverse = reciprocal_root(squared), length = squared * inverse;
+  else length = sqrt(squared), inverse = T(1) / length;
+  if (is_rare) [[unlikely]] {
+    if constexpr (is_fast<T>) {
+      const T root = sqrt(squared);
+      length = select(ordinary, length, root), inverse = select(ordinary, inverse, T(1) / root);
+    }
+    length *= back;
+    inverse = select(squared > T(0), inverse, T(0));
+  }
+  return {length, {x * inverse, y * inverse, z * inverse}};
+}
+
 /// a / |a|, likewise, for every finite a but 0, which gives 0: also for components of 1e30 or 1e-30 in float.
 template <class T>
 Vec3<T> normalize(const Vec3<T>& a) {
@@ -79,28 +122,20 @@ Vec3<T> normalize(const Vec3<T>& a) {
     const T squared = squared_length(a);
     const MaskOf<T> defined = squared > T(0);
     return a * select(defined, T(1) / sqrt(select(defined, squared, T(1))), T(0));
+  } else if constexpr (NumberTraits<T>::has_lanes) {
+    return copied(length_and_direction(a).direction);
   } else {
-    const auto through_scaled = [&] {
-      const Vec3<T> scaled = a * reciprocal_binade(a);
-      const T squared = squared_length(scaled); // in [1, 12), or 0
-      return scaled * select(squared > T(0), T(1) / sqrt(squared), T(0));
-    };
-    // What lies beside it in a register must not matter: an estimate has other bits, and a component that is subnormal
-    // would lose its last ones twice where it is scaled first.
     const T squared = squared_length(a);
-    if constexpr (NumberTraits<T>::has_lanes) {
-      const MaskOf<T> ordinary = square_in_range(squared);
-      const auto plain = [&]() -> Vec3<T> {
-        if constexpr (is_fast<T>) return a * reciprocal_root(squared);
-        else return a * (T(1) / sqrt(squared));
-      };
-      if (!any(!ordinary)) [[likely]]
-        return plain();
-      return select<T>(ordinary, plain(), through_scaled());
-    } else {
-      return square_in_range(squared) ? a * (T(1) / sqrt(squared)) : through_scaled();
-    }
+    if (square_in_range(squared)) return a * (T(1) / sqrt(squared));
+    const Vec3<T> scaled = a * reciprocal_binade(a);
+    const T scaled_squared = squared_length(scaled); // in [1, 12), or 0
+    return scaled * select(scaled_squared > T(0), T(1) / sqrt(scaled_squared), T(0));
   }
+}
+
+template <class T>
+LengthAndDirection<T> length_and_direction(const Vec3<T>& a) {
+  return {length(a), normalize(a)};
 }
 
 template <class T>

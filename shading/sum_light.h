@@ -6,23 +6,16 @@
 #include "math/constants.h"
 #include "shading/light.h"
 #include "shading/light_spans.h"
+#include "shading/packet_batch.h"
+#include "shading/staged_lighting.h"
 
-#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <tuple>
 #include <type_traits>
 #include <variant>
 
 namespace refraster::inline REFRASTER_KIT {
-
-/// What is known of a fragment, or one a lane, before any light is considered.
-template <class T>
-struct PacketSurface {
-  Vec3<T> position, normal, to_eye; // normal and to_eye unit, or 0
-  Rgb<T> texture;
-};
 
 /// x where it is finite; the largest finite number of its sign for an infinity; 0 for NaN.
 template <class T>
@@ -40,36 +33,8 @@ Rgb<T> finite(const Rgb<T>& rgb, const UndefinedTally<T>& tally) {
   return {finite(rgb.x, tally), finite(rgb.y, tally), finite(rgb.z, tally)};
 }
 
-/// Whether fragments have FragmentMaps. Known to the compiler, so that those without pay for nothing.
-enum class Maps { no, yes };
-
-/// Packets of one material that go through shading together, light by light. What a formula computes for one packet
-/// waits for itself, step by step; the next packet's does not wait for it, and fills the gaps. And what is the same for
-/// all packets is prepared once.
-template <class T>
-struct PacketBatch {
-  static constexpr int capacity = 16; // what lies in here stays in the first-level cache
-  int packets = 0;
-  std::uint32_t first_fragment = 0;
-  std::array<PacketSurface<T>, capacity> surface;
-  std::array<Rgb<T>, capacity> sum;
-  std::array<MaskOf<T>, capacity> in_use;     // lanes that hold a fragment
-  std::array<FragmentMaps<T>, capacity> maps; // set, and read, only with Maps::yes
-
-  template <Maps has_maps, class Body>
-  void for_each(UndefinedCounts& counts, Body&& body) {
-    for (int i = 0; i < packets; ++i) {
-      const auto p = static_cast<std::size_t>(i);
-      const PacketSurface<T>& s = surface[p];
-      const UndefinedTally<T> tally(counts, in_use[p]);
-      const FragmentMaps<T>* const further = has_maps == Maps::yes ? &maps[p] : nullptr;
-      body(sum[p], Fragment<T>{s.position, s.normal, s.to_eye, s.texture, &tally, further}, tally);
-    }
-  }
-};
-
 /// Radiance toward the eye, into batch.sum: the ambient term, light of its own, then light by light, summed in this
-/// order; finite.
+/// order; finite. Uses up textures and maps of the batch.
 template <Maps has_maps = Maps::no, class T, class Function>
 void sum_light(const LightSpans& lights, const Function& function, PacketBatch<T>& batch, UndefinedCounts& counts) {
   Function copy = function; // nothing that is written below can be part of it
@@ -78,21 +43,31 @@ void sum_light(const LightSpans& lights, const Function& function, PacketBatch<T
       if constexpr (requires { value = within_range<T>(value); }) value = within_range<T>(value);
     });
   const Function& here = copy;
-  batch.template for_each<has_maps>(counts, [&](Rgb<T>& sum, const Fragment<T>& at, const auto&) {
-    sum = ambient(here, at);
-    if constexpr (has_maps == Maps::yes) sum += at.maps->emission;
+  batch.template for_each<has_maps>(counts, [&](std::size_t p, const Fragment<T>& at, const auto&) {
+    batch.sum[p] = ambient(here, at);
+    if constexpr (has_maps == Maps::yes) batch.sum[p] += at.maps->emission;
   });
+  const auto lighting = [&] {
+    if constexpr (LitInStages<Function, T>)
+      return StagedLighting<Function, T>(here, batch, std::integral_constant<Maps, has_maps>{}, counts);
+    else return nullptr;
+  }();
   const auto add = [&](const auto& of_one_type) {
     for (const auto& light : of_one_type) {
-      const auto prepared = within_range<T>(prepared_light(light));
-      batch.template for_each<has_maps>(counts, [&](Rgb<T>& sum, const Fragment<T>& at, const auto&) {
-        sum += reflected(here, at, arriving(prepared, at));
-      });
+      const auto prepared = evenly_attenuated<T>(within_range<T>(prepared_light(light)));
+      if constexpr (LitInStages<Function, T>) {
+        lighting.add(prepared);
+      } else {
+        batch.template for_each<has_maps>(counts, [&](std::size_t p, const Fragment<T>& at, const auto&) {
+          batch.sum[p] += reflected(here, at, arriving(prepared, at));
+        });
+      }
     }
   };
   std::apply([&](const auto&... list) { (add(list), ...); }, lights);
-  batch.template for_each<Maps::no>(
-      counts, [](Rgb<T>& sum, const Fragment<T>&, const UndefinedTally<T>& tally) { sum = finite(sum, tally); });
+  batch.template for_each<Maps::no>(counts, [&](std::size_t p, const Fragment<T>&, const UndefinedTally<T>& tally) {
+    batch.sum[p] = finite(batch.sum[p], tally);
+  });
 }
 
 /// The same for lanes: one piece of code, without a call.

@@ -1,6 +1,7 @@
 #include "bench/precision/inputs.h"
 
 #include "bench/precision/errors.h"
+#include "math/elementary/cosine_power.h"
 #include "tests/support/shading/directions.h"
 
 #include <cassert>
@@ -117,6 +118,11 @@ Inputs highlight(Engine& random, double) {
 Inputs sharp(Engine& random, double) {
   return in_highlight(random, 4, 6);
 }
+Inputs whole(Engine& random, double) {
+  Inputs in = in_highlight(random, 0, std::log10(max_whole_exponent + 1.0));
+  in.glossiness = std::floor(in.glossiness);
+  return in;
+}
 Inputs point_light(Engine& random, double) {
   Inputs in = in_space(random, Path::point_light, 1, 1);
   in.point.constant = uniform(random, 0, 1);
@@ -140,6 +146,7 @@ constexpr Family for_phong[] = {
     {"ordinary", "light and eye with cosines of at least 0.1 to the normal, glossiness 1 to 128", ordinary},
     {"highlight", "glossiness 1 to 1e4, within three radii of the middle of the highlight", highlight},
     {"sharp highlight", "the same, glossiness 1e4 to 1e6", sharp},
+    {"whole glossiness", "1 to 1921, within three radii of the middle of the highlight", whole},
     {"soft", "glossiness 1e-3 to 1", soft},
     {"grazing", "light and eye with cosines of 1e-6 to 0.05", grazing},
     {"opposite", "light and eye 1e-6 to 0.1 above opposite horizons: l + v as short", opposite},

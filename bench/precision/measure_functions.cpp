@@ -103,8 +103,8 @@ Trial normalize_trial(const Vec3<F>& a) {
 
 /// In ulps of 1: what the error of a highlight is against its peak.
 template <class F>
-Trial highlight_trial(Random& random, double least, double most) {
-  const double s = random.log_uniform(least, most), radius = std::min(std::sqrt(2 / s) * random.uniform(0, 3), 1.5);
+Trial highlight_trial(Random& random, double s) {
+  const double radius = std::min(std::sqrt(2 / s) * random.uniform(0, 3), 1.5);
   const Double3 a = normalize(some_vector<double>(random, 0));
   const Double3 across = normalize(cross(a, normalize(some_vector<double>(random, 0))));
   const Vec3<F> x = normalize(Vec3<F>(a)), y = normalize(Vec3<F>(a * std::cos(radius) + across * std::sin(radius)));
@@ -154,9 +154,9 @@ std::vector<FunctionRow> measure_functions(int trials) {
   const auto atan2_bounds = [&](auto inputs, auto once) {
     return both("atan2", inputs, atan2_error<double>, atan2_error<float>, trials, once);
   };
-  const auto highlight = [&](auto inputs, double least, double most) {
+  const auto highlight = [&](auto inputs, auto glossiness) {
     return both("cosine_power", inputs, cosine_power_bound<double>(), cosine_power_bound<float>(), trials,
-                [=]<class F>(F, Random& random) { return highlight_trial<F>(random, least, most); });
+                [=]<class F>(F, Random& random) { return highlight_trial<F>(random, glossiness(random)); });
   };
   const auto vectors = [&](auto function, auto inputs, UlpBound of_double, UlpBound of_float, double range,
                            auto trial) {
@@ -195,8 +195,10 @@ std::vector<FunctionRow> measure_functions(int trials) {
                      const double distance = r.log_uniform(epsilon_of<F>, 1e-3);
                      return power_trial(F(1 - distance), r.log_uniform(1, 80) / distance);
                    }),
-      highlight("glossiness 1 to 128", 1, 128),
-      highlight("glossiness 128 to 1e7", 128, 1e7),
+      highlight("glossiness 1 to 128", [](Random& random) { return random.log_uniform(1, 128); }),
+      highlight("glossiness 128 to 1e7", [](Random& random) { return random.log_uniform(128, 1e7); }),
+      highlight("whole glossiness 1 to 1921",
+                [](Random& random) { return std::floor(random.log_uniform(1, max_whole_exponent + 1)); }),
       atan2_bounds("all directions",
                    []<class F>(F, Random& r) { return atan2_trial(F(r.uniform(-1, 1)), F(r.uniform(-1, 1))); }),
       atan2_bounds("every magnitude",

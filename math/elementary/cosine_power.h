@@ -3,9 +3,12 @@
 // time.
 
 #include "math/elementary/exp_log.h"
+#include "math/elementary/whole_power.h"
 #include "math/vec.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 
 namespace refraster::inline REFRASTER_KIT {
 
@@ -30,21 +33,79 @@ T small_power(const OnePlus<T>& base, double s) {
 template <class F>
 inline constexpr double cosine_power_max_error = 24 * static_cast<double>(std::numeric_limits<F>::epsilon()) / 2;
 
-/// cosine_power(a, b, s), see below, with a - b given: more exactly than it follows from rounded a and b.
+/// The largest exponent that raise_to_whole_power takes: with it, what hi alone is off by is still within the error of
+/// small_power for results as small as min_two_product.
+inline constexpr std::uint32_t max_whole_exponent = (small_power_error_at_1 + small_power_error_per_bit * 960) / 2;
+static_assert(min_two_product<double> == 0x1p-960);
+static_assert(whole_power_error<double>(max_whole_exponent) < small_power_error_at_1);
+static_assert(whole_power_error<float>(max_whole_exponent) < small_power_error_at_1);
+
+/// An exponent s >= 0 of cosine_power, with what is the same for all cosines.
+template <class F>
+struct CosineExponent {
+  double s = 0;
+  std::uint32_t whole = 0; // s where raise_to_whole_power takes it; else 0
+  double least = 0;        // with it, a cosine whose power is cut to 0, and normal in F
+};
+
+template <class F>
+CosineExponent<F> cosine_exponent(double s) {
+  if (!(s >= 1 && s <= max_whole_exponent)) return {s};
+  const auto n = static_cast<std::uint32_t>(s);
+  if (static_cast<double>(n) != s) return {s};
+  // 2^-5 below what is cut: the power of a rounded root is not off by that.
+  return {s, n, square(exp2((lowest_power<F> - 5) / (2 * s)))};
+}
+
+/// What cosine_power takes for the cosine of a and b, |a - b|^2 / 2 being q: 1 - q is the better one down to 1/2, as
+/// the lengths of a and b, which are not quite 1, enter by q instead of 1 - q.
 template <Lanes T>
-T cosine_power(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& gap, double s) {
+T cosine_of(const Vec3<T>& a, const Vec3<T>& b, const T& q) {
+  const T cosine = dot(a, b);
+  if constexpr (sizeof(RealOf<T>) == 8) return select(cosine > T(0.5), T(1) - q, cosine);
+  else return cosine;
+}
+
+/// cosine = cosine^s for a whole s; q where the cosine is above 3/4 is 1 less it, but more exactly. N at once.
+template <std::size_t N, Lanes T>
+void raise_cosines(T (&cosine)[N], T (&q)[N], const CosineExponent<RealOf<T>>& exponent) {
+  using F = RealOf<T>;
+  for (std::size_t i = 0; i < N; ++i) {
+    const MaskOf<T> is_near = cosine[i] > T(F(0.75));
+    if constexpr (sizeof(F) == 8) {
+      q[i] = select(is_near, (T(1) - cosine[i]) - q[i], T(0));
+      cosine[i] = max(cosine[i], as<T>(exponent.least));
+    } else {
+      q[i] = select(is_near, min(q[i], T(F(0.25))), T(0)); // more only where vectors are not unit
+      cosine[i] = select(is_near, T(1), cosine[i]);
+    }
+  }
+  if constexpr (sizeof(F) == 8) raise_to_whole_power(cosine, q, exponent.whole);
+  else raise_to_whole_power(cosine, q, exponent.least, exponent.whole);
+  for (T& power : cosine) power = select(power >= as<T>(smallest_result<F>), power, T(0));
+}
+
+/// The same for any s. Out of line: nearly every material has a whole glossiness.
+template <Lanes T>
+[[gnu::noinline, gnu::flatten]] T any_cosine_power(T cosine, T q, double s) {
   using F = RealOf<T>;
   if (s == 0) return T(1);
-  const T half_square = T(F(0.5)) * squared_length(gap);
-  T cosine = dot(a, b);
-  // 1 - q is the better cosine down to 1/2: the lengths of a and b, which are not quite 1, enter by q instead of 1 - q.
-  if constexpr (sizeof(F) == 8) cosine = select(cosine > T(F(0.5)), T(1) - half_square, cosine);
-  const T q = min(half_square, T(F(0.25))); // more only where a or b is not unit
+  q = min(q, T(F(0.25))); // more only where vectors are not unit
   const MaskOf<T> is_near = cosine > T(F(0.75));
   const T smallest(std::numeric_limits<F>::min());
   const auto [m, k] = binary(max(cosine, smallest), F(sqrt_half));
   const OnePlus<T> base = {select(is_near, -q, m - T(1)), select(is_near, T(0), k)};
   return select(cosine >= smallest, small_power(base, s), T(0));
+}
+
+/// cosine_power(a, b, s), see below, with q = |a - b|^2 / 2 given: more exactly than it follows from rounded a and b;
+/// and with `cosine` as cosine_of() makes it.
+template <Lanes T>
+T cosine_power(const T& cosine, const T& q, const CosineExponent<RealOf<T>>& exponent) {
+  if (exponent.whole == 0) return any_cosine_power<T>(cosine, q, exponent.s);
+  T power[] = {cosine}, half_square[] = {q};
+  raise_cosines(power, half_square, exponent);
+  return power[0];
 }
 
 /// max(a.b, 0)^s for unit vectors a and b (0 counts as perpendicular to all) and a finite s >= 0. Exactly 1 where a ==
@@ -65,11 +126,12 @@ T cosine_power(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& gap, double s)
 /// at most r = 5 u + d + e = 14 u (a difference twice, a square, two sums), which changes the result by r s q (1 -
 /// q)^(s-1) <= 0.43 r = 6 u for q <= 1/4 and any s. Below, the dot product does, with an absolute error of at most 3 u
 /// + d + e = 12 u (a product, two sums), which changes the result by 12 u s c^(s-1) <= 1.7 * 12 u = 21 u for c <= 3/4
-/// and s >= 1 (a root, s < 1, is steep at c = 0). The power itself adds 3 u: 24 u in all. As the vectors' own rounding
-/// is most of it, a more exact logarithm would buy nothing.
+/// and s >= 1 (a root, s < 1, is steep at c = 0). The power itself adds 3 u, a whole one hardly more than 1 u: 24 u in
+/// all. As the vectors' own rounding is most of it, a more exact logarithm would buy nothing.
 template <Lanes T>
 T cosine_power(const Vec3<T>& a, const Vec3<T>& b, double s) {
-  return cosine_power(a, b, a - b, s);
+  const T q = T(RealOf<T>(0.5)) * squared_length(a - b);
+  return cosine_power(cosine_of(a, b, q), q, cosine_exponent<RealOf<T>>(s));
 }
 
 } // namespace refraster::inline REFRASTER_KIT

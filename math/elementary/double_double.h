@@ -41,18 +41,23 @@ DoubleDouble<T> veltkamp_split(const T& x) {
 template <class F>
 inline constexpr double min_two_product = sizeof(F) == 4 ? 0x1p-100 : 0x1p-960;
 
-/// a b exactly; rounded where it is smaller than min_two_product. A fused multiply-add gives the same as Dekker's
-/// sum of partial products, since both are exact: so here, where it saves a dozen operations, it changes no bit.
+/// a b - product exactly, where `product` is a b rounded, and not smaller than min_two_product. A fused multiply-add
+/// gives the same as Dekker's sum of partial products, since both are exact: so here, where it saves a dozen
+/// operations, it changes no bit.
 template <Lanes T>
-DoubleDouble<T> two_product(const T& a, const T& b) {
-  const T product = a * b;
-  T error;
+T product_error(const T& a, const T& b, const T& product) {
   if constexpr (requires { fused_difference(a, b, product); }) {
-    error = fused_difference(a, b, product);
+    return fused_difference(a, b, product);
   } else {
     const DoubleDouble<T> x = veltkamp_split(a), y = veltkamp_split(b);
-    error = ((x.hi * y.hi - product) + x.hi * y.lo + x.lo * y.hi) + x.lo * y.lo;
+    return ((x.hi * y.hi - product) + x.hi * y.lo + x.lo * y.hi) + x.lo * y.lo;
   }
+}
+
+/// a b exactly; rounded where it is smaller than min_two_product.
+template <Lanes T>
+DoubleDouble<T> two_product(const T& a, const T& b) {
+  const T product = a * b, error = product_error(a, b, product);
   return {product, select(abs(product) >= as<T>(min_two_product<RealOf<T>>), error, T(0))};
 }
 

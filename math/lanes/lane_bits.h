@@ -3,6 +3,9 @@
 
 #include "math/lanes/wide.h"
 
+#include <array>
+#include <cstddef>
+#include <type_traits>
 #include <utility>
 
 namespace refraster::inline REFRASTER_KIT {
@@ -72,25 +75,54 @@ T with_sign(const T& x, const T& y) {
   return from_bits<T>(bits_of(x) | (bits_of(y) & sign));
 }
 
-/// f(x...) computed in double: float lanes are widened (exactly), the result is rounded once. As many double lanes at
-/// a time as a register holds.
-template <class Function>
-float in_double(const Function& f, std::same_as<float> auto... x) {
-  return static_cast<float>(f(static_cast<double>(x)...));
+/// Float lanes in double, exactly: as many registers as that takes.
+inline std::array<double, 1> widened(float x) {
+  return {static_cast<double>(x)};
+}
+template <int N, Arithmetic A>
+auto widened(const Wide<float, N, A>& x) {
+  if constexpr (N > 2 && N * static_cast<int>(sizeof(double)) > native_vector_bytes) {
+    const auto low = widened(low_half(x)), high = widened(high_half(x));
+    return [&]<std::size_t... I>(std::index_sequence<I...>) {
+      return std::array{low[I]..., high[I]...};
+    }
+    (std::make_index_sequence<low.size()>{});
+  } else if constexpr (requires { registers::widened(x.v); }) {
+    return std::array{Wide<double, N>(VectorOf<double, N>(registers::widened(x.v)))};
+  } else {
+    return std::array{Wide<double, N>(__builtin_convertvector(x.v, VectorOf<double, N>))};
+  }
 }
 
-template <class Function, int N, class... More>
-Wide<float, N> in_double(const Function& f, const Wide<float, N>& x, const More&... more) {
-  if constexpr (N > 2 && N * static_cast<int>(sizeof(double)) > native_vector_bytes) {
-    return joined(in_double(f, low_half(x), low_half(more)...), in_double(f, high_half(x), high_half(more)...));
+/// And back, rounded once.
+template <std::same_as<float>>
+float narrowed(const std::array<double, 1>& x) {
+  return static_cast<float>(x[0]);
+}
+template <class T, int N, std::size_t registers>
+  requires(NumberTraits<T>::lanes == static_cast<int>(registers) * N)
+T narrowed(const std::array<Wide<double, N>, registers>& x) {
+  if constexpr (registers == 1) {
+    return T(__builtin_convertvector(x[0].v, VectorOf<float, N>));
   } else {
-    const auto widened = [](const Wide<float, N>& y) {
-      if constexpr (requires { registers::widened(y.v); })
-        return Wide<double, N>(VectorOf<double, N>(registers::widened(y.v)));
-      else return Wide<double, N>(__builtin_convertvector(y.v, VectorOf<double, N>));
+    using Half = std::remove_cvref_t<decltype(low_half(std::declval<T>()))>;
+    const auto half = [&]<std::size_t... I>(std::size_t first, std::index_sequence<I...>) {
+      return narrowed<Half>(std::array{x[first + I]...});
     };
-    return __builtin_convertvector(f(widened(x), widened(more)...).v, VectorOf<float, N>);
+    constexpr std::make_index_sequence<registers / 2> each_half{};
+    return joined(half(0, each_half), half(registers / 2, each_half));
   }
+}
+
+/// f(x...) computed in double: float lanes are widened, the result is rounded once. As many double lanes at a time as a
+/// register holds.
+template <class Function, class T, std::same_as<T>... More>
+T in_double(const Function& f, const T& x, const More&... more) {
+  const auto wide = widened(x);
+  return [&]<std::size_t... I>(std::index_sequence<I...>, const auto&... others) {
+    return narrowed<T>(std::array{[&](std::size_t i) { return f(wide[i], others[i]...); }(I)...});
+  }
+  (std::make_index_sequence<wide.size()>{}, widened(more)...);
 }
 
 } // namespace refraster::inline REFRASTER_KIT

@@ -24,9 +24,9 @@ std::uint64_t hash_of_elementary_functions() {
     const F u = F(random.uniform(-1, 1)), v = F(random.uniform(-1, 1)), w = F(random.uniform(-1, 1));
     const double s = random.uniform(0, 200);
     const Vec3<F> a = normalize(Vec3<F>(u, v, w)), b = normalize(a + Vec3<F>(v, w, u) * F(0.1));
-    for (const F result :
-         {log2(x), log2(F(1) + u), exp2(x), exp2(u * F(100)), pow(x, s), pow(u, s), atan2(y, x), atan2(v, u), a.x, a.y,
-          cosine_power(a, b, s), length(Vec3<F>(x, y, u)), floor_and_fraction(x).fraction})
+    for (const F result : {log2(x), log2(F(1) + u), exp2(x), exp2(u * F(100)), pow(x, s), pow(u, s), atan2(y, x),
+                           atan2(v, u), a.x, a.y, cosine_power(a, b, s), cosine_power(a, b, std::floor(s)),
+                           length(Vec3<F>(x, y, u)), floor_and_fraction(x).fraction})
       hash.add(result);
   }
   return hash.value;
@@ -35,10 +35,10 @@ std::uint64_t hash_of_elementary_functions() {
 // These stand for every compiler, optimisation level and instruction set: where one differs, so do its images. They
 // change with the code of a function, and only with it.
 TEST_CASE("elementary functions of double have the same bits on every machine") {
-  CHECK(hash_of_elementary_functions<double>() == 16476827548281105810u);
+  CHECK(hash_of_elementary_functions<double>() == 8020465481345597581u);
 }
 TEST_CASE("elementary functions of float have the same bits on every machine") {
-  CHECK(hash_of_elementary_functions<float>() == 8695631484319572335u);
+  CHECK(hash_of_elementary_functions<float>() == 2915319686598712737u);
 }
 TEST_CASE("angles in degrees have the same bits on every machine") {
   Hash hash;
