@@ -1,6 +1,8 @@
 #pragma once
 // Memory for millions of small things that are all written before they are read.
 
+#include "math/large_memory.h"
+
 #include <cstddef>
 #include <memory>
 #include <type_traits>
@@ -20,6 +22,7 @@ public:
       size_ = capacity_ = 0; // should there be no memory
       memory_.reset();
       memory_.reset(static_cast<T*>(::operator new(size * sizeof(T))));
+      advise_large_pages(memory_.get(), size * sizeof(T));
       capacity_ = size;
     }
     size_ = size;

@@ -1,14 +1,17 @@
 #include <refraster/render.h>
 
+#include "math/large_memory.h"
 #include "math/precisions.h"
 #include "raster/parallel.h"
 #include "raster/shade/shade.h"
 #include "raster/stopwatch.h"
+#include "raster/tile_order.h"
 #include "scene/scene_checks.h"
 
 #include <algorithm>
 #include <atomic>
 #include <bit>
+#include <cstring>
 #include <stdexcept>
 #include <string>
 
@@ -35,9 +38,11 @@ struct TileWorker {
 // so which thread takes which tile changes nothing.
 void shade_tiles(const FrameContext& context, std::span<TileWorker> workers, Frame& frame) {
   const TileGrid grid = tile_grid(context);
+  const std::vector<std::uint32_t> order = tile_order(grid, context.bins.lists, static_cast<int>(workers.size()));
   std::atomic<std::size_t> done{0};
-  parallel_for(static_cast<int>(workers.size()), grid.tiles(), [&](std::size_t index, int thread) {
+  parallel_for(static_cast<int>(workers.size()), grid.tiles(), [&](std::size_t turn, int thread) {
     if (cancelled(context.options)) return;
+    const std::size_t index = order[turn];
     TileWorker& worker = workers[static_cast<std::size_t>(thread)];
     const PixelRect tile = grid.tile(index);
     const Stopwatch stopwatch;
@@ -56,13 +61,30 @@ void shade_tiles(const FrameContext& context, std::span<TileWorker> workers, Fra
   }
 }
 
-// The image as a new one of this shape would be, but for what it holds.
+// Calls body(begin, end) for pieces of [0, count), as many bytes each as a thread fills in about 0.1 ms.
 template <class Value>
-void reshape(Image<Value>& image, const PixelRect& region, int channels) {
-  if (image.width != region.width || image.height != region.height || image.channels != channels) {
-    image = {}; // the budget was asked for one of the two
-    image = Image<Value>(region.width, region.height, channels);
-  }
+void for_pieces(int threads, std::size_t count, const auto& body) {
+  constexpr std::size_t piece = (std::size_t{1} << 20) / sizeof(Value);
+  parallel_for(threads, (count + piece - 1) / piece,
+               [&](std::size_t i, int) { body(i * piece, std::min(count, (i + 1) * piece)); });
+}
+
+// The image as a new one of this shape would be, but for what it holds. The system gives memory page by page as each is
+// first touched, which takes longer than drawing simple pixels: the threads share it.
+template <class Value>
+void reshape(Image<Value>& image, const PixelRect& region, int channels, int threads) {
+  if (image.width == region.width && image.height == region.height && image.channels == channels) return;
+  image = {}; // the budget was asked for one of the two
+  const std::size_t count = static_cast<std::size_t>(region.width) * static_cast<std::size_t>(region.height) *
+                            static_cast<std::size_t>(channels);
+  image.values.reserve(count);
+  Value* const memory = image.values.data(); // room for so many, which are there once they are zeros below
+  advise_large_pages(memory, count * sizeof(Value));
+  for_pieces<Value>(threads, count, [memory](std::size_t begin, std::size_t end) {
+    std::memset(static_cast<void*>(memory + begin), 0, (end - begin) * sizeof(Value));
+  });
+  image.values.resize(count);
+  image.width = region.width, image.height = region.height, image.channels = channels;
 }
 
 // What reshape_images will hold, whatever is there already.
@@ -71,13 +93,14 @@ std::uint64_t image_bytes(const RenderOptions& options, const PixelRect& region)
   if (options.want_rgb8) pixel += 3;
   if (options.want_radiance) pixel += 3 * sizeof(float);
   if (options.want_radiance_double) pixel += 3 * sizeof(double);
-  for (const Aov aov : options.aovs)
-    pixel += static_cast<std::uint64_t>(kind_of(aov).channels) * sizeof(float);
+  for (const Aov aov : options.aovs) pixel += static_cast<std::uint64_t>(kind_of(aov).channels) * sizeof(float);
   return pixel * static_cast<std::uint64_t>(region.width) * static_cast<std::uint64_t>(region.height);
 }
 
-// A vertex in Geometry.
-constexpr std::uint64_t vertex_bytes = sizeof(PlacedVertex) + sizeof(double) + sizeof(WorldVertex);
+// Vertices in Geometry: in the window, and in the world.
+std::uint64_t vertex_bytes(std::uint64_t window, std::uint64_t world) {
+  return (sizeof(PlacedVertex) + sizeof(double)) * window + sizeof(WorldVertex) * world;
+}
 
 // Each thread's copy of the largest mesh that is on demand.
 std::uint64_t bytes_on_demand(const FrameContext& context) {
@@ -100,18 +123,21 @@ void need_more(const MemoryBudget& memory, std::uint64_t wanted, std::uint64_t h
   if (wanted > held) memory.need(wanted - held, what);
 }
 
-void reshape_images(const RenderOptions& options, const PixelRect& region, Frame& frame) {
-  if (options.want_rgb8) reshape(frame.rgb8, region, 3);
+void reshape_images(const RenderOptions& options, const PixelRect& region, int threads, Frame& frame) {
+  if (options.want_rgb8) reshape(frame.rgb8, region, 3, threads);
   else frame.rgb8 = {};
-  if (options.want_radiance) reshape(frame.radiance, region, 3);
+  if (options.want_radiance) reshape(frame.radiance, region, 3, threads);
   else frame.radiance = {};
-  if (options.want_radiance_double) reshape(frame.radiance_double, region, 3);
+  if (options.want_radiance_double) reshape(frame.radiance_double, region, 3, threads);
   else frame.radiance_double = {};
   frame.aovs.resize(options.aovs.size());
   for (std::size_t i = 0; i < options.aovs.size(); ++i) {
     Image<float>& image = frame.aovs[i];
-    reshape(image, region, kind_of(options.aovs[i]).channels);
-    std::fill(image.values.begin(), image.values.end(), 0.0f); // tiles write only where there is a surface
+    reshape(image, region, kind_of(options.aovs[i]).channels, threads);
+    for_pieces<float>(threads, image.values.size(), [&](std::size_t begin, std::size_t end) {
+      std::fill(&image.values[begin], &image.values[begin] + (end - begin),
+                0.0f); // tiles write where there is a surface
+    });
   }
 }
 
@@ -149,15 +175,16 @@ void render_frame(const Scene& scene, const RenderOptions& options, Geometry& ge
   const FrameContext context{{scene, options}, geometry, bins};
   const PixelRect& region = context.region;
   need_more(options.memory, image_bytes(options, region), bytes_of(frame), "the image");
-  reshape_images(options, region, frame);
+  reshape_images(options, region, context.threads, frame);
   frame.threads = context.threads;
   frame.counts = {}, frame.seconds = {}, frame.tile_seconds = {};
   frame.counts.pixels = static_cast<std::uint64_t>(region.width) * static_cast<std::uint64_t>(region.height);
 
   Stopwatch stage;
   lay_out(context, geometry);
-  need_more(options.memory, vertex_bytes * geometry.first_vertex.back() + bytes_on_demand(context),
-            vertex_bytes * geometry.window.size(), "the vertices");
+  const std::uint32_t vertices = geometry.first_vertex.back();
+  need_more(options.memory, vertex_bytes(vertices, geometry.world_stored ? vertices : 0) + bytes_on_demand(context),
+            vertex_bytes(geometry.window.size(), geometry.world.size()), "the vertices");
   transform_stored(context, geometry);
   frame.seconds.transform = stage.lap();
   bin_triangles(context, geometry, bins, frame.counts);

@@ -73,20 +73,12 @@ template <class Real>
 
   const Mesh& mesh = *context.scene.objects[ref.object].mesh;
   const auto& indices = mesh.triangles[ref.triangle];
-  const bool textured = has_uvs(mesh, indices);
   const Repeats repeats =
       context.uses.placed_textures ? placed_repeats(context, ref.object, ref.triangle) : Repeats::taken_off;
   for (int c = 0; c < 2; ++c) {
-    std::array<Real, 4>& row = t.row[static_cast<std::size_t>(uv_row + c)];
-    if (!textured) {
-      row = {std::numeric_limits<Real>::quiet_NaN(), Real(0), Real(0), Real(1)};
-      t.row[static_cast<std::size_t>(max_uv_row + c)][3] = Real(0);
-      continue;
-    }
-    const auto uv = uv_component(mesh, {indices[corner[0]], indices[corner[1]], indices[corner[2]]}, c, repeats).value;
-    row = {static_cast<Real>(uv[0]), static_cast<Real>(uv[1] - uv[0]), static_cast<Real>(uv[2] - uv[0]),
-           static_cast<Real>(std::min({uv[0], uv[1], uv[2]}))};
-    t.row[static_cast<std::size_t>(max_uv_row + c)][3] = static_cast<Real>(std::max({uv[0], uv[1], uv[2]}));
+    const AttributeUv<Real> uv = attribute_uv<Real>(mesh, indices, corner, c, repeats);
+    t.row[static_cast<std::size_t>(uv_row + c)] = {uv.value[0], uv.value[1], uv.value[2], uv.least};
+    t.row[static_cast<std::size_t>(max_uv_row + c)][3] = uv.greatest;
   }
   static_assert(attribute_rows == uv_row + 2 + 3 + 4, "a frame is to know whether there is another attribute");
   if (context.uses.vertex_colours || context.uses.tangents) [[unlikely]]
@@ -227,7 +219,7 @@ bool is_turned(const FrameContext& context, const TriangleRef& ref, std::uint32_
 template <class Real>
 void set_up_attributes(const FrameContext& context, std::span<const VisibleTriangle> triangles,
                        std::span<AttributeSetup<Real>> setups, UncommonEdges& uncommon) {
-  if (context.geometry.all_stored()) [[likely]] {
+  if (context.geometry.all_stored() && context.geometry.world_stored) [[likely]] {
     const auto in_geometry = [&](std::size_t i) -> const auto& {
       return triangles[i].ref.vertex;
     };

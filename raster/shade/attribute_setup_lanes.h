@@ -32,7 +32,7 @@ AttributeSetupLanes<N> attribute_setup_lanes(const std::array<CornerLanes<N>, 3>
   const auto submitted = [&](std::size_t k) {
     return SnappedCorner<T, 2>{v[k].x, v[k].y, {inverse_w[k], T(static_cast<double>(k))}};
   };
-  const SnappedSetup<T, 2> t = set_up_snapped<T, 2>({submitted(0), submitted(1), submitted(2)});
+  const SnappedSetup<T, 2> t = set_up_snapped(submitted(0), submitted(1), submitted(2));
 
   // At a pixel's centre an edge function is at most the size, plus what it changes by from a covered sample to the
   // centre, half a pixel away.

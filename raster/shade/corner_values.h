@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace refraster {
 
@@ -19,14 +20,17 @@ template <class Real>
 inline constexpr double min_weight = sizeof(Real) == 4 ? 0x1p-70 : 0x1p-900;
 
 /// Normals count by their direction only. A power of two, common to the corners, keeps differences of huge ones in the
-/// range of a float precision, and tiny ones above its end; normals of ordinary size stay as they are.
+/// range of a float precision, and tiny ones above its end; normals of ordinary size stay as they are: with a greatest
+/// component from 1 / ordinary_normal to ordinary_normal. `size`: the greatest components of the three.
+inline constexpr double ordinary_normal = 1 << 20;
+[[gnu::always_inline]] inline double normal_scale(const std::array<double, 3>& size) {
+  const auto is_ordinary = [](double s) { return s >= 1 / ordinary_normal && s <= ordinary_normal; };
+  if (is_ordinary(size[0]) && is_ordinary(size[1]) && is_ordinary(size[2])) return 1;
+  return min(reciprocal_binade(size[0]), min(reciprocal_binade(size[1]), reciprocal_binade(size[2])));
+}
 [[gnu::always_inline]] inline double normal_scale(const WorldVertex& v0, const WorldVertex& v1, const WorldVertex& v2) {
   const auto size = [](const Double3& n) { return max(abs(n.x), max(abs(n.y), abs(n.z))); };
-  const double s0 = size(v0.normal), s1 = size(v1.normal), s2 = size(v2.normal);
-  constexpr double ordinary = 1 << 20;
-  const auto is_ordinary = [](double s) { return s >= 1 / ordinary && s <= ordinary; };
-  if (is_ordinary(s0) && is_ordinary(s1) && is_ordinary(s2)) return 1;
-  return min(reciprocal_binade(s0), min(reciprocal_binade(s1), reciprocal_binade(s2)));
+  return normal_scale({size(v0.normal), size(v1.normal), size(v2.normal)});
 }
 
 /// What a corner brings of an attribute, in world space. `vertex`: in the mesh.
@@ -85,6 +89,27 @@ inline UvComponent uv_component(const Mesh& mesh, const std::array<std::uint32_t
   if ((least > -1 && least < 1) || repeats == Repeats::kept) uv.whole = 0;
   for (double& value : uv.value) value -= uv.whole;
   return uv;
+}
+
+/// The same as interpolation takes it: the value at the anchor and the differences to the other two, taken in double
+/// before they are rounded; the least and the greatest of the three. Without texture coordinates the anchor's is NaN, so
+/// that every one that is interpolated is, and the least is 1 and the greatest 0, so that it is known for what it is.
+template <class Real>
+struct AttributeUv {
+  std::array<Real, 3> value{std::numeric_limits<Real>::quiet_NaN(), Real(0), Real(0)};
+  Real least = 1, greatest = 0;
+};
+/// `triangle`: its vertices in the mesh, as submitted; `corner`: which of them stands at each place.
+template <class Real>
+[[gnu::always_inline]] inline AttributeUv<Real> attribute_uv(const Mesh& mesh,
+                                                             const std::array<std::uint32_t, 3>& triangle,
+                                                             const std::array<std::uint8_t, 3>& corner, int c,
+                                                             Repeats repeats) {
+  if (!has_uvs(mesh, triangle)) return {};
+  const auto uv = uv_component(mesh, {triangle[corner[0]], triangle[corner[1]], triangle[corner[2]]}, c, repeats).value;
+  return {{static_cast<Real>(uv[0]), static_cast<Real>(uv[1] - uv[0]), static_cast<Real>(uv[2] - uv[0])},
+          static_cast<Real>(std::min({uv[0], uv[1], uv[2]})),
+          static_cast<Real>(std::max({uv[0], uv[1], uv[2]}))};
 }
 
 } // namespace refraster

@@ -30,6 +30,9 @@ public:
   std::uint32_t collect(const FrameContext& context, std::span<const std::uint32_t> triangles,
                         std::span<FragmentRun> runs);
 
+  /// No fragments.
+  void clear() { groups_.clear(); }
+
   std::span<const Group> groups() const { return groups_; }
   std::span<const FragmentRun> sorted() const { return sorted_; } // `slot` is the attribute set-up's
   const AttributeSetup<Real>* setups() const { return setups_.data(); }

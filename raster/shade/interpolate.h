@@ -34,6 +34,18 @@ struct Parts {
   }
 };
 
+/// face_normal() of the triangle that each lane's number(lane) stands for, of any length.
+template <class T>
+Vec3<T> face_normals(const FrameContext& context, const auto& number) {
+  Vec3<T> normals;
+  for (int lane = 0; lane < NumberTraits<T>::lanes; ++lane) {
+    const Double3 n = face_normal(context, number(lane));
+    const Double3 scaled = n * reciprocal_binade(n);
+    for (int c = 0; c < 3; ++c) normals[c].set(lane, static_cast<RealOf<T>>(scaled[c]));
+  }
+  return normals;
+}
+
 /// What is known of how the values of a packet's edge functions are computed: that all are of the kind wrapped, or
 /// nothing.
 enum class Edges { wrapped, any };
@@ -82,15 +94,7 @@ public:
 
   /// The triangles' own normals, of any length; 0 where a triangle has none.
   Vec3<T> own_normals(const FrameContext& context) const {
-    Vec3<T> own;
-    for (int lane = 0; lane < lanes; ++lane) {
-      const Double3 n = face_normal(context, packet_.triangle(lane).number);
-      const Double3 scaled = n * reciprocal_binade(n);
-      own.x.set(lane, static_cast<Real>(scaled.x));
-      own.y.set(lane, static_cast<Real>(scaled.y));
-      own.z.set(lane, static_cast<Real>(scaled.z));
-    }
-    return own;
+    return face_normals<T>(context, [this](int lane) { return packet_.triangle(lane).number; });
   }
 
 private:

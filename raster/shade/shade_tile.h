@@ -6,6 +6,7 @@
 #include "raster/shade/packet_surfaces.h"
 #include "raster/resolve/resolve.h"
 #include "raster/shade/shade.h"
+#include "raster/shade/tiny/tiny_surface.h"
 #include "raster/shade/user_shading.h"
 #include "raster/stopwatch.h"
 #include "shading/fragment_functions.h"
@@ -60,18 +61,22 @@ public:
       if (request_.enter) request_.enter();
     list_runs(visible.visibility, visible.tile, context.options.samples, runs_);
     if constexpr (!has_lanes) keep_wanted(visible.tile);
-    const std::uint32_t fragments = setups_.collect(context, visible.triangles, runs_);
+    const std::uint32_t fragments = collect(context, visible);
     measures.seconds.attribute_setup += stopwatch.lap();
     colours_.resize(fragments);
-    for (const auto& group : setups_.groups()) {
-      const Material& material = *group.material;
-      const auto shade = [&]<Maps maps>(std::integral_constant<Maps, maps>, const auto& function) {
-        shade_group<maps>(context, visible.tile, material, function, group, counts.undefined);
-      };
-      if (material.user_function) shade(std::integral_constant<Maps, Maps::no>{}, *material.user_function);
-      else with_maps(material, shade);
-      counts.lane_slots += (group.fragments + lanes - 1) / lanes * lanes;
-    }
+    const auto shade_groups = [&](const auto& groups) {
+      for (const auto& group : groups) {
+        const Material& material = *group.material;
+        const auto shade = [&]<Maps maps>(std::integral_constant<Maps, maps>, const auto& function) {
+          shade_group<maps>(context, visible.tile, material, function, group, counts.undefined);
+        };
+        if (material.user_function) shade(std::integral_constant<Maps, Maps::no>{}, *material.user_function);
+        else with_maps(material, shade);
+        counts.lane_slots += (group.fragments + lanes - 1) / lanes * lanes;
+      }
+    };
+    if constexpr (has_lanes) shade_groups(tiny_.groups());
+    shade_groups(setups_.groups());
     counts.fragments += fragments;
     measures.seconds.shading += stopwatch.lap();
     resolver_.resolve(context, visible.tile, runs_, colours_, frame, counts);
@@ -86,9 +91,19 @@ private:
   using Group = typename TileAttributes<Real>::Group;
   static constexpr std::uint32_t lanes = NumberTraits<T>::lanes;
 
-  template <Maps maps, class SomeFunction>
+  // The fragments of runs_, numbered: with records of their triangles, or without. Returns how many there are.
+  std::uint32_t collect(const FrameContext& context, const VisibleTile& visible) {
+    if constexpr (has_lanes)
+      if (const std::uint32_t fragments = tiny_.collect(context, visible, runs_)) {
+        setups_.clear();
+        return fragments;
+      }
+    return setups_.collect(context, visible.triangles, runs_);
+  }
+
+  template <Maps maps, class SomeFunction, class SomeGroup>
   void shade_group(const FrameContext& context, const PixelRect& tile, const Material& material,
-                   const SomeFunction& function, const Group& group, UndefinedCounts& undefined) {
+                   const SomeFunction& function, const SomeGroup& group, UndefinedCounts& undefined) {
     const auto shade_batch = [&] {
       const Scene& scene = context.scene;
       if constexpr (std::is_same_v<SomeFunction, UserFunction>)
@@ -100,25 +115,41 @@ private:
                        batch_.sum[static_cast<std::size_t>(i)]);
       batch_.packets = 0;
     };
-    if constexpr (has_lanes) {
+    // surface_of(tally, surface) interpolates what `in_use` says is there, maps_of(tally) what else is read there.
+    const auto add = [&](std::uint32_t first, const MaskOf<T>& in_use, const auto& surface_of, const auto& maps_of) {
+      if (batch_.packets == 0) batch_.first_fragment = first;
+      const auto at = static_cast<std::size_t>(batch_.packets++);
+      batch_.in_use[at] = in_use;
+      const UndefinedTally<T> tally(undefined, batch_.in_use[at]);
+      surface_of(tally, batch_.surface[at]);
+      if constexpr (maps == Maps::yes) batch_.maps[at] = maps_of(tally);
+      if (batch_.packets == batch_.capacity) shade_batch();
+    };
+    batch_.packets = 0; // of a frame that an exception ended
+    if constexpr (std::same_as<SomeGroup, TinyFragments::Group>) {
+      tiny_.for_each_packet<T>(context, group, tile, [&](const TinyPacket<T>& packet, std::uint32_t first) {
+        add(
+            first, first_lanes<Real, NumberTraits<T>::lanes>(packet.count),
+            [&](const auto& tally, auto& surface) {
+              tiny_surface(context, material, group.needs, packet, tally, surface);
+            },
+            [&](const auto& tally) { return tiny_maps(context, material, group.needs, packet, tally); });
+      });
+    } else if constexpr (has_lanes) {
       for_each_packet_list(setups_, group, tile, packets_, [&](const PacketList<T>& packets, std::uint32_t first) {
         batch_.first_fragment = first;
         make_surfaces<maps>(context, material, packets, undefined, batch_);
         shade_batch();
       });
     } else {
-      batch_.packets = 0; // of a frame that an exception ended
       for_each_sample(context, group, tile, [&](const SampleData<T>& data, std::uint32_t number) {
-        if (batch_.packets == 0) batch_.first_fragment = number;
-        const auto at = static_cast<std::size_t>(batch_.packets++);
-        batch_.in_use[at] = T(0) <= T(0);
-        const UndefinedTally<T> tally(undefined, batch_.in_use[at]);
-        packet_surface(context, material, data, tally, batch_.surface[at]);
-        if constexpr (maps == Maps::yes) batch_.maps[at] = fragment_maps(material, data, tally);
-        if (batch_.packets == batch_.capacity) shade_batch();
+        add(
+            number, T(0) <= T(0),
+            [&](const auto& tally, auto& surface) { packet_surface(context, material, data, tally, surface); },
+            [&](const auto& tally) { return fragment_maps(material, data, tally); });
       });
-      if (batch_.packets > 0) shade_batch();
     }
+    if (batch_.packets > 0) shade_batch();
   }
 
   /// Calls body(data, number) for each fragment of a group, in order: at pixel centres, as far off as was asked for. A
@@ -138,7 +169,8 @@ private:
   }
 
   const TileAttributes<double>* setups_for_aovs(const FrameContext& context) const {
-    if constexpr (std::same_as<Real, double>) return context.options.samples == 1 ? &setups_ : nullptr;
+    if constexpr (std::same_as<Real, double>)
+      return context.options.samples == 1 && tiny_.fragments() == 0 ? &setups_ : nullptr;
     else return nullptr;
   }
 
@@ -161,6 +193,7 @@ private:
   std::vector<FragmentRun> runs_;
   TileAttributes<Real> setups_;
   PacketList<T> packets_;
+  TinyFragments tiny_; // of a tile that has any, all
   PacketBatch<T> batch_;
   UserShading<T> user_shading_;
   FragmentColours<T> colours_;

@@ -140,16 +140,6 @@ struct VertexStage {
   const ObjectTransform& matrices;
   int width, height;
 
-  // The products as GLM adds them up, which the bits of every image depend on.
-  T homogeneous(const Double4x4& m, int row, const Vec3<T>& p) const {
-    const auto times = [&](int column) { return T(m[column][row]) * p[column]; };
-    return (times(0) + times(1)) + (times(2) + T(m[3][row]));
-  }
-  T linear(const Double3x3& m, int row, const Vec3<T>& p) const {
-    const auto times = [&](int column) { return T(m[column][row]) * p[column]; };
-    return times(0) + times(1) + times(2);
-  }
-
   // As many vertices as T has lanes.
   static Vec3<T> read(const Float3* at) { return {component<T>(at, 0), component<T>(at, 1), component<T>(at, 2)}; }
 
@@ -168,14 +158,13 @@ struct VertexStage {
 
   // The same in the world.
   void to_world(const Vec3<T>& p, const Vec3<T>& n, WorldVertex* world) const {
-    const T far(0x1p1022); // the difference of two that lie farther would overflow
-    const auto position = [&](int row) { return min(max(homogeneous(matrices.world_from_object, row, p), -far), far); };
-    const auto normal = [&](int row) { return linear(matrices.world_from_normal, row, n); };
+    const Vec3<T> position = world_position(matrices.world_from_object, p);
+    const Vec3<T> normal = world_normal(matrices.world_from_normal, n);
     double* const at = &world->position.x;
     constexpr std::size_t stride = sizeof *world / sizeof(double);
-    store_pairs(at, stride, position(0), position(1));
-    store_pairs(at + 2, stride, position(2), normal(0));
-    store_pairs(at + 4, stride, normal(1), normal(2));
+    store_pairs(at, stride, position.x, position.y);
+    store_pairs(at + 2, stride, position.z, normal.x);
+    store_pairs(at + 4, stride, normal.y, normal.z);
   }
 };
 
@@ -192,10 +181,16 @@ void for_vertices(const ObjectTransform& matrices, int width, int height, std::s
 
 // Vertices [begin, end) of an object's mesh become vertices `first` onward.
 void transform_vertices(const Mesh& mesh, const ObjectTransform& matrices, int width, int height, std::size_t begin,
-                        std::size_t end, std::size_t first, Vertices& vertices) {
+                        std::size_t end, std::size_t first, Geometry& vertices) {
+  const auto place = [&](const auto& stage, const auto& p, std::size_t v) {
+    stage.place(p, &vertices.window.placed[first + v], &vertices.window.inverse_w[first + v]);
+  };
+  if (!vertices.world_stored)
+    return for_vertices(matrices, width, height, begin, end,
+                        [&](const auto& stage, std::size_t v) { place(stage, stage.read(&mesh.positions[v]), v); });
   for_vertices(matrices, width, height, begin, end, [&](const auto& stage, std::size_t v) {
     const auto p = stage.read(&mesh.positions[v]), n = stage.read(&mesh.normals[v]);
-    stage.place(p, &vertices.window.placed[first + v], &vertices.window.inverse_w[first + v]);
+    place(stage, p, v);
     stage.to_world(p, n, &vertices.world[first + v]);
   });
 }
@@ -258,21 +253,31 @@ void lay_out(const FrameInput& input, Geometry& geometry, const StorageLimits& l
         storage[o] = Storage::on_demand;
   if (std::all_of(storage.begin(), storage.end(), [](Storage of) { return of == Storage::stored; })) storage.clear();
   number_vertices(geometry);
+  const double pixels = static_cast<double>(input.region.width) * input.region.height;
+  geometry.world_stored = input.options.samples > 1 || geometry.first_vertex.back() <= pixels * limits.world;
 }
 
 void transform(const FrameInput& input, Geometry& geometry) {
   place_objects(input, geometry);
   geometry.storage.clear();
+  geometry.world_stored = true;
   number_vertices(geometry);
   transform_stored(input, geometry);
 }
 
+std::size_t vertex_piece(std::size_t vertices, int threads) {
+  constexpr std::size_t pieces_of_thread = 4, min_piece = 256, max_piece = 2048;
+  const std::size_t wanted = vertices / (static_cast<std::size_t>(threads) * pieces_of_thread);
+  return std::clamp(wanted / lanes * lanes, min_piece, max_piece);
+}
+
 void transform_stored(const FrameInput& input, Geometry& geometry) {
   const std::size_t vertices = geometry.first_vertex.back();
-  geometry.resize_uninitialized(vertices);
+  geometry.window.resize_uninitialized(vertices);
+  geometry.world.resize_uninitialized(geometry.world_stored ? vertices : 0);
   const std::vector<Object>& objects = geometry.scene->objects;
   // Pieces of all vertices, whatever the objects are: there may be thousands of these, or one.
-  constexpr std::size_t piece = 2048;
+  const std::size_t piece = vertex_piece(vertices, input.threads);
   parallel_for(input.threads, (vertices + piece - 1) / piece, [&](std::size_t index, int) {
     const std::size_t begin = index * piece, end = std::min(vertices, begin + piece);
     const auto after = std::upper_bound(geometry.first_vertex.begin(), geometry.first_vertex.end(), begin);
@@ -289,10 +294,9 @@ void transform_stored(const FrameInput& input, Geometry& geometry) {
 void place_vertices(const Geometry& geometry, std::uint32_t object, Buffer<PlacedVertex>& placed) {
   const Mesh& mesh = *geometry.scene->objects[object].mesh;
   placed.resize_uninitialized(mesh.positions.size());
-  for_vertices(geometry.transforms[object], geometry.width, geometry.height, 0, mesh.positions.size(),
-               [&](const auto& stage, std::size_t v) {
-                 stage.place(stage.read(&mesh.positions[v]), &placed[v], nullptr);
-               });
+  for_vertices(
+      geometry.transforms[object], geometry.width, geometry.height, 0, mesh.positions.size(),
+      [&](const auto& stage, std::size_t v) { stage.place(stage.read(&mesh.positions[v]), &placed[v], nullptr); });
 }
 
 std::array<WindowVertex, 3> window_corners_on_demand(const Geometry& geometry, const TriangleRef& ref) {
@@ -311,11 +315,12 @@ std::array<WindowVertex, 3> window_corners_on_demand(const Geometry& geometry, c
 std::array<WorldVertex, 3> world_corners(const Geometry& geometry, const TriangleRef& ref) {
   std::array<WorldVertex, 3> corners;
   const bool stored = geometry.storage_of(ref.object) == Storage::stored;
+  const std::uint32_t first = stored ? geometry.first_vertex[ref.object] : 0;
   const Mesh& mesh = *geometry.scene->objects[ref.object].mesh;
   const VertexStage<double> stage{geometry.transforms[ref.object], geometry.width, geometry.height};
   for (std::size_t k = 0; k < 3; ++k) {
-    const std::uint32_t v = ref.vertex[k];
-    if (stored) corners[k] = geometry.world[v];
+    const std::uint32_t v = ref.vertex[k] - first;
+    if (stored && geometry.world_stored) corners[k] = geometry.world[ref.vertex[k]];
     else stage.to_world(stage.read(&mesh.positions[v]), stage.read(&mesh.normals[v]), &corners[k]);
   }
   return corners;
@@ -327,10 +332,12 @@ void gather_vertices(const Geometry& geometry, std::span<const TriangleRef> tria
   for (std::size_t i = 0; i < triangles.size();) {
     const std::size_t first = 3 * i;
     const std::uint32_t object = triangles[i].object;
+    const bool stored = geometry.storage_of(object) == Storage::stored, copied = stored && geometry.world_stored;
+    const std::uint32_t first_in_mesh = stored && !copied ? geometry.first_vertex[object] : 0;
     std::size_t listed = 0;
     for (; i < triangles.size() && triangles[i].object == object && listed < list.size(); ++i)
-      for (const std::uint32_t vertex : triangles[i].vertex) list[listed++] = vertex;
-    if (geometry.storage_of(object) != Storage::stored) {
+      for (const std::uint32_t vertex : triangles[i].vertex) list[listed++] = vertex - first_in_mesh;
+    if (!copied) {
       transform_some(*geometry.scene->objects[object].mesh, geometry.transforms[object], geometry.width,
                      geometry.height, {list.data(), listed}, first, vertices);
       continue;

@@ -118,6 +118,8 @@ struct Geometry : Vertices {
   std::vector<std::uint32_t> first_vertex;   // objects + 1 entries; of stored ones
   std::vector<std::uint32_t> first_triangle; // objects + 1 entries; of all
   std::vector<Storage> storage = {};         // of each object; empty where all are stored
+  // Whether they are stored as shading sees them, too. Where there are many for each pixel, most are never asked for.
+  bool world_stored = true;
   // What the vertices of others are made from. The scene outlives the frame.
   const Scene* scene = nullptr;
   int width = 0, height = 0;
@@ -137,12 +139,18 @@ struct StorageLimits {
   std::size_t stored = std::size_t{1} << 21;
   /// Of an object on demand: a thread bins it as a whole, so that larger ones would be work for one thread alone.
   std::size_t on_demand = std::size_t{1} << 20;
+  /// In the world, for each pixel of a frame of one sample a pixel: tiny triangles, which have more vertices than that,
+  /// are shaded from the mesh anyway (raster/shade/tiny/vertex_data.h).
+  double world = 0.25;
 };
 
 /// The same in two steps, for what only draws. First matrices, and what is to be stored: nothing of objects that lie
 /// outside the view as a whole (raster/vertex/outside.h); and where the others have more than `limits.stored` vertices
 /// in all, nothing of those objects that have at most `limits.on_demand`.
 void lay_out(const FrameInput& input, Geometry& geometry, const StorageLimits& limits = {});
+/// How many vertices a thread takes at a time: a few pieces for each thread, but for the least a piece of 256, which
+/// takes about a microsecond.
+std::size_t vertex_piece(std::size_t vertices, int threads);
 /// Then the vertices of those that are stored.
 void transform_stored(const FrameInput& input, Geometry& geometry);
 

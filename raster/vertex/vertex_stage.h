@@ -9,6 +9,32 @@
 
 namespace refraster {
 
+/// The products as GLM adds them up, which the bits of every image depend on.
+template <class T>
+T homogeneous(const Double4x4& m, int row, const Vec3<T>& p) {
+  const auto times = [&](int column) { return T(m[column][row]) * p[column]; };
+  return (times(0) + times(1)) + (times(2) + T(m[3][row]));
+}
+template <class T>
+T linear(const Double3x3& m, int row, const Vec3<T>& p) {
+  const auto times = [&](int column) { return T(m[column][row]) * p[column]; };
+  return times(0) + times(1) + times(2);
+}
+
+/// A vertex of the mesh in the world: its position, which no difference of two overflows.
+template <class T>
+Vec3<T> world_position(const Double4x4& world_from_object, const Vec3<T>& p) {
+  const T far(0x1p1022);
+  const auto component = [&](int row) { return min(max(homogeneous(world_from_object, row, p), -far), far); };
+  return {component(0), component(1), component(2)};
+}
+/// And its normal, of any length.
+template <class T>
+Vec3<T> world_normal(const Double3x3& world_from_normal, const Vec3<T>& n) {
+  const auto component = [&](int row) { return linear(world_from_normal, row, n); };
+  return {component(0), component(1), component(2)};
+}
+
 /// What becomes of vertices in the window. All but z and inverse_w are whole numbers.
 template <Lanes T>
 struct WindowLanes {

@@ -1,7 +1,10 @@
 #include "raster/visibility/bin.h"
 
 #include "raster/parallel.h"
+#include "raster/visibility/runs.h"
 #include "raster/visibility/tiny/small_triangles.h"
+#include "raster/visibility/tiny/tiny_bin.h"
+#include "raster/visibility/touched_tiles.h"
 #include "scene/scene_checks.h"
 
 #include <algorithm>
@@ -71,54 +74,13 @@ struct BoxLanes {
   LaneSet empty() const { return negative_lanes((left > right) | (top > bottom)); }
 };
 
-// Consecutive triangles [begin, end) of the frame, of one object.
-struct RunPart {
-  std::uint32_t object, begin, end;
-};
-
-// The triangles of the frame in runs of about the same number, in their order; none of objects outside the view. What
-// is on demand is in one run as a whole, since its vertices are transformed for the run alone.
-std::vector<std::vector<RunPart>> runs_of(const Geometry& geometry, int threads) {
-  const auto& first = geometry.first_triangle;
-  const auto objects = static_cast<std::uint32_t>(first.size() - 1);
-  std::uint64_t triangles = 0;
-  for (std::uint32_t o = 0; o < objects; ++o)
-    if (geometry.storage_of(o) != Storage::outside) triangles += first[o + 1] - first[o];
-
-  // A few for each thread, since some take longer than others.
-  constexpr std::uint32_t min_run = 4096, runs_of_thread = 4;
-  const std::size_t max_runs = threads == 1 ? 1 : static_cast<std::size_t>(threads) * runs_of_thread;
-  const std::size_t count = std::clamp<std::size_t>(triangles / min_run, 1, max_runs);
-  std::vector<std::vector<RunPart>> runs(count);
-  std::size_t run = 0;
-  std::uint64_t listed = 0;
-  for (std::uint32_t o = 0; o < objects; ++o) {
-    const Storage storage = geometry.storage_of(o);
-    if (storage == Storage::outside) continue;
-    for (std::uint32_t begin = first[o]; begin < first[o + 1];) {
-      while (listed >= triangles * (run + 1) / count) ++run;
-      const std::uint64_t room = triangles * (run + 1) / count - listed, rest = first[o + 1] - begin;
-      const auto taken = static_cast<std::uint32_t>(storage == Storage::on_demand ? rest : std::min(room, rest));
-      runs[run].push_back({o, begin, begin + taken});
-      begin += taken;
-      listed += taken;
-    }
-  }
-  return runs;
-}
-
 class Binner {
 public:
   Binner(const FrameInput& input, const Geometry& geometry, const TileGrid& grid)
       : scene_(input.scene), geometry_(geometry), grid_(grid), shape_(image_shape(input)),
-        samples_(input.options.samples), columns_(grid.columns()) {
-    const std::span<const SamplePosition> samples = input.samples;
-    const auto [x_low, x_high] =
-        std::minmax_element(samples.begin(), samples.end(), [](auto& p, auto& q) { return p.x < q.x; });
-    const auto [y_low, y_high] =
-        std::minmax_element(samples.begin(), samples.end(), [](auto& p, auto& q) { return p.y < q.y; });
+        samples_(input.options.samples), columns_(grid.columns()), touched_(grid, input.samples),
+        tiny_(grid, input.samples.front()) {
     tile_shift_ = std::countr_zero(static_cast<unsigned>(grid.tile_size));
-    first_x_ = x_low->x, last_x_ = x_high->x, first_y_ = y_low->y, last_y_ = y_high->y;
   }
 
   // Where one run of triangles goes.
@@ -142,9 +104,14 @@ public:
     } else {
       vertices = geometry_.window.placed.data() + geometry_.first_vertex[part.object];
     }
-    for (std::uint32_t number = part.begin; number < part.end; number += lanes)
-      bin_register({part.object, number, number - first, std::min<std::uint32_t>(part.end - number, lanes), vertices},
-                   output);
+    const auto batch = [&](std::uint32_t number, std::uint32_t size) {
+      return Batch{part.object, number, number - first, std::min(part.end - number, size), vertices};
+    };
+    for (std::uint32_t number = part.begin; number < part.end; number += TinyBinner::lanes) {
+      if (samples_ == 1 && bin_tiny(batch(number, TinyBinner::lanes), output)) continue;
+      bin_register(batch(number, lanes), output);
+      if (part.end - number > lanes) bin_register(batch(number + lanes, lanes), output);
+    }
   }
 
 private:
@@ -153,6 +120,44 @@ private:
     std::uint32_t object, number, in_mesh, count;
     const PlacedVertex* vertices;
   };
+  // False, and nothing done, where not all triangles are tiny.
+  [[gnu::flatten]] bool bin_tiny(const Batch& batch, const Output& output) const {
+    const Mesh& mesh = *scene_.objects[batch.object].mesh;
+    const auto* const triangles = &mesh.triangles[batch.in_mesh];
+    const PlacedVertex* const vertices = batch.vertices;
+    TinyBinner::Binned binned;
+    const auto bin = [&](const auto& vertex) {
+      return tiny_.bin(vertex, batch.count, scene_.objects[batch.object].cull, output.counts, binned);
+    };
+    const bool all = batch.count == TinyBinner::lanes;
+    if (all ? !bin([&](std::size_t k, int lane) -> const PlacedVertex& { return vertices[triangles[lane][k]]; })
+            : !bin([&](std::size_t k, int lane) -> const PlacedVertex& { // lanes to spare repeat the last one
+                return vertices[triangles[std::min(lane, static_cast<int>(batch.count) - 1)][k]];
+              }))
+      return false;
+    const auto add_samples = [&](std::uint64_t set) {
+      for (; set; set &= set - 1) {
+        const auto bit = static_cast<std::uint32_t>(std::countr_zero(set));
+        const std::size_t lane = bit / 4, i = bit % 4;
+        output.lists.add(
+            static_cast<std::size_t>(binned.tile[i][lane]),
+            {batch.number + bit / 4, static_cast<std::uint32_t>(binned.place[i][lane]), binned.z[i][lane]});
+      }
+    };
+    if (binned.small == binned.drawn) [[likely]] {
+      add_samples(binned.covered);
+      return true;
+    }
+    for_each_lane(binned.drawn, [&](int lane) {
+      const auto k = static_cast<std::size_t>(lane);
+      if (binned.small >> lane & 1) add_samples(binned.covered & std::uint64_t{15} << 4 * lane);
+      else
+        add_box(batch, lane, {binned.left[k], binned.top[k], binned.right[k], binned.bottom[k]}, binned.z_min[k],
+                output.lists);
+    });
+    return true;
+  }
+
   struct Window {
     CornerLanes<lanes> corner[3];
   };
@@ -176,10 +181,10 @@ private:
   BoxLanes bounding_box(const Window& window) const {
     const auto& [v0, v1, v2] = window.corner;
     const auto ceiling = [](const Ints& a) { return (a + (subpixels - 1)) >> 8; };
-    return {ceiling(lesser(v0.x_subpixel, lesser(v1.x_subpixel, v2.x_subpixel)) - last_x_) - grid_.x,
-            ceiling(lesser(v0.y_subpixel, lesser(v1.y_subpixel, v2.y_subpixel)) - last_y_) - grid_.y,
-            ((greater(v0.x_subpixel, greater(v1.x_subpixel, v2.x_subpixel)) - first_x_) >> 8) - grid_.x,
-            ((greater(v0.y_subpixel, greater(v1.y_subpixel, v2.y_subpixel)) - first_y_) >> 8) - grid_.y};
+    return {ceiling(lesser(v0.x_subpixel, lesser(v1.x_subpixel, v2.x_subpixel)) - touched_.last_x) - grid_.x,
+            ceiling(lesser(v0.y_subpixel, lesser(v1.y_subpixel, v2.y_subpixel)) - touched_.last_y) - grid_.y,
+            ((greater(v0.x_subpixel, greater(v1.x_subpixel, v2.x_subpixel)) - touched_.first_x) >> 8) - grid_.x,
+            ((greater(v0.y_subpixel, greater(v1.y_subpixel, v2.y_subpixel)) - touched_.first_y) >> 8) - grid_.y};
   }
 
   [[gnu::flatten]] void bin_register(const Batch& batch, const Output& output) const {
@@ -241,8 +246,9 @@ private:
     const auto sample = [](const Ints& pixel, int corner, int offset) {
       return numbers<lanes>((pixel + corner) * subpixels + offset);
     };
-    const auto coverage = cover_small(set_up_snapped(window.corner[0], window.corner[1], window.corner[2]),
-                                      sample(box.left, grid_.x, first_x_), sample(box.top, grid_.y, first_y_));
+    const auto coverage =
+        cover_small(set_up_snapped(window.corner[0], window.corner[1], window.corner[2]),
+                    sample(box.left, grid_.x, touched_.first_x), sample(box.top, grid_.y, touched_.first_y));
     // Beyond the box, which the grid may have cut, there is nothing.
     const LaneSet two_wide = negative_lanes(box.left < box.right), two_high = negative_lanes(box.top < box.bottom);
     const std::array<LaneSet, 4> within{small, small & two_wide, small & two_high, small & two_wide & two_high};
@@ -322,11 +328,13 @@ private:
                                std::min(box.right - x, last), std::min(box.bottom - y, last), z_min));
     };
     if (left == right && top == bottom) return add(left, top);
-    const bool many = (right - left) * (bottom - top) >= 2;
-    const auto set_up = many ? set_up_snapped(corners_of(batch, lane)) : std::nullopt;
+    if ((right - left) * (bottom - top) >= 2) {
+      if (const auto set_up = set_up_snapped(corners_of(batch, lane)))
+        touched_.for_each(set_up->edge, {left, top, right, bottom}, add);
+      return;
+    }
     for (int row = top; row <= bottom; ++row)
-      for (int column = left; column <= right; ++column)
-        if (!many || edges_touch(set_up->edge, grid_.tile(index(column, row)))) add(column, row);
+      for (int column = left; column <= right; ++column) add(column, row);
   }
 
   void add_projective(const Batch& batch, std::uint32_t number, const Output& output) const {
@@ -346,24 +354,13 @@ private:
       // What a GPU whose lattice is coarser may see beside a pixel of the image is still known to `verify`: hence a
       // pixel more.
       const PixelRect around{grid_.x - 1, grid_.y - 1, grid_.width + 2, grid_.height + 2};
-      if (!touches(*set_up, around)) return;
+      if (!touched_.touches(*set_up, around)) return;
       output.projective.push_back({number, *set_up});
-      for (std::size_t tile = 0; tile < grid_.tiles(); ++tile)
-        if (touches(*set_up, grid_.tile(tile))) output.lists.add(tile, TileEntry::projective(number));
+      touched_.for_each(
+          *set_up, [&](int column, int row) { output.lists.add(index(column, row), TileEntry::projective(number)); });
     }
   }
 
-  bool touches(const ProjectiveTriangle& triangle, const PixelRect& pixels) const {
-    return edges_touch(triangle.piece[0].edge, pixels) ||
-           (triangle.pieces == 2 && edges_touch(triangle.piece[1].edge, pixels));
-  }
-  template <class Edges>
-  bool edges_touch(const Edges& edges, const PixelRect& c) const {
-    const std::int32_t x0 = c.x * subpixels + first_x_, x1 = (c.x + c.width - 1) * subpixels + last_x_;
-    const std::int32_t y0 = c.y * subpixels + first_y_, y1 = (c.y + c.height - 1) * subpixels + last_y_;
-    return edges[0].max_over(x0, y0, x1, y1) >= 0 && edges[1].max_over(x0, y0, x1, y1) >= 0 &&
-           edges[2].max_over(x0, y0, x1, y1) >= 0;
-  }
   std::size_t index(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
   }
@@ -373,8 +370,9 @@ private:
   const TileGrid& grid_;
   ImageShape shape_;
   int samples_, columns_;
-  int tile_shift_ = 0;                                               // tile_size is a power of two
-  std::int32_t first_x_ = 0, last_x_ = 0, first_y_ = 0, last_y_ = 0; // the sample pattern's extent in a pixel
+  int tile_shift_ = 0; // tile_size is a power of two
+  TouchedTiles touched_;
+  TinyBinner tiny_;
 };
 
 } // namespace

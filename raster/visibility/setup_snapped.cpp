@@ -7,7 +7,7 @@ std::optional<SnappedTriangle> set_up_snapped(const std::array<WindowVertex, 3>&
   std::array<SnappedCorner<double, 1>, 3> submitted;
   for (std::size_t k = 0; k < 3; ++k)
     submitted[k] = {static_cast<double>(v[k].x), static_cast<double>(v[k].y), {static_cast<double>(k)}};
-  const SnappedSetup<double, 1> t = set_up_snapped(submitted);
+  const SnappedSetup<double, 1> t = set_up_snapped(submitted[0], submitted[1], submitted[2]);
   if (t.size == 0) return std::nullopt;
   SnappedTriangle triangle;
   for (std::size_t k = 0; k < 3; ++k) {

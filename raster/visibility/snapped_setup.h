@@ -23,22 +23,12 @@ struct CornerLanes {
 /// vertex(lane) is the corner of the triangle in that lane.
 template <int N, class Vertex>
 CornerLanes<N> gather_corners(const Vertex& vertex) {
-  using Pair = Wide<double, 2>;
-  static_assert(sizeof(PlacedVertex) == sizeof(Pair));
-  const auto load = [&](int lane) { return load_lanes<Pair>(&vertex(lane)); };
-  // Lanes 0, 2, 4 … and 1, 3, 5 … side by side: one interleaving parts words from depths, and leaves lanes in order.
-  const auto every_second = [&](int first) {
-    if constexpr (N == 2) return load(first);
-    else if constexpr (N == 4) return joined(load(first), load(first + 2));
-    else return joined(joined(load(first), load(first + 2)), joined(load(first + 4), load(first + 6)));
-  };
-  static_assert(N <= 8);
-  const Wide<double, N> even = every_second(0), odd = every_second(1);
+  static_assert(sizeof(PlacedVertex) == 2 * sizeof(double));
+  const std::array<Wide<double, N>, 2> numbers_of = gather_pairs<N>([&](int lane) { return &vertex(lane); });
   CornerLanes<N> corner;
+  corner.words = reinterpret_cast<VectorOf<std::int32_t, 2 * N>>(numbers_of[0].v);
+  corner.z = numbers_of[1];
   [&]<int... I>(std::integer_sequence<int, I...>) {
-    const auto words = __builtin_shufflevector(even.v, odd.v, (I % 2 * N + I / 2 * 2)...);
-    corner.words = reinterpret_cast<VectorOf<std::int32_t, 2 * N>>(words);
-    corner.z = __builtin_shufflevector(even.v, odd.v, (I % 2 * N + I / 2 * 2 + 1)...);
     const VectorOf<std::int32_t, 2 * N> places = corner.words >> 6;
     corner.x_subpixel = __builtin_shufflevector(places, places, (2 * I)...);
     corner.y_subpixel = __builtin_shufflevector(places, places, (2 * I + 1)...);
@@ -74,28 +64,28 @@ struct SnappedSetup {
 };
 
 template <Lanes T, std::size_t count>
-SnappedSetup<T, count> set_up_snapped(std::array<SnappedCorner<T, count>, 3> corner) {
-  const auto key = [&](std::size_t k) { return corner[k].x * T(0x1p26) + corner[k].y; }; // exact
-  std::array<T, 3> keys{key(0), key(1), key(2)};
-  const auto exchange_if_after = [&](std::size_t i, std::size_t j) {
-    const auto after = keys[i] > keys[j];
-    const auto exchange = [&](T& p, T& q) {
-      const T first = select(after, q, p);
-      q = select(after, p, q);
-      p = first;
+SnappedSetup<T, count> set_up_snapped(SnappedCorner<T, count> p0, SnappedCorner<T, count> p1,
+                                      SnappedCorner<T, count> p2) {
+  const auto key = [](const SnappedCorner<T, count>& p) { return p.x * T(0x1p26) + p.y; }; // exact
+  T key0 = key(p0), key1 = key(p1), key2 = key(p2);
+  const auto exchange_if_after = [](T& key_p, SnappedCorner<T, count>& p, T& key_q, SnappedCorner<T, count>& q) {
+    const auto after = key_p > key_q;
+    const auto exchange = [&](T& of_p, T& of_q) {
+      const T first = select(after, of_q, of_p);
+      of_q = select(after, of_p, of_q);
+      of_p = first;
     };
-    exchange(keys[i], keys[j]);
-    exchange(corner[i].x, corner[j].x), exchange(corner[i].y, corner[j].y);
-    for (std::size_t c = 0; c < count; ++c) exchange(corner[i].with[c], corner[j].with[c]);
+    exchange(key_p, key_q);
+    exchange(p.x, q.x), exchange(p.y, q.y);
+    for (std::size_t c = 0; c < count; ++c) exchange(p.with[c], q.with[c]);
   };
-  exchange_if_after(0, 1), exchange_if_after(1, 2), exchange_if_after(0, 1);
+  exchange_if_after(key0, p0, key1, p1), exchange_if_after(key1, p1, key2, p2), exchange_if_after(key0, p0, key1, p1);
 
-  const auto& [p0, p1, p2] = corner;
   const T dx1 = p1.x - p0.x, dy1 = p1.y - p0.y, dx2 = p2.x - p0.x, dy2 = p2.y - p0.y;
   const T area = dx1 * dy2 - dx2 * dy1;
   const T sign = select(area > T(0.0), T(1.0), T(-1.0));
   const T a1 = sign * dy2, b1 = -(sign * dx2), a2 = -(sign * dy1), b2 = sign * dx1;
-  return {corner, {-(a1 + a2), a1, a2}, {-(b1 + b2), b1, b2}, sign * area};
+  return {{p0, p1, p2}, {-(a1 + a2), a1, a2}, {-(b1 + b2), b1, b2}, sign * area};
 }
 
 /// Corners with their depths.
@@ -103,8 +93,7 @@ template <int N>
 SnappedSetup<Wide<double, N>, 1> set_up_snapped(const CornerLanes<N>& v0, const CornerLanes<N>& v1,
                                                 const CornerLanes<N>& v2) {
   using Corner = SnappedCorner<Wide<double, N>, 1>;
-  return set_up_snapped<Wide<double, N>, 1>(
-      {Corner{v0.x, v0.y, {v0.z}}, Corner{v1.x, v1.y, {v1.z}}, Corner{v2.x, v2.y, {v2.z}}});
+  return set_up_snapped(Corner{v0.x, v0.y, {v0.z}}, Corner{v1.x, v1.y, {v1.z}}, Corner{v2.x, v2.y, {v2.z}});
 }
 
 /// z / w at a sample, from the values there of edge functions 1 and 2: within the range of the corners' depths.

@@ -1,6 +1,8 @@
 #pragma once
 // What binning hands to the tiles: for each tile a list in submission order, written by several threads without locks.
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -46,8 +48,9 @@ struct TileEntry {
 static_assert(sizeof(TileEntry) == 16 && std::is_trivial_v<TileEntry>);
 
 /// One list for each tile, in pieces that come from runs of consecutive triangles: a run is written by one thread, and
-/// a tile's list is what the runs wrote for it, in their order. Chunks of memory grow with a list, up to 4 KiB, and are
-/// kept from frame to frame.
+/// a tile's list is what the runs wrote for it, in their order. A run has room for the lists of neighbouring tiles once
+/// it lists anything there: most runs see a small part of a large image. Chunks of memory grow with a list, up to 4
+/// KiB, and are kept from frame to frame.
 class TileLists {
 public:
   class Run;
@@ -60,6 +63,11 @@ public:
   template <class Body>
   void for_each_piece(std::size_t tile, Body&& body) const;
 
+  /// How many entries a tile's list has. Takes time in proportion to its chunks.
+  std::size_t size(std::size_t tile) const;
+  /// What was taken for the lists since reset(): their heads, and chunks. Written once, or for the most part.
+  std::size_t bytes() const;
+
 private:
   struct Chunk {
     Chunk* next = nullptr;
@@ -71,6 +79,9 @@ private:
     TileEntry *next = nullptr, *end = nullptr; // of the last chunk
     Chunk *first = nullptr, *last = nullptr;
   };
+  static constexpr std::size_t neighbours = 32; // tiles whose lists have room together
+  using Lists = std::array<List, neighbours>;
+  static Lists no_lists; // of tiles where nothing is listed: stay empty
 
   std::vector<Run> runs_;
   std::size_t used_ = 0; // runs
@@ -80,20 +91,27 @@ private:
 class TileLists::Run {
 public:
   void add(std::size_t tile, const TileEntry& entry) {
-    List& list = lists_[tile];
-    if (list.next == list.end) [[unlikely]]
-      grow(list);
-    *list.next++ = entry;
+    List* list = &list_of(tile);
+    if (list->next == list->end) [[unlikely]]
+      list = &grow(tile);
+    *list->next++ = entry;
   }
 
 private:
   friend class TileLists;
+  List& list_of(std::size_t tile) const { return (*lists_[tile / neighbours])[tile % neighbours]; }
   void reset(std::size_t tiles);
-  void grow(List& list);
+  List& grow(std::size_t tile); // the tile's list, with room for an entry
   TileEntry* allocate(std::size_t entries);
+  std::size_t bytes() const;
 
-  static constexpr std::size_t block_entries = std::size_t{1} << 14; // 256 KiB
-  std::vector<List> lists_;
+  // The first block holds 16 KiB, each further one twice as much, up to 256 KiB: of many runs some list little.
+  static constexpr std::size_t block_entries(std::size_t block) {
+    return std::size_t{1} << (10 + std::min<std::size_t>(block, 4));
+  }
+  std::vector<Lists*> lists_; // of each so many neighbours
+  std::vector<std::unique_ptr<Lists>> rooms_;
+  std::size_t used_rooms_ = 0;
   std::vector<std::unique_ptr<TileEntry[]>> blocks_;
   std::size_t block_ = 0, used_ = 0; // where the next chunk goes
 };
@@ -105,7 +123,7 @@ inline TileLists::Run& TileLists::run(std::size_t i) {
 template <class Body>
 void TileLists::for_each_piece(std::size_t tile, Body&& body) const {
   for (std::size_t i = 0; i < used_; ++i) {
-    const List& list = runs_[i].lists_[tile];
+    const List& list = runs_[i].list_of(tile);
     for (Chunk* chunk = list.first; chunk; chunk = chunk->next) {
       const TileEntry* const begin = chunk->entries();
       body(std::span(begin, chunk == list.last ? list.next : begin + chunk->capacity));

@@ -162,7 +162,7 @@ std::vector<SeededFault> glsl_faults() {
        {{fragment, texel, "texture(tex, TEXTURE_AT + 0.5 / vec2(textureSize(tex, 0))).rgb"}}},
       {"texture on the highlight too",
        {"texture_on_highlight"},
-       {{fragment, "colour += ks * highlight", "colour += t * ks * highlight"}}},
+       {{fragment, "colour += specular_colour * highlight", "colour += t * specular_colour * highlight"}}},
       {"texture's nearest texel",
        {"texture_nearest"},
        {{fragment, texel, "texelFetch(tex, ivec2(floor(fract(TEXTURE_AT) * vec2(textureSize(tex, 0)))), 0).rgb"}}},

@@ -42,9 +42,9 @@ Scene without_vertex_colours(Scene scene, const FaultImageSize&) {
   return scene;
 }
 
-/// Brick's mortar stands out, and bricks do not: red and green both from the other end.
-Scene dents_for_bumps(Scene scene, const FaultImageSize&) {
-  for (Object& object : scene.objects) object.material.normal_scale *= -1;
+/// Bricks stand out twice as far.
+Scene normals_too_strong(Scene scene, const FaultImageSize&) {
+  for (Object& object : scene.objects) object.material.normal_scale *= 2;
   return scene;
 }
 
@@ -75,7 +75,7 @@ std::vector<SeededFault> seeded_map_faults() {
       {"the vertices' colours not used", {"vertex_colors_missing"}, {}, without_vertex_colours},
       {"an sRGB texture not decoded", {"srgb_texture_not_decoded"}, {}, srgb_not_decoded},
       {"a linear texture decoded", {"linear_texture_decoded"}, {}, linear_decoded},
-      {"normals turned the other way by a normal map", {}, {}, dents_for_bumps},
+      {"a normal map twice as strong", {}, {}, normals_too_strong},
   };
 }
 

@@ -154,7 +154,9 @@ Scene mapped() {
   Scene scene = brick_scene(filter, BrickMaps::normals);
   scene.point_lights[0] = {{-3, 4, 5}, {0.8, 0.75, 0.7}, 1, 0, 0};
   const auto shine = plastic<BlinnPhong>({0.06, 0.06, 0.06}, {0.5, 0.5, 0.45}, {0.4, 0.4, 0.45}, 14);
-  Object ground = thing("ground", plane_mesh(2), {0, -1.1, -1}, {0, 10, 0}, {5, 1, 4}, shine);
+  BlinnPhong wide = shine; // its highlight is all over the ground
+  wide.glossiness = 3;
+  Object ground = thing("ground", plane_mesh(2), {0, -1.1, -1}, {0, 10, 0}, {5, 1, 4}, wide);
   Texture decoded = *patches(32, 24, filter);
   decode_srgb(decoded);
   ground.material.diffuse_map.texture = std::make_shared<const Texture>(std::move(decoded));
