@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <exception>
+#include <optional>
 
 #include <omp.h>
 
@@ -29,12 +30,14 @@ void parallel_for(int threads, std::size_t count, const std::function<void(std::
   std::atomic<std::size_t> next{0};
   std::exception_ptr thrown;
   ProcessorTime* const time = ProcessorTime::current();
-  double done = 0; // seconds of this thread, when it was through with its part
-  const Stopwatch whole(TimeOf::thread);
+  double done = 0;                // seconds of this thread, when it was through with its part
+  std::optional<Stopwatch> whole; // its time is asked for by a system call: only where someone counts
+  if (time) whole.emplace(TimeOf::thread);
 #pragma omp parallel num_threads(threads) if (threads > 1 && count > 1)
   {
     const int thread = omp_get_thread_num();
-    const Stopwatch part(TimeOf::thread);
+    std::optional<Stopwatch> part;
+    if (time && thread != 0) part.emplace(TimeOf::thread);
     try {
       for (std::size_t index; (index = next.fetch_add(1, std::memory_order_relaxed)) < count;) body(index, thread);
     } catch (...) {
@@ -42,10 +45,10 @@ void parallel_for(int threads, std::size_t count, const std::function<void(std::
 #pragma omp critical(refraster_parallel_for)
       if (!thrown) thrown = std::current_exception();
     }
-    if (time && thread == 0) done = whole.seconds();
-    else if (time) time->add_other(part.seconds());
+    if (part) time->add_other(part->seconds());
+    else if (whole) done = whole->seconds();
   }
-  if (time) time->add_waiting(whole.seconds() - done);
+  if (whole) time->add_waiting(whole->seconds() - done);
   if (thrown) std::rethrow_exception(thrown);
 }
 

@@ -182,9 +182,13 @@ void render_frame(const Scene& scene, const RenderOptions& options, Geometry& ge
 
   Stopwatch stage;
   lay_out(context, geometry);
-  const std::uint32_t vertices = geometry.first_vertex.back();
-  need_more(options.memory, vertex_bytes(vertices, geometry.world_stored ? vertices : 0) + bytes_on_demand(context),
-            vertex_bytes(geometry.window.size(), geometry.world.size()), "the vertices");
+  // Each list by itself may hold more than is wanted, from the frame before; what is on demand is never held.
+  const std::uint64_t vertices = geometry.first_vertex.back(), in_world = geometry.world_stored ? vertices : 0;
+  const auto more = [](std::uint64_t wanted, std::uint64_t held) { return wanted > held ? wanted - held : 0; };
+  need_more(options.memory,
+            vertex_bytes(more(vertices, geometry.window.size()), more(in_world, geometry.world.size())) +
+                bytes_on_demand(context),
+            0, "the vertices");
   transform_stored(context, geometry);
   frame.seconds.transform = stage.lap();
   bin_triangles(context, geometry, bins, frame.counts);

@@ -13,8 +13,9 @@ std::vector<std::uint32_t> tile_order(const TileGrid& grid, const TileLists& lis
   // Where there is anything, most pixels may be covered, and one takes about as long as an entry does. What differs by
   // less than twice is as good as alike, and stays in place.
   std::vector<std::uint8_t> work(order.size());
+  const std::vector<std::uint32_t> sizes = lists.sizes(order.size());
   for (const std::uint32_t tile : order)
-    if (const std::size_t entries = lists.size(tile)) {
+    if (const std::size_t entries = sizes[tile]) {
       const PixelRect pixels = grid.tile(tile);
       work[tile] = static_cast<std::uint8_t>(
           std::bit_width(entries + static_cast<std::size_t>(pixels.width) * static_cast<std::size_t>(pixels.height)));

@@ -30,7 +30,7 @@ struct PacketBatch {
   std::array<PacketSurface<T>, capacity> surface;
   std::array<Rgb<T>, capacity> sum;
   std::array<MaskOf<T>, capacity> in_use;     // lanes that hold a fragment
-  std::array<FragmentMaps<T>, capacity> maps; // set only with Maps::yes
+  std::array<FragmentMaps<T>, capacity> maps; // with Maps::yes; specular too while lit in stages
 
   /// body(p, fragment, tally) for each packet p.
   template <Maps has_maps, class Body>

@@ -49,6 +49,11 @@ Options read_arguments(int count, char** words) {
 struct Growth {
   double exponent, at_least;
 };
+/// That of n log n, which counts as linear: lists are sorted.
+double sorting_exponent(double size) {
+  return 1 + std::log(std::log(larger * size) / std::log(size)) / std::log(larger);
+}
+
 Growth growth(const TwoTimings& timings) {
   const auto exponent = [](double from, double to) { return std::log(to / from) / std::log(larger); };
   return {exponent(timings.first.median_ms, timings.second.median_ms),
@@ -64,7 +69,7 @@ bool add_row(const Family& family, const Options& options, const OrdinaryCost& c
   const double ms = timings.second.median_ms, times = ms / ordinary_ms(cost, load);
   const auto each = [&](double units) { return units > 0 ? number(1e6 * ms / units) : "-"; };
   const Growth grown = growth(timings);
-  const bool cliff = grown.at_least > 1 || times > expensive;
+  const bool cliff = grown.at_least > sorting_exponent(family.size) || times > expensive;
   const std::string mark = !cliff ? "" : family.reason.empty() ? "CLIFF" : std::string(family.reason);
   table.add({std::string(family.name), std::string(words_of(family.grows)) + " " + number(family.size, "%.0f") + " x 4",
              number(timings.first.median_ms), number(ms), each(load.triangles), each(load.vertices), each(load.pixels),

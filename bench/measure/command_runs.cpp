@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -14,8 +15,10 @@
 #include <initializer_list>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <spawn.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -54,8 +57,16 @@ double milliseconds(const timeval& time) {
   return 1e3 * static_cast<double>(time.tv_sec) + 1e-3 * static_cast<double>(time.tv_usec);
 }
 
+/// Until the process at the other end has closed it. Once `stop` is true, it is told to end.
+void wait_for_end(int line, pid_t process, const std::atomic<bool>* stop) {
+  constexpr int often_ms = 50;
+  bool told = false;
+  for (pollfd end{line, POLLIN, 0}; poll(&end, 1, often_ms) <= 0;)
+    if (stop && stop->load() && !std::exchange(told, true)) kill(process, SIGTERM);
+}
+
 /// Runs a program to its end. What it says of faults is not shown.
-Process run_process(const std::string& program, std::vector<std::string> words) {
+Process run_process(const std::string& program, std::vector<std::string> words, const std::atomic<bool>* stop) {
   words.insert(words.begin(), program);
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
@@ -73,10 +84,11 @@ Process run_process(const std::string& program, std::vector<std::string> words) 
   close(ends[1]);
   Process process;
   if (error == 0) {
+    wait_for_end(ends[0], id, stop);
     std::array<char, 4096> bytes;
     for (ssize_t count; (count = read(ends[0], bytes.data(), bytes.size())) > 0 || (count < 0 && errno == EINTR);)
       if (count > 0) process.output.append(bytes.data(), static_cast<std::size_t>(count));
-    int status = 0;
+    int status = -1; // of no process that has ended well
     rusage usage{};
     while (wait4(id, &status, 0, &usage) < 0 && errno == EINTR) {
     }
@@ -107,7 +119,8 @@ struct Parts {
   std::vector<double> whole, start, read, frame, write, cpu;
 };
 
-FrameTimes run_once(const CommandTask& task, const std::string& image, std::span<const int> cpus, Parts& parts) {
+FrameTimes run_once(const CommandTask& task, const std::string& image, std::span<const int> cpus,
+                    const std::atomic<bool>* stop, Parts& parts) {
   std::vector<std::string> words = {"render"};
   words.insert(words.end(), task.words.begin(), task.words.end());
   for (const std::string& word :
@@ -120,13 +133,14 @@ FrameTimes run_once(const CommandTask& task, const std::string& image, std::span
   stay_on(cpus.first(std::min(static_cast<std::size_t>(parts.result.threads), cpus.size())));
   Process process;
   try {
-    process = run_process(task.program, words);
+    process = run_process(task.program, words, stop);
   } catch (...) {
     stay_on(cpus);
     throw;
   }
   stay_on(cpus);
-  if (process.exit_code != 0)
+  if (process.exit_code < 0) throw std::runtime_error("refraster render was ended by a signal");
+  if (process.exit_code > 0)
     throw std::runtime_error("refraster render ended with exit code " + std::to_string(process.exit_code));
   const JsonDocument report("the run report", process.output);
   const double read = 1e3 * number_at(report, {"seconds", "read"}),
@@ -157,7 +171,8 @@ std::vector<CommandResult> measure_commands(const CommandTask& task, const Repet
       for (const int threads : task.threads)
         all.push_back({{precision, threads, {}, {}, {}, {}, {}, {}, {}}, {}, {}, {}, {}, {}, {}});
     std::vector<Candidate> candidates;
-    for (Parts& parts : all) candidates.push_back([&] { return run_once(task, folder.image(), cpus, parts); });
+    for (Parts& parts : all)
+      candidates.push_back([&] { return run_once(task, folder.image(), cpus, repetitions.stop, parts); });
     const std::size_t count = interleaved(candidates, repetitions).front().size();
     if (repetitions.stop && repetitions.stop->load()) return {};
     for (Parts& parts : all) {

@@ -19,7 +19,7 @@ struct CommandTask {
 };
 
 /// Runs each precision with each number of threads in turn, as interleaved() does. Empty if a process fails: `failure`
-/// then says what it wrote. With `repetitions.stop`, nothing that is worth reading.
+/// then says how it ended. With `repetitions.stop`, nothing that is worth reading.
 std::vector<CommandResult> measure_commands(const CommandTask& task, const Repetitions& repetitions,
                                             std::string& failure);
 

@@ -3,6 +3,7 @@
 #include "io/file/input_file.h"
 
 #include <nettle/sha2.h>
+#include <nettle/version.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -26,7 +27,11 @@ void Sha256::add(const void* bytes, std::size_t size_bytes) {
 
 std::array<unsigned char, sha256_bytes> Sha256::result() {
   std::array<unsigned char, sha256_bytes> digest{};
+#if NETTLE_VERSION_MAJOR >= 4
+  sha256_digest(&state_->context, digest.data());
+#else
   sha256_digest(&state_->context, digest.size(), digest.data());
+#endif
   return digest;
 }
 

@@ -28,7 +28,8 @@ public:
   void clear(const PixelRect& tile, std::size_t samples);
 
   /// Where sample `s` of the pixel (x, y) is, counted from the tile's corner. Its neighbours in the row follow, and
-  /// after the row's last pixel there is room for a register, which may be written to and is never read.
+  /// after the row's last pixel there is room for a register, which may be read and written; what it holds means
+  /// nothing.
   std::size_t at(int s, int x, int y) const {
     return (static_cast<std::size_t>(s) * rows_ + static_cast<std::size_t>(y)) * stride_ + static_cast<std::size_t>(x);
   }

@@ -14,10 +14,20 @@ void TileLists::reset(std::size_t runs, std::size_t tiles) {
   for (std::size_t i = 0; i < runs; ++i) runs_[i].reset(tiles);
 }
 
-std::size_t TileLists::size(std::size_t tile) const {
-  std::size_t entries = 0;
-  for_each_piece(tile, [&](std::span<const TileEntry> piece) { entries += piece.size(); });
-  return entries;
+std::vector<std::uint32_t> TileLists::sizes(std::size_t tiles) const {
+  std::vector<std::uint32_t> sizes(tiles);
+  for (std::size_t i = 0; i < used_; ++i)
+    for (std::size_t first = 0; first < tiles; first += neighbours) {
+      const Lists& lists = *runs_[i].lists_[first / neighbours];
+      if (&lists == &no_lists) continue;
+      for (std::size_t tile = first; tile < std::min(first + neighbours, tiles); ++tile) {
+        const List& list = lists[tile - first];
+        for (Chunk* chunk = list.first; chunk; chunk = chunk->next)
+          sizes[tile] +=
+              chunk == list.last ? static_cast<std::uint32_t>(list.next - chunk->entries()) : chunk->capacity;
+      }
+    }
+  return sizes;
 }
 
 std::size_t TileLists::bytes() const {

@@ -63,8 +63,9 @@ public:
   template <class Body>
   void for_each_piece(std::size_t tile, Body&& body) const;
 
-  /// How many entries a tile's list has. Takes time in proportion to its chunks.
-  std::size_t size(std::size_t tile) const;
+  /// How many entries each tile's list has. Neighbouring tiles of which a run lists none take no time but that of
+  /// seeing it.
+  std::vector<std::uint32_t> sizes(std::size_t tiles) const;
   /// What was taken for the lists since reset(): their heads, and chunks. Written once, or for the most part.
   std::size_t bytes() const;
 

@@ -52,7 +52,7 @@ enum class NormalSide { right, reversed, toward_eye };
 /// Of two-sided objects.
 enum class BothSides { right, one_only };
 /// What normal and bump maps make of a normal.
-enum class NormalMaps { right, missing, tangent_reversed, bitangent_reversed };
+enum class NormalMaps { right, missing, red_reversed, green_reversed, both_reversed };
 enum class Eye { right, not_normalised, reversed, from_origin };
 
 enum class LightDirection { right, not_normalised, all_reversed, point_lights_reversed, direction_lights_reversed };

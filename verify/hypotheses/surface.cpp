@@ -197,17 +197,19 @@ bool shows_wrong_side(const SampleData<double>& data, const Steps& steps) {
   return steps.both_sides == BothSides::one_only && data.has_turned_normals();
 }
 
-/// As mapped_normal() of raster/shade, with a tangent or a bitangent reversed: what is along it counts the other way.
+/// As mapped_normal() of raster/shade, where red or green of the maps' directions may count the other way.
 Double3 mapped_normal_with(const FrameContext& context, const Material& material, const SampleData<double>& data,
-                           const Double3& normal, const Steps& steps) {
+                           const PacketBarycentrics<double>& at, const Double3& normal, const Steps& steps,
+                           const Nudge& nudge) {
   UndefinedCounts uncounted;
   const UndefinedTally<double> tally(uncounted, true);
-  const PacketBarycentrics<double> at = barycentrics<Derivatives::yes>(data);
   auto tangent = attribute_value<&Mesh::tangents>(context, data, at.at);
   if (shows_wrong_side(data, steps)) tangent = -tangent;
   Double3 direction = map_direction(material, data, at, tally);
-  if (steps.normal_maps == NormalMaps::tangent_reversed) direction.x = -direction.x;
-  if (steps.normal_maps == NormalMaps::bitangent_reversed) direction.y = -direction.y;
+  const NormalMaps change = steps.normal_maps;
+  if (change == NormalMaps::red_reversed || change == NormalMaps::both_reversed) direction.x = -direction.x;
+  if (change == NormalMaps::green_reversed || change == NormalMaps::both_reversed) direction.y = -direction.y;
+  direction.x += 2 * nudge.texel, direction.y += 2 * nudge.texel; // 2 colour - 1
   bool usable;
   return turned_normal(normal, tangent, direction, usable);
 }
@@ -233,7 +235,7 @@ Surface surface_at(const FrameContext& context, const SampleData<double>& data, 
   if (shows_wrong_side(data, steps)) normal = -normal;
   const Material& material = material_of(context.scene.objects[object], data.triangle());
   if (turns_normals(context, material, object) && steps.normal_maps != NormalMaps::missing)
-    normal = mapped_normal_with(context, material, data, normal, steps);
+    normal = mapped_normal_with(context, material, data, at, normal, steps, nudge);
   const Double3 way = context.scene.camera.position - surface.position;
   switch (steps.eye) {
   case Eye::right:
@@ -257,6 +259,8 @@ Surface surface_at(const FrameContext& context, const SampleData<double>& data, 
   if (material.has_fragment_maps()) {
     UndefinedCounts uncounted;
     surface.maps = fragment_maps(material, data, UndefinedTally<double>(uncounted, true));
+    if (material.specular_map.texture) surface.maps->specular += nudge.texel;
+    if (material.emissive_map.texture) surface.maps->emission += material.emissive * nudge.texel;
     if (steps.specular_map == SpecularMap::missing) surface.maps->specular = Rgb<double>(1);
     if (steps.emission == Emission::missing) surface.maps->emission = Rgb<double>(0);
   }

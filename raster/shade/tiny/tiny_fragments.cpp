@@ -1,18 +1,17 @@
 #include "raster/shade/tiny/tiny_fragments.h"
 
+#include "raster/shade/shade_packet.h"
+
 #include <algorithm>
 
 namespace refraster {
 
 namespace {
 
-bool needs_derivatives(const Material& material) {
-  return any_texture(material, [](const TextureMap& map) { return map.filter == TextureFilter::trilinear; });
-}
-
 VertexNeeds vertex_needs(const FrameContext& context, std::uint32_t object, std::uint32_t triangle,
                          const Material& material) {
-  return {is_textured(material), needs_derivatives(material), repeats_of(context, object, triangle)};
+  const bool derivatives = any_texture(material, [](const TextureMap& map) { return needs_derivatives(map); });
+  return {is_textured(material), derivatives, repeats_of(context, object, triangle)};
 }
 
 // Setting up a triangle for one fragment costs about as much as interpolating in one that is set up already; so of two
@@ -137,7 +136,8 @@ std::uint32_t TinyFragments::collect(const FrameContext& context, const VisibleT
   fragments_ = fragments;
   samples_ = context.options.samples;
   // What is behind the last pixel that sees anything is written once more.
-  if (triangle_.size() <= fragments) triangle_.resize(fragments + 1), place_.resize(fragments + 1);
+  if (triangle_.size() <= fragments) // the one that is asked grows last, should there be no memory
+    place_.resize(fragments + 1), triangle_.resize(fragments + 1);
   find_groups(context, triangles);
   if (groups_.size() == 1) {
     groups_[0].fragments = fragments;

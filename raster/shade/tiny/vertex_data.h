@@ -9,6 +9,8 @@
 #include "raster/visibility/tiny/tiny_triangles.h"
 
 #include <array>
+#include <bit>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -75,11 +77,13 @@ public:
     }
     const TinyTriangles<lanes> places(x_sides, y_state);
     fits_ = places.fit;
+    if (!fits_) [[unlikely]]
+      return;
     const TinySetup<lanes> t(places);
     // The values at pixel centres are exact, and then rounded once.
-    Ints e[3];
+    typename TinySetup<lanes>::Unsigned e[3];
     t.values(packet.x, packet.y, e);
-    for (std::size_t k = 0; k < 3; ++k) store(edge_[k], rounded(e[k]));
+    for (std::size_t k = 0; k < 3; ++k) store(edge_[k], rounded(std::bit_cast<Ints>(e[k])));
     if (needs.derivatives)
       for (std::size_t k = 0; k < 3; ++k)
         store(edge_[3 + k], rounded(t.a[k] * subpixels)), store(edge_[6 + k], rounded(t.b[k] * subpixels));
@@ -136,6 +140,7 @@ public:
 
   /// A row of AttributeSetup: of position and normal, and of texture coordinates where those are needed.
   Row row(int r) const {
+    assert(r < uv_row + 2); // what else a mesh may have, tiles of tiny triangles have not: TinyFragments::collect
     const Stored* const at = &row_[4 * static_cast<std::size_t>(r)];
     return {loaded(at[0]), loaded(at[1]), loaded(at[2]), loaded(at[3])};
   }

@@ -32,8 +32,8 @@ public:
     std::array<double, lanes> z_min;
   };
 
-  /// False, and nothing done, where not all triangles are tiny. vertex(k, lane): as TinyTriangles::gather; of the lanes
-  /// from `count` on anything.
+  /// False, and nothing done, where not all triangles are tiny. vertex(k, lane): corner k of the triangle in that lane.
+  /// Lanes from `count` on are read too, must be tiny, and are not listed: they may repeat one that is.
   template <class Vertex>
   bool bin(const Vertex& vertex, std::uint32_t count, Cull cull, FrameCounts& counts, Binned& binned) const {
     Ints x_sides[3], y_state[3];

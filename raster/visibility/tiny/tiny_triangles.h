@@ -10,6 +10,7 @@
 #include "raster/visibility/snapped_setup.h"
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <utility>
 
@@ -43,6 +44,7 @@ struct TinyTriangles {
 template <int N>
 struct TinySetup {
   using Ints = VectorOf<std::int32_t, N>;
+  using Unsigned = VectorOf<std::uint32_t, N>;
   Ints submitted[3]; // which of the submitted corners each is
   Ints x0, y0;       // of corner 0
   Ints a[3], b[3], size;
@@ -68,12 +70,13 @@ struct TinySetup {
     a[0] = -(a[1] + a[2]), b[0] = -(b[1] + b[2]);
   }
 
-  /// The edge functions at (x, y), subpixels.
-  void values(const Ints& x, const Ints& y, Ints (&e)[3]) const {
-    const Ints dx = x - x0, dy = y - y0;
-    e[1] = a[1] * dx + b[1] * dy, e[2] = a[2] * dx + b[2] * dy;
-    e[0] = size - e[1] - e[2];
+  /// The edge functions at (x, y), subpixels; modulo 2^32 where that is too far from the triangle.
+  void values(const Ints& x, const Ints& y, Unsigned (&e)[3]) const {
+    const Unsigned dx = as_unsigned(x) - as_unsigned(x0), dy = as_unsigned(y) - as_unsigned(y0);
+    for (std::size_t k = 1; k < 3; ++k) e[k] = as_unsigned(a[k]) * dx + as_unsigned(b[k]) * dy;
+    e[0] = as_unsigned(size) - e[1] - e[2];
   }
+  static Unsigned as_unsigned(const Ints& x) { return std::bit_cast<Unsigned>(x); }
 };
 
 /// Of the samples (x, y), (x + 1 pixel, y), (x, y + 1 pixel), (x + 1 pixel, y + 1 pixel):
@@ -93,7 +96,7 @@ TinyCoverage<N> cover_tiny(const TinyTriangles<N>& triangles,
   constexpr int half = N / 2;
   using Doubles = Wide<double, half>;
   const TinySetup<N> t(triangles);
-  Ints corner[3];
+  typename TinySetup<N>::Unsigned corner[3];
   t.values(x, y, corner);
   // -1 where a sample on the edge is not covered, else 0: see EdgeFunction::owns_ties.
   const auto tie = [&](std::size_t k) { return ~(-((t.a[k] << 15) + t.b[k]) >> 31); };
@@ -123,11 +126,12 @@ TinyCoverage<N> cover_tiny(const TinyTriangles<N>& triangles,
   TinyCoverage<N> result;
   for (std::size_t i = 0; i < 4; ++i) {
     const auto edge = [&](std::size_t k) {
-      const Ints right = i & 1 ? corner[k] + (t.a[k] << 8) : corner[k];
-      return i & 2 ? right + (t.b[k] << 8) : right;
+      const auto right = i & 1 ? corner[k] + (t.as_unsigned(t.a[k]) << 8) : corner[k];
+      return std::bit_cast<Ints>(i & 2 ? right + (t.as_unsigned(t.b[k]) << 8) : right);
     };
     const Ints e[] = {edge(0), edge(1), edge(2)};
-    const Ints beside = (e[0] + ties[0]) | (e[1] + ties[1]) | (e[2] + ties[2]);
+    const auto with_tie = [&](std::size_t k) { return t.as_unsigned(e[k]) + t.as_unsigned(ties[k]); };
+    const auto beside = std::bit_cast<Ints>(with_tie(0) | with_tie(1) | with_tie(2));
     std::uint32_t drawn = 0;
     for (int h = 0; h < 2; ++h) {
       const auto at = static_cast<std::size_t>(h);

@@ -161,23 +161,23 @@ TEST_CASE("an arc cosine in float misses the highlight by more than a bin, the c
 namespace {
 
 /// Everything that the page measures, on a share of its inputs.
-void check_page(int share) {
-  check_functions(20000 / share, Judge::both);
-  check_shading(5000 / share, Judge::both);
-  check_coordinates(20000 / share, Judge::both);
-  check_vertices(measure_random_vertices(20000 / share), Judge::both);
+void check_page(int share, Judge judge) {
+  check_functions(20000 / share, judge);
+  check_shading(5000 / share, judge);
+  check_coordinates(20000 / share, judge);
+  check_vertices(measure_random_vertices(20000 / share), judge);
 }
 
 } // namespace
 
 TEST_SUITE("slow") {
-  TEST_CASE("nothing exceeds its bounds on a fifth of the page's inputs, 99 of 100 results keep to the tighter ones") {
-    check_page(5);
+  TEST_CASE("nothing exceeds its bounds on a fifth of the page's inputs") {
+    check_page(5, Judge::maximum);
   }
 }
 
 TEST_SUITE("long") {
   TEST_CASE("nothing exceeds its bounds on the page's inputs, 99 of 100 results keep to the tighter ones") {
-    check_page(1);
+    check_page(1, Judge::both);
   }
 }
