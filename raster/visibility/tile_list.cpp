@@ -6,7 +6,7 @@
 
 namespace refraster {
 
-TileLists::Lists TileLists::no_lists;
+const TileLists::Lists TileLists::no_lists;
 
 void TileLists::reset(std::size_t runs, std::size_t tiles) {
   if (runs_.size() < runs) runs_.resize(runs);
@@ -37,7 +37,8 @@ std::size_t TileLists::bytes() const {
 }
 
 void TileLists::Run::reset(std::size_t tiles) {
-  lists_.assign((tiles + neighbours - 1) / neighbours, &no_lists);
+  // Nothing is written to these: grow() puts others in their place first.
+  lists_.assign((tiles + neighbours - 1) / neighbours, const_cast<Lists*>(&no_lists));
   used_rooms_ = block_ = used_ = 0;
 }
 

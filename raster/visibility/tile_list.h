@@ -82,7 +82,7 @@ private:
   };
   static constexpr std::size_t neighbours = 32; // tiles whose lists have room together
   using Lists = std::array<List, neighbours>;
-  static Lists no_lists; // of tiles where nothing is listed: stay empty
+  static const Lists no_lists; // of tiles where nothing is listed
 
   std::vector<Run> runs_;
   std::size_t used_ = 0; // runs
