@@ -220,21 +220,21 @@ Work many_of_one_mesh(double size) {
 }
 Work a_material_each(double size) {
   Work work = one(wall(size), 512);
-  Mesh mesh = *work.scene.objects[0].mesh;
   Object& object = work.scene.objects[0];
   object.materials.assign(2, object.material);
   std::get<BlinnPhong>(object.materials[1].fragment_function).kd = {0.2, 0.3, 0.6};
-  mesh.materials.resize(2), mesh.materials[0].name = "a", mesh.materials[1].name = "b";
-  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) mesh.material_runs.push_back({i, i % 2});
-  object.mesh = std::make_shared<const Mesh>(std::move(mesh));
+  change_mesh(work, [](Mesh& mesh) {
+    mesh.materials.resize(2), mesh.materials[0].name = "a", mesh.materials[1].name = "b";
+    for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) mesh.material_runs.push_back({i, i % 2});
+  });
   return work;
 }
 Work unused_vertices(double size) {
   Work work = one(wall(200), 512);
-  Mesh mesh = *work.scene.objects[0].mesh;
-  mesh.positions.resize(mesh.positions.size() + static_cast<std::size_t>(size), Float3(9, 9, 9));
-  mesh.normals.resize(mesh.positions.size(), Float3(0, 0, 1)), mesh.uvs.clear();
-  work.scene.objects[0].mesh = std::make_shared<const Mesh>(std::move(mesh));
+  change_mesh(work, [&](Mesh& mesh) {
+    mesh.positions.resize(mesh.positions.size() + static_cast<std::size_t>(size), Float3(9, 9, 9));
+    mesh.normals.resize(mesh.positions.size(), Float3(0, 0, 1)), mesh.uvs.clear();
+  });
   return work;
 }
 

@@ -32,16 +32,12 @@ Work cut_out(double size) {
 }
 Work normals_turned(double size) {
   Work work = shaded(size, [](Scene&, Material& material) { material.normal_map = {noise(64, false)}; });
-  Mesh mesh = *work.scene.objects[0].mesh;
-  add_tangents(mesh);
-  work.scene.objects[0].mesh = std::make_shared<const Mesh>(std::move(mesh));
+  change_mesh(work, [](Mesh& mesh) { add_tangents(mesh); });
   return work;
 }
 Work vertex_colours(double size) {
   Work work = shaded(size, [](Scene&, Material&) {});
-  Mesh mesh = *work.scene.objects[0].mesh;
-  mesh.colours.assign(mesh.positions.size(), Float3(0.5f));
-  work.scene.objects[0].mesh = std::make_shared<const Mesh>(std::move(mesh));
+  change_mesh(work, [](Mesh& mesh) { mesh.colours.assign(mesh.positions.size(), Float3(0.5f)); });
   return work;
 }
 Work specular_and_emissive(double size) {
@@ -88,9 +84,7 @@ Work huge_values(double size) {
 }
 Work without_normals(double size) {
   Work work = shaded(size, [](Scene&, Material&) {});
-  Mesh mesh = *work.scene.objects[0].mesh;
-  mesh.normals.assign(mesh.positions.size(), Float3(0));
-  work.scene.objects[0].mesh = std::make_shared<const Mesh>(std::move(mesh));
+  change_mesh(work, [](Mesh& mesh) { mesh.normals.assign(mesh.positions.size(), Float3(0)); });
   return work;
 }
 Work grazing_light(double size) {

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <memory>
 #include <random>
+#include <utility>
 
 namespace refraster::cliffs {
 
@@ -47,6 +48,13 @@ Mesh soup(std::uint32_t triangles, const Corner& corner) {
   }
   mesh.normals.assign(mesh.positions.size(), Float3(0, 0, 1));
   return mesh;
+}
+
+/// With another mesh for the first object.
+void change_mesh(Work& work, auto&& change) {
+  Mesh mesh = *work.scene.objects[0].mesh;
+  change(mesh);
+  work.scene.objects[0].mesh = std::make_shared<const Mesh>(std::move(mesh));
 }
 
 /// plane_mesh(), upright in z = 0 and facing +Z, with about so many triangles.

@@ -7,6 +7,7 @@
 #include "raster/tile_order.h"
 #include "raster/visibility/runs.h"
 #include "tests/support/for_all.h"
+#include "tests/support/raster/binned_geometry.h"
 
 #include <doctest/doctest.h>
 
@@ -36,17 +37,6 @@ RenderOptions options_of(int width, int height, int threads) {
   options.width = width, options.height = height, options.threads = threads;
   return options;
 }
-
-struct Binned {
-  Geometry geometry;
-  Bins bins;
-  FrameCounts counts;
-  explicit Binned(const FrameInput& input) {
-    lay_out(input, geometry);
-    transform_stored(input, geometry);
-    bin_triangles(input, geometry, bins, counts);
-  }
-};
 
 std::vector<std::uint64_t> sizes_of(const std::vector<std::vector<RunPart>>& runs) {
   std::vector<std::uint64_t> sizes;
@@ -103,7 +93,7 @@ TEST_CASE("lists of a large image take what is listed and a little a run, whatev
   std::size_t of_one = 0;
   for (const int threads : {1, 8, 16, 32, 64}) {
     const FrameInput input{scene, options_of(8192, 8192, threads)};
-    const Binned binned(input);
+    const BinnedGeometry binned(input);
     const TileGrid grid = tile_grid(input);
     std::size_t entries = 0;
     for (const std::uint32_t size : binned.bins.lists.sizes(grid.tiles())) entries += size;
@@ -121,7 +111,7 @@ TEST_CASE("with several threads no tile that has much to draw is begun last") {
   const Scene scene = ball(400);
   for (const int threads : thread_counts) {
     const FrameInput input{scene, options_of(1280, 720, threads)};
-    const Binned binned(input);
+    const BinnedGeometry binned(input);
     const TileGrid grid = tile_grid(input);
     const TileLists& lists = binned.bins.lists;
     const std::vector<std::uint32_t> order = tile_order(grid, lists, threads), rows = tile_order(grid, lists, 1);

@@ -2,6 +2,7 @@
 
 #include "raster/shade/tiny/tiny_surface.h"
 #include "tests/support/for_all.h"
+#include "tests/support/raster/binned_geometry.h"
 #include "tests/support/scenes/random_scene.h"
 
 #include <doctest/doctest.h>
@@ -14,17 +15,6 @@ using namespace refraster;
 using namespace refraster::test;
 
 namespace {
-
-struct Stages {
-  Geometry geometry;
-  Bins bins;
-  FrameCounts counts;
-  explicit Stages(const FrameInput& input) {
-    lay_out(input, geometry);
-    transform_stored(input, geometry);
-    bin_triangles(input, geometry, bins, counts);
-  }
-};
 
 template <class T>
 bool same_lane(const T& a, const T& b, int lane) {
@@ -111,7 +101,7 @@ void compare_scenes(Tally& tally) {
     const Scene scene = random.below(4) == 0 ? random_scene(random) : tiny_scene(random);
     const RenderOptions options = random_options(random);
     const FrameInput input{scene, options};
-    const Stages stages(input);
+    const BinnedGeometry stages(input);
     const FrameContext context{input, stages.geometry, stages.bins};
     const TileGrid grid = tile_grid(input);
     TileVisibility visibility(options.tile_size);
