@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <new>
 #include <type_traits>
 
 namespace refraster {
@@ -21,7 +22,7 @@ public:
     if (size > capacity_) {
       size_ = capacity_ = 0; // should there be no memory
       memory_.reset();
-      memory_.reset(static_cast<T*>(::operator new(size * sizeof(T))));
+      memory_.reset(static_cast<T*>(::operator new(size * sizeof(T), alignment)));
       advise_large_pages(memory_.get(), size * sizeof(T));
       capacity_ = size;
     }
@@ -35,8 +36,11 @@ public:
 
 private:
   struct Free {
-    void operator()(T* memory) const { ::operator delete(memory); }
+    void operator()(T* memory) const { ::operator delete(memory, alignment); }
   };
+  // A line of the cache, and the widest register: of those that are stored one after the other none lies across two.
+  static constexpr std::align_val_t alignment{64};
+
   std::unique_ptr<T, Free> memory_;
   std::size_t size_ = 0, capacity_ = 0;
 };

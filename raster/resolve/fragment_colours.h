@@ -2,6 +2,7 @@
 // The colours that shading makes of a tile's fragments.
 
 #include "math/vec.h"
+#include "raster/buffer.h"
 
 #include <array>
 #include <cstdint>
@@ -20,7 +21,7 @@ public:
   /// Room for whole registers beyond the last fragment.
   void resize(std::uint32_t fragments) {
     fragments_ = fragments;
-    for (std::vector<Real>& channel : channel_) channel.resize(fragments + lanes);
+    for (Buffer<Real>& channel : channel_) channel.resize_uninitialized(fragments + lanes);
   }
   std::uint32_t fragments() const { return fragments_; }
   /// All lanes; beyond the last fragment of a group they hold nothing, and are overwritten by the next group.
@@ -43,7 +44,7 @@ public:
 
 private:
   std::uint32_t fragments_ = 0;
-  std::array<std::vector<Real>, 3> channel_;
+  std::array<Buffer<Real>, 3> channel_;
 };
 
 /// Of a number without lanes, one after the other.

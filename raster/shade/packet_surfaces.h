@@ -55,10 +55,7 @@ void make_surfaces(const FrameContext& context, const Material& material, const 
   // By stretches of packets of which the same is known.
   for (int begin = 0, end = 0; begin < count; begin = end) {
     const Packet<T> first = packets.packet(begin);
-    const auto is_like_first = [&](const Packet<T>& packet) {
-      return packet.triangles == first.triangles && packet.edges == first.edges;
-    };
-    while (end < count && is_like_first(packets.packet(end))) ++end;
+    end = packets.stretch_end(begin);
     if (first.triangles == Triangles::many) interpolate_packets<Triangles::many, Edges::any>(all, begin, end);
     else if (first.edges == EdgeKind::wrapped) interpolate_packets<Triangles::one, Edges::wrapped>(all, begin, end);
     else interpolate_packets<Triangles::one, Edges::any>(all, begin, end);
