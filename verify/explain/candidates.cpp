@@ -174,7 +174,7 @@ std::vector<NumberedCandidate> candidates_at(const FrameContext& context, std::i
     const std::optional<Covered> covered =
         is_unsnapped(v) ? projective_cover(context, ref, v, x, y) : snapped_cover(context.geometry, ref, v, x, y);
     if (!covered) return;
-    Candidate candidate;
+    CoveringTriangle candidate;
     candidate.of = named_triangle(context, number), candidate.side = covered->side;
     candidate.depth = covered->z * 0.5 + 0.5;
     if (has_weights(context, number, v)) {

@@ -14,7 +14,7 @@ namespace refraster {
 /// A candidate and its triangle's number in the frame.
 struct NumberedCandidate {
   std::uint32_t number = 0;
-  Candidate candidate;
+  CoveringTriangle candidate;
 };
 
 /// All triangles of the scene that cover (x, y), in subpixels, from the nearest to the farthest; of equal depths the

@@ -49,7 +49,7 @@ struct OpacityStory {
 };
 
 /// A triangle that covers a sample.
-struct Candidate {
+struct CoveringTriangle {
   NamedTriangle of;
   Side side = Side::front;
   CandidateFate fate = CandidateFate::hidden;
@@ -65,7 +65,7 @@ struct Candidate {
 /// One of the pixel's samples, and all triangles that cover it, from the nearest to the farthest.
 struct SampleStory {
   double x = 0, y = 0;
-  std::vector<Candidate> candidates;
+  std::vector<CoveringTriangle> candidates;
 };
 
 /// A triangle that is drawn beside a pixel which shows the background.

@@ -70,7 +70,7 @@ private:
     json_.object([&] {
       json_.member("at", std::vector<double>{sample.x, sample.y});
       json_.array("candidates", [&] {
-        for (const Candidate& c : sample.candidates)
+        for (const CoveringTriangle& c : sample.candidates)
           json_.object([&] {
             write_members(c.of);
             json_.member("fate", name_of(c.fate));

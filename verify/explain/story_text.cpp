@@ -65,7 +65,7 @@ std::string short_object_text(const NamedTriangle& of, std::size_t width) {
   return text;
 }
 
-std::string candidate_text(const Candidate& c) {
+std::string candidate_text(const CoveringTriangle& c) {
   std::string text = "  " + left(name_of(c.fate), 12) + left(short_object_text(c.of, 18), 19) +
                      right(std::to_string(c.of.triangle), 8) + " " + left(name_of(c.side), 5) +
                      right(fixed(c.depth, 8), 11);
@@ -83,7 +83,7 @@ std::string coverage_text(const PixelStory& s) {
   std::string text = heading("COVERAGE of the sample " + point_text(sample.x, sample.y) + ", from near to far");
   if (sample.candidates.empty()) return text + "  no triangle covers it\n";
   text += candidate_columns;
-  for (const Candidate& candidate : sample.candidates) text += candidate_text(candidate);
+  for (const CoveringTriangle& candidate : sample.candidates) text += candidate_text(candidate);
   return text;
 }
 
@@ -92,7 +92,7 @@ std::string opacity_text(const PixelStory& s) {
   std::string text;
   std::set<std::pair<std::uint32_t, std::uint32_t>> said;
   for (const SampleStory& sample : s.sample_stories)
-    for (const Candidate& c : sample.candidates) {
+    for (const CoveringTriangle& c : sample.candidates) {
       if (!c.opacity || !said.emplace(c.of.object, c.of.triangle).second) continue;
       const bool there = c.opacity->value >= c.opacity->threshold;
       text +=
@@ -112,7 +112,7 @@ std::string samples_text(const PixelStory& s) {
   for (std::size_t i = 0; i < s.sample_stories.size(); ++i) {
     const SampleStory& sample = s.sample_stories[i];
     const auto seen = std::find_if(sample.candidates.begin(), sample.candidates.end(),
-                                   [](const Candidate& c) { return c.fate == CandidateFate::seen; });
+                                   [](const CoveringTriangle& c) { return c.fate == CandidateFate::seen; });
     const bool found = seen != sample.candidates.end();
     text += "  " + left(std::to_string(i), 6) + "  " + left(point_text(sample.x, sample.y), 22);
     text += found ? left(short_object_text(seen->of, 18), 19) + right(std::to_string(seen->of.triangle), 8) +
@@ -132,7 +132,7 @@ std::string direction_text(const NearMiss& miss) {
 
 std::string background_text(const PixelStory& s) {
   std::string text = heading("BACKGROUND");
-  const std::vector<Candidate>& here = s.sample_stories.front().candidates;
+  const std::vector<CoveringTriangle>& here = s.sample_stories.front().candidates;
   text +=
       sentence(here.empty() ? "  No triangle of the scene covers the pixel's sample."
                             : "  The triangles above cover the pixel, but none is drawn there: culled as the object "

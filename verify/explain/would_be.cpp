@@ -62,7 +62,7 @@ public:
   std::vector<WouldBe> found() {
     if (story_.background_samples < story_.samples)
       try_pixel(story_.background, "the background", "as if nothing were drawn here");
-    for (const Candidate& candidate : story_.sample_stories.front().candidates) try_candidate(candidate);
+    for (const CoveringTriangle& candidate : story_.sample_stories.front().candidates) try_candidate(candidate);
     const std::vector<Group> all = groups();
     for (const Group& group : all) {
       of_ = all.size() > 1 ? " (object " + std::to_string(group.first().of.object) + ")" : "";
@@ -88,7 +88,7 @@ private:
     found_.push_back({found, Rank::other_surface, 0});
   }
 
-  void try_candidate(const Candidate& candidate) {
+  void try_candidate(const CoveringTriangle& candidate) {
     if (!candidate.radiance || candidate.fate == CandidateFate::seen) return;
     const std::string what = "triangle " + std::to_string(candidate.of.triangle) + " of object " +
                              std::to_string(candidate.of.object) + ", which is " + std::string(name_of(candidate.fate));

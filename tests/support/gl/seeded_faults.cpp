@@ -9,7 +9,7 @@
 namespace refraster {
 namespace {
 
-constexpr ShaderStage vertex = ShaderStage::vertex, fragment = ShaderStage::fragment;
+constexpr FaultyStage vertex = FaultyStage::vertex, fragment = FaultyStage::fragment;
 
 constexpr std::string_view version = "#version 330 core\n", begin_main = "void main() {",
                            vertex_position = "gl_Position = clipFromObject * vec4(vPos, 1.0);",
@@ -266,7 +266,7 @@ std::optional<ObjectGlsl> faulty_glsl(const Scene& scene, std::size_t number, co
     std::string to = filled_in(replacement.to, "@WIDTH@", static_cast<std::size_t>(size.width));
     to = filled_in(to, "@HEIGHT@", static_cast<std::size_t>(size.height));
     to = filled_in(filled_in(to, "@FIRST_TRIANGLE@", before), "@TRIANGLES@", all);
-    std::string& text = replacement.stage == ShaderStage::vertex ? glsl.vertex : glsl.fragment;
+    std::string& text = replacement.stage == FaultyStage::vertex ? glsl.vertex : glsl.fragment;
     std::optional<std::string> with = replaced(text, replacement.from, to);
     any |= with.has_value();
     if (with) text = std::move(*with);

@@ -12,12 +12,12 @@
 
 namespace refraster {
 
-enum class ShaderStage { vertex, fragment };
+enum class FaultyStage { vertex, fragment };
 
 /// Text of our own GLSL, and what stands there instead. In `to`, @WIDTH@ and @HEIGHT@ are those of the image,
 /// @FIRST_TRIANGLE@ the number of triangles of all objects before, and @TRIANGLES@ that of all.
 struct Replacement {
-  ShaderStage stage;
+  FaultyStage stage;
   std::string_view from, to;
 };
 

@@ -9,7 +9,7 @@
 namespace refraster {
 namespace {
 
-constexpr ShaderStage fragment = ShaderStage::fragment;
+constexpr FaultyStage fragment = FaultyStage::fragment;
 
 /// Textures of colour with all values as `map` makes them of values that mean 1 at 1; linear ones, or decoded ones.
 template <class Map>

@@ -14,9 +14,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<Command>& commands() {
-  static const std::vector<Command> list = [] {
-    std::vector<Command> result;
+const std::vector<WritingCommand>& commands() {
+  static const std::vector<WritingCommand> list = [] {
+    std::vector<WritingCommand> result;
     for (const char* const name : {"o.png", "o.pfm", "o.exr", "o.hdr"})
       result.push_back({std::string("render ") + name,
                         {"render", "s.json", "--size", "160x120", "-o", std::string("out/") + name},
@@ -58,7 +58,7 @@ void save_old_files(const Sandbox& sandbox) {
 FaultRow full_disk() {
   FaultRow row;
   row.fault = "a disk of 256 KiB with less and less room";
-  for (const Command& command : commands()) {
+  for (const WritingCommand& command : commands()) {
     Sandbox sandbox(command);
     for (int room = 256 - 8; room >= 0; room -= 16) {
       sandbox.prepare(Before::nothing);
@@ -79,7 +79,7 @@ FaultRow full_disk() {
 FaultRow read_only_disk() {
   FaultRow row;
   row.fault = "a disk that may only be read";
-  for (const Command& command : commands()) {
+  for (const WritingCommand& command : commands()) {
     Sandbox sandbox(command);
     const SmallDisk disk(sandbox);
     if (!disk.mounted()) return row;
@@ -95,7 +95,7 @@ FaultRow limited_sizes() {
   row.fault = "a limit of file sizes, ulimit -f";
   rlimit before{};
   getrlimit(RLIMIT_FSIZE, &before);
-  for (const Command& command : commands()) {
+  for (const WritingCommand& command : commands()) {
     Sandbox sandbox(command);
     for (const rlim_t most : {0u, 100u, 1000u, 5000u, 20000u}) {
       sandbox.prepare(Before::old_files);

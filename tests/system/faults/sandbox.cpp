@@ -39,7 +39,7 @@ bool is_temporary_name(const std::string& name) {
 
 } // namespace
 
-Sandbox::Sandbox(Command command) : command_(std::move(command)) {
+Sandbox::Sandbox(WritingCommand command) : command_(std::move(command)) {
   save_text(folder_ / "s.json", ball_scene);
   save_text(folder_ / "mesh.json", ball_from_file());
   std::string mesh; // of 1.3 MB: smaller ones are not kept
@@ -153,13 +153,13 @@ void Sandbox::run_again(FaultRow& row) {
     if (!is_whole(name, text_of(out() + "/" + name))) row.wrong.push_back(name + " is not whole in " + what);
 }
 
-std::vector<Command> commands_that_write(Effort effort) {
+std::vector<WritingCommand> commands_that_write(Effort effort) {
   const std::vector<std::string> render = {"render", "s.json", "--size", "16x12", "--threads", "2", "-o"};
   const auto with = [](std::vector<std::string> words, const std::vector<std::string>& more) {
     words.insert(words.end(), more.begin(), more.end());
     return words;
   };
-  std::vector<Command> commands = {
+  std::vector<WritingCommand> commands = {
       {"render .png, depth .pfm, report",
        with(render, {"out/o.png", "--aov", "depth", "--report", "out/r.json"}),
        {"o.png", "o.depth.pfm", "r.json"}},
@@ -180,7 +180,7 @@ std::vector<Command> commands_that_write(Effort effort) {
        {"bench", "s.json", "--size", "16x12", "--frames", "1", "--seconds", "0", "--threads", "1", "--gl", "none",
         "--no-marginal", "--no-command", "--no-error", "--json", "out/b.json", "--html", "out/b.html"},
        {"b.json", "b.html"}});
-  const Command gl{"gl .png, float .exr, depth .pfm, report",
+  const WritingCommand gl{"gl .png, float .exr, depth .pfm, report",
                    {"gl", "s.json", "--size", "16x12", "-o", "out/g.png", "--float", "out/f.exr", "--depth",
                     "out/d.pfm", "--json", "out/g.json"},
                    {"g.png", "f.exr", "d.pfm", "g.json"}};

@@ -24,7 +24,7 @@ private:
 };
 
 /// Outputs are in the folder out/, beside the inputs.
-struct Command {
+struct WritingCommand {
   std::string name;
   std::vector<std::string> words;
   std::vector<std::string> outputs; // without out/
@@ -36,9 +36,9 @@ enum class Before { old_files, nothing };
 class Sandbox {
 public:
   /// Runs the command once without a fault: what it writes then is what it should write.
-  explicit Sandbox(Command command);
+  explicit Sandbox(WritingCommand command);
 
-  const Command& command() const { return command_; }
+  const WritingCommand& command() const { return command_; }
   std::string folder() const { return folder_.path; }
   std::string out() const { return folder_ / "out"; }
 
@@ -54,12 +54,12 @@ private:
   void judge_outputs(Before before, const std::string& what, FaultRow& row);
   bool is_whole(const std::string& name, const std::string& text) const;
 
-  Command command_;
+  WritingCommand command_;
   test::TemporaryFolder folder_;
   std::map<std::string, std::string> right_; // contents of the outputs
 };
 
 /// Every command that writes, and every format. `refraster gl` only with OpenGL.
-std::vector<Command> commands_that_write(Effort effort);
+std::vector<WritingCommand> commands_that_write(Effort effort);
 
 } // namespace refraster

@@ -124,14 +124,14 @@ void check_story(const Scene& scene, const ExplainRequest& request, Numbers numb
   CHECK(undefined.counts == frame.counts.undefined.counts);
   for (const SampleStory& sample : story.sample_stories)
     CHECK(std::is_sorted(sample.candidates.begin(), sample.candidates.end(),
-                         [](const Candidate& a, const Candidate& b) { return a.depth < b.depth; }));
+                         [](const CoveringTriangle& a, const CoveringTriangle& b) { return a.depth < b.depth; }));
   if (request.samples > 1) return;
-  const std::vector<Candidate>& candidates = story.sample_stories.front().candidates;
+  const std::vector<CoveringTriangle>& candidates = story.sample_stories.front().candidates;
   const auto seen = std::find_if(candidates.begin(), candidates.end(),
-                                 [](const Candidate& c) { return c.fate == CandidateFate::seen; });
+                                 [](const CoveringTriangle& c) { return c.fate == CandidateFate::seen; });
   if (story.fragments.empty()) {
     CHECK(seen == candidates.end());
-    for (const Candidate& c : candidates) CHECK(c.fate != CandidateFate::hidden);
+    for (const CoveringTriangle& c : candidates) CHECK(c.fate != CandidateFate::hidden);
     CHECK(frame.counts.shaded == 0);
     return;
   }

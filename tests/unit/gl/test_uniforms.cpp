@@ -11,15 +11,15 @@
 namespace own {
 using namespace refraster;
 
-struct Gloss : BlinnPhong {
+struct Sheen : BlinnPhong {
   static constexpr std::string_view name = "gloss";
 };
 template <Number T>
-Rgb<T> ambient(const Gloss& gloss, const Fragment<T>& at) {
+Rgb<T> ambient(const Sheen& gloss, const Fragment<T>& at) {
   return refraster::ambient(static_cast<const BlinnPhong&>(gloss), at);
 }
 template <Number T>
-Rgb<T> reflected(const Gloss& gloss, const Fragment<T>& at, const Incident<T>& light) {
+Rgb<T> reflected(const Sheen& gloss, const Fragment<T>& at, const Incident<T>& light) {
   return refraster::reflected(static_cast<const BlinnPhong&>(gloss), at, light);
 }
 
@@ -28,7 +28,7 @@ Rgb<T> reflected(const Gloss& gloss, const Fragment<T>& at, const Incident<T>& l
 using namespace refraster;
 
 TEST_CASE("parameters of a fragment function of one's own are uniforms of their names, and it has no GLSL of ours") {
-  own::Gloss gloss;
+  own::Sheen gloss;
   gloss.kd = {0.25, 0.5, 0.75}, gloss.glossiness = 33, gloss.specular_gate = SpecularGate::cut_below_horizon;
   Object object;
   object.mesh = std::make_shared<const Mesh>(cube_mesh());

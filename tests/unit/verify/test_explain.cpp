@@ -131,7 +131,7 @@ TEST_CASE(
   add_triangle(scene, {place(3, 8, 2), place(8, 8, 2), place(3, 0, 2)}, 1);                     // 6: beside it
   const PixelStory story = story_at(scene, 2, 3);
   REQUIRE(story.sample_stories.size() == 1);
-  const std::vector<Candidate>& found = story.sample_stories[0].candidates;
+  const std::vector<CoveringTriangle>& found = story.sample_stories[0].candidates;
   REQUIRE(found.size() == 5);
   constexpr std::uint32_t objects[] = {4, 3, 5, 1, 2};
   constexpr double distances[] = {0.5, 2, 3, 4, 10};
@@ -178,7 +178,7 @@ TEST_CASE("a triangle that crosses the eye plane is a candidate like any other")
   add_triangle(scene, {Float3(-9, -1, 4), Float3(9, -1, 4), Float3(0, -1, -60)}, 0.5);
   const PixelStory story = story_at(scene, 4, 7);
   REQUIRE(story.fragments.size() == 1);
-  const Candidate& candidate = story.sample_stories[0].candidates.front();
+  const CoveringTriangle& candidate = story.sample_stories[0].candidates.front();
   CHECK(candidate.fate == CandidateFate::seen);
   // The ray through window (4.5, 7.5) falls by 7/8 of its way and meets the floor at w = 8/7: at x = 1/8 w.
   // Its far corner is snapped to the lattice, by half a subpixel at most: the ray's fall, 1 / w, by a quarter of that.
