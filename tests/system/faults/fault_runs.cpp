@@ -22,7 +22,7 @@ double seconds_since(Clock::time_point start) {
 template <class Run>
 void for_each_number(Effort effort, Run&& run) {
   const bool thorough = effort == Effort::thorough;
-  const int close_together = thorough ? 40 : 4, growth = thorough ? 4 : 2;
+  const int close_together = thorough ? 40 : 3, growth = thorough ? 4 : 1;
   for (int n = 1; run(n); n += n < close_together ? 1 : n / growth) {
   }
 }
@@ -47,7 +47,7 @@ void everywhere(std::vector<FaultRow>& rows, const std::vector<std::unique_ptr<S
 
 std::vector<std::unique_ptr<Sandbox>> all_sandboxes(Effort effort) {
   std::vector<std::unique_ptr<Sandbox>> sandboxes;
-  for (Command& command : commands_that_write(effort))
+  for (WritingCommand& command : commands_that_write(effort))
     sandboxes.push_back(std::make_unique<Sandbox>(std::move(command)));
   return sandboxes;
 }

@@ -84,6 +84,38 @@ void check_gallery(const std::string& profile_name, int width, int height) {
   CHECK(most > 0.3); // else nothing was judged
 }
 
+/// Bricks whose normals maps turn, mirrored and from both sides; and that a wrong way of turning them is found.
+void check_bricks(TextureFilter filter, BrickMaps maps, const DeviceProfile& profile) {
+  Scene scene = brick_scene(filter, maps);
+  Mesh half = *scene.objects[1].mesh; // open: its inside is seen, too
+  half.triangles.resize(half.triangles.size() / 2);
+  scene.objects[1].mesh = std::make_shared<const Mesh>(std::move(half));
+  scene.objects[1].two_sided = TwoSided::yes;
+  const std::string name(name_of(filter));
+  check_scene(name, scene, 112, 63, profile);
+  // The test can fail.
+  const auto is_explained = [&](auto&& plant) {
+    Scene wrong = scene;
+    for (Object& object : wrong.objects) plant(object);
+    return judge(scene, in_float(drawn(wrong, 112, 63, profile)), profile, {}).is_explained();
+  };
+  CHECK_FALSE(is_explained([](Object& object) { object.material.normal_map = object.material.bump_map = {}; }));
+  CHECK_FALSE(is_explained([](Object& object) { // the bitangent's sign
+    Mesh mesh = *object.mesh;
+    for (Float4& tangent : mesh.tangents) tangent.w = -tangent.w;
+    object.mesh = std::make_shared<const Mesh>(std::move(mesh));
+  }));
+  if (maps != BrickMaps::heights)
+    CHECK_FALSE(is_explained([](Object& object) { // green down, as Direct3D has it
+      Texture texture = *object.material.normal_map.texture;
+      for (TextureLevel& level : texture.levels)
+        for (std::size_t i = 1; i < level.rgb.size(); i += 3) level.rgb[i] = 255 - level.rgb[i];
+      object.material.normal_map.texture = std::make_shared<const Texture>(std::move(texture));
+    }));
+  if (maps != BrickMaps::normals)
+    CHECK_FALSE(is_explained([](Object& object) { object.material.bump_scale *= -1; })); // dents for bumps
+}
+
 } // namespace
 
 TEST_CASE("a scene through llvmpipe shows the same surfaces, in colours that are explained") {
@@ -141,7 +173,7 @@ TEST_CASE("what llvmpipe cuts out by opacity is what is cut out here, or near th
   const Scene scene = leaf_scene(TextureFilter::bilinear);
   const test::TemporaryFolder folder;
   for (const std::string_view planted : {"< 0.6", "< 0.0"}) {
-    const SeededFault fault{"planted", {}, {{ShaderStage::fragment, "< opacityThreshold", planted}}};
+    const SeededFault fault{"planted", {}, {{FaultyStage::fragment, "< opacityThreshold", planted}}};
     const std::optional<Scene> faulty = with_fault(scene, fault, {112, 63}, folder.path);
     REQUIRE(faulty);
     const GlFrame frame = drawn(*faulty, 112, 63, profile);
@@ -154,43 +186,18 @@ TEST_CASE("what llvmpipe cuts out by opacity is what is cut out here, or near th
 
 TEST_CASE("normals that maps turn are explained, mirrored and from both sides; a wrong way of turning them is found") {
   const DeviceProfile profile = entered("llvmpipe");
-  for (const TextureFilter filter : {TextureFilter::nearest, TextureFilter::bilinear, TextureFilter::trilinear})
-    for (const BrickMaps maps : {BrickMaps::normals, BrickMaps::heights, BrickMaps::both}) {
-      Scene scene = brick_scene(filter, maps);
-      Mesh half = *scene.objects[1].mesh; // open: its inside is seen, too
-      half.triangles.resize(half.triangles.size() / 2);
-      scene.objects[1].mesh = std::make_shared<const Mesh>(std::move(half));
-      scene.objects[1].two_sided = TwoSided::yes;
-      const std::string name(name_of(filter));
-      check_scene(name, scene, 112, 63, profile);
-      // The test can fail.
-      const auto is_explained = [&](auto&& plant) {
-        Scene wrong = scene;
-        for (Object& object : wrong.objects) plant(object);
-        return judge(scene, in_float(drawn(wrong, 112, 63, profile)), profile, {}).is_explained();
-      };
-      CHECK_FALSE(is_explained([](Object& object) { object.material.normal_map = object.material.bump_map = {}; }));
-      CHECK_FALSE(is_explained([](Object& object) { // the bitangent's sign
-        Mesh mesh = *object.mesh;
-        for (Float4& tangent : mesh.tangents) tangent.w = -tangent.w;
-        object.mesh = std::make_shared<const Mesh>(std::move(mesh));
-      }));
-      if (maps != BrickMaps::heights)
-        CHECK_FALSE(is_explained([](Object& object) { // green down, as Direct3D has it
-          Texture texture = *object.material.normal_map.texture;
-          for (TextureLevel& level : texture.levels)
-            for (std::size_t i = 1; i < level.rgb.size(); i += 3) level.rgb[i] = 255 - level.rgb[i];
-          object.material.normal_map.texture = std::make_shared<const Texture>(std::move(texture));
-        }));
-      if (maps != BrickMaps::normals)
-        CHECK_FALSE(is_explained([](Object& object) { object.material.bump_scale *= -1; })); // dents for bumps
-    }
+  check_bricks(TextureFilter::nearest, BrickMaps::heights, profile);
+  check_bricks(TextureFilter::bilinear, BrickMaps::both, profile);
+  check_bricks(TextureFilter::trilinear, BrickMaps::normals, profile);
 }
 
 TEST_CASE("images of one row, of one column and of odd sides show the same surfaces, in colours that are explained") {
-  for (const std::string& path : quick_scenes())
+  const DeviceProfile profile = entered("llvmpipe");
+  for (const std::string& path : quick_scenes()) {
+    const Scene scene = listed_scene(path);
     for (const auto& [width, height] : {std::pair(64, 1), std::pair(1, 63), std::pair(31, 33), std::pair(1, 1)})
-      check_scene(path, width, height, entered("llvmpipe"));
+      check_scene(path, scene, width, height, profile);
+  }
 }
 
 TEST_CASE("what may be wrong grows with the distance from the lower left corner, where OpenGL's window begins") {
@@ -302,3 +309,12 @@ TEST_CASE("what opacity cuts out through softpipe is explained") {
 }
 
 TEST_SUITE_END();
+
+TEST_SUITE("long") {
+  TEST_CASE("normals that maps turn are explained, by every filter and of every kind of map") {
+    const DeviceProfile profile = entered("llvmpipe");
+    for (const TextureFilter filter : {TextureFilter::nearest, TextureFilter::bilinear, TextureFilter::trilinear})
+      for (const BrickMaps maps : {BrickMaps::normals, BrickMaps::heights, BrickMaps::both})
+        check_bricks(filter, maps, profile);
+  }
+}

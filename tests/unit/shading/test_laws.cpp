@@ -132,6 +132,12 @@ TEST_CASE("bounds on a box contain what double makes of points in it") {
 
 TEST_SUITE("slow") {
   TEST_CASE("so they do of many boxes") {
+    check_boxes(40);
+  }
+}
+
+TEST_SUITE("long") {
+  TEST_CASE("so they do of boxes that lie closer") {
     check_boxes(10);
   }
 }
