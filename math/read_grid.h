@@ -6,6 +6,8 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <utility>
 
 namespace refraster::inline REFRASTER_KIT {
 
@@ -59,6 +61,16 @@ struct GridAxis {
   enum class Beyond { clamped, repeated } beyond = Beyond::clamped;
   std::int32_t count = 1;
 };
+
+/// A read that looks at more than eight samples of a cell, and at how many.
+template <std::int64_t count, class Read>
+struct ReadOfMany : Read {
+  static constexpr std::int64_t samples = count;
+};
+template <std::int64_t count, class Read>
+ReadOfMany<count, Read> read_of_many(Read read) {
+  return {std::move(read)};
+}
 
 /// The value of a grid at a place, in cells: read(cells) interpolates within the cell that each coordinate lies in, by
 /// the samples around it (clamp_index, wrap_index, next_index, stored_value) and the fractions.

@@ -149,7 +149,7 @@ struct MerlReader {
   /// are partly negative, so that scaling them up to a sum of 1 could turn a bright neighbour into anything.
   MerlValue<T> tricubic(const MerlPoint<T>& at) const {
     const std::array<T, 3> place = {at.u - as<T>(0.5) - T(1), at.v - as<T>(0.5) - T(1), at.w - as<T>(0.5) - T(1)};
-    return read_grid(place, merl_axes, [&](const Cells& cell) { return tricubic(at, cell); });
+    return read_grid(place, merl_axes, read_of_many<64>([&](const Cells& cell) { return tricubic(at, cell); }));
   }
 
   MerlValue<T> tricubic(const MerlPoint<T>& at, const Cells& cell) const {

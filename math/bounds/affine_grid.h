@@ -161,15 +161,20 @@ auto walk_of(const std::array<Affine<B>, dimensions>& place, const std::array<Gr
 
 } // namespace affine_detail
 
-/// What is read in any of the cells; where the budget has a limit and there are more, nothing is known.
+/// What is read in any of the cells; where the budget has a limit and they have more samples, nothing is known.
 template <class B, std::size_t dimensions, class Read>
 auto read_walk(CellWalk<Affine<B>, dimensions>& walk, const Read& read) {
   auto value = read(walk.cells());
   if constexpr (requires {
-                  B::max_cells;
+                  B::max_samples;
                   anything_like(value);
-                })
-    if (walk.count() > B::max_cells) return anything_like(value);
+                }) {
+    constexpr std::int64_t samples = [] {
+      if constexpr (requires { Read::samples; }) return Read::samples;
+      else return std::int64_t{8};
+    }();
+    if (walk.count() > B::max_samples / samples) return anything_like(value);
+  }
   while (walk.next()) value = join(value, read(walk.cells()));
   return value;
 }

@@ -38,9 +38,9 @@ struct DeviceArithmetic {
   static constexpr double largest = std::numeric_limits<float>::max();
   static constexpr Sums sums = Sums::in_any_order;
   static constexpr Powers powers = Powers::by_logarithm;
-  /// Of a texture or table, at once: a place that may be in more is not known well enough for what is read to mean
-  /// anything.
-  static constexpr std::int64_t max_cells = 256;
+  /// Of a texture or table, at once: a place that may be among more is not known well enough for what is read to mean
+  /// anything. A spline's cell has 64, any other eight at most.
+  static constexpr std::int64_t max_samples = 2048;
 
   /// From now on, on this thread; a render does so for its own (SampleRequest::enter).
   static void use(const OperationErrors& errors, const TextureErrors& texture = {}) {

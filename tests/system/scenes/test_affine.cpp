@@ -65,7 +65,7 @@ void check_samples_in_a_box(const Scene& scene, double reach, int positions, con
     outside += !bounds.values[i].contains(found);
     // Where more of a texture may be read than a device's budget reads, nothing is known; ranges read it all.
     const bool unknown = requires {
-      Budget::max_cells;
+      Budget::max_samples;
     }
     &&bounds.values[i].width() >= Budget::largest;
     wider += !unknown && (bounds.values[i].lo < ranges.values[i].lo || bounds.values[i].hi > ranges.values[i].hi);
