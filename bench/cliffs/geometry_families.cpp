@@ -238,6 +238,11 @@ Work unused_vertices(double size) {
   return work;
 }
 
+// Why some cost more than ten times the ordinary: docs/performance.md, "Cliffs", has their profiles.
+constexpr std::string_view long_and_thin = "long and thin: rows and tiles that are crossed, not pixels",
+                           through_the_eye_plane = "the eye plane: exact integers of hundreds of bits",
+                           one_depth = "one depth: nothing hides what is as near";
+
 constexpr Family families[] = {
     {"a wall of more and more triangles", Grows::triangles, 250'000, grid},
     {"a closed sphere", Grows::triangles, 100'000, closed_sphere},
@@ -247,24 +252,25 @@ constexpr Family families[] = {
     {"scattered triangles of 150 pixels", Grows::triangles, 2'000, scattered_large},
     {"triangles over the whole image, back to front", Grows::triangles, 250, full_back_to_front},
     {"triangles over the whole image, front to back", Grows::triangles, 2'000, full_front_to_back},
-    {"triangles over the whole image in one plane", Grows::triangles, 250, full_in_one_plane},
-    {"needles 200 pixels long, a fifth of one wide", Grows::triangles, 20'000, thin_needles},
-    {"needles 200 pixels long, 2 wide", Grows::triangles, 10'000, thick_needles},
+    {"triangles over the whole image in one plane", Grows::triangles, 250, full_in_one_plane, one_depth},
+    {"needles 200 pixels long, a fifth of one wide", Grows::triangles, 20'000, thin_needles, long_and_thin},
+    {"needles 200 pixels long, 2 wide", Grows::triangles, 10'000, thick_needles, long_and_thin},
     {"strips a pixel wide along rows", Grows::triangles, 10'000, lying_strips},
     {"strips a pixel wide along columns", Grows::triangles, 10'000, standing_strips},
-    {"triangles without area", Grows::triangles, 100'000, without_area},
+    {"triangles without area", Grows::triangles, 100'000, without_area, long_and_thin},
     {"triangles in one point", Grows::triangles, 250'000, in_one_point},
     {"triangles beside the image", Grows::triangles, 100'000, beside_the_image},
     {"triangles behind the eye", Grows::triangles, 100'000, behind_the_eye},
     {"triangles beyond the far plane", Grows::triangles, 100'000, beyond_the_far_plane},
     {"triangles that are culled", Grows::triangles, 100'000, culled},
     {"triangles across the image's edge", Grows::triangles, 100'000, across_the_edge},
-    {"triangles through the eye plane, 64 x 64", Grows::triangles, 20'000, through_the_eye_small},
-    {"wide triangles through the eye plane", Grows::triangles, 500, through_the_eye_wide},
+    {"triangles through the eye plane, 64 x 64", Grows::triangles, 20'000, through_the_eye_small,
+     through_the_eye_plane},
+    {"wide triangles through the eye plane", Grows::triangles, 500, through_the_eye_wide, through_the_eye_plane},
     {"triangles through the near plane", Grows::triangles, 20'000, through_the_near_plane},
-    {"triangles that reach far beyond the image", Grows::triangles, 2'000, far_beyond_the_image},
+    {"triangles that reach far beyond the image", Grows::triangles, 2'000, far_beyond_the_image, long_and_thin},
     {"triangles that cross each other", Grows::triangles, 5'000, crossing_each_other},
-    {"a fan round one vertex", Grows::triangles, 20'000, fan},
+    {"a fan round one vertex", Grows::triangles, 20'000, fan, long_and_thin},
     {"triangles at the corners of tiles", Grows::triangles, 50'000, at_corners_of_tiles},
     {"cubes, an object each", Grows::objects, 2'000, many_cubes},
     {"cubes beside the image", Grows::objects, 10'000, many_cubes_outside},

@@ -74,6 +74,8 @@ Work floats_too(double size) {
   return work;
 }
 
+constexpr std::string_view many_images = "ten images, 17 numbers a pixel, in double";
+
 constexpr Family families[] = {
     {"a wall of few triangles", Grows::pixels, first, plain},
     {"nothing but the background", Grows::pixels, 4 * first, empty},
@@ -85,8 +87,8 @@ constexpr Family families[] = {
     {"16 samples", Grows::pixels, first, several_samples<16>},
     {"4 samples of small triangles", Grows::pixels, first, small_triangles<4>},
     {"16 samples of small triangles", Grows::pixels, first, small_triangles<16>},
-    {"all AOVs", Grows::pixels, first, all_aovs},
-    {"all AOVs of 4 samples", Grows::pixels, first, aovs_of_samples},
+    {"all AOVs", Grows::pixels, first, all_aovs, many_images},
+    {"all AOVs of 4 samples", Grows::pixels, first, aovs_of_samples, many_images},
     {"levels by the curve of sRGB", Grows::pixels, first, srgb_levels},
     {"images of floats and doubles too", Grows::pixels, first, floats_too},
 };

@@ -182,12 +182,14 @@ void write_aovs(const FrameContext& context, const VisibleTile& visible, std::sp
         }
         case Aov::uv: {
           const PacketBarycentrics<T> at = barycentrics<Derivatives::no>(data);
-          for (int c = 0; c < 2; ++c) {
-            const T fraction = interpolated_uv(data, c, at);
-            put(c, [&](int lane) {
-              return fraction[lane] + whole_repeats(context, triangle(lane).number)[static_cast<std::size_t>(c)];
-            });
+          Vec2<T> uv(interpolated_uv(data, 0, at), interpolated_uv(data, 1, at));
+          std::array<double, 2> repeats{};
+          for (int lane = 0; lane < packet.count; ++lane) {
+            if (lane == 0 || triangle(lane).number != triangle(lane - 1).number)
+              repeats = whole_repeats(context, triangle(lane).number);
+            uv.x.set(lane, uv.x[lane] + repeats[0]), uv.y.set(lane, uv.y[lane] + repeats[1]);
           }
+          for (int c = 0; c < 2; ++c) put(c, [&](int lane) { return uv[c][lane]; });
           break;
         }
         case Aov::normal:

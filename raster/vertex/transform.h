@@ -180,6 +180,11 @@ public:
             {first_vertex_ + corners[0], first_vertex_ + corners[1], first_vertex_ + corners[2]}};
   }
 
+  /// Asks for the memory that at() reads, of a triangle of the object that was asked for last.
+  void ask_for(std::uint32_t triangle) const {
+    if (triangle >= first_ && triangle < last_) __builtin_prefetch(&triangles_[triangle - first_]);
+  }
+
 private:
   void find(std::uint32_t triangle);
 
