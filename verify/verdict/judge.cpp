@@ -44,7 +44,7 @@ public:
         sample_bounds(device, stored_, options_.seed, [&](int x, int y) { return ours(device, x, y); });
     verdict_.power = power_of(sampled);
     verdict_.causes = shares_of(sampled);
-    verdict_.biases = biases_of(verdict_, image_, stored_, sampled, scene_.objects.size());
+    verdict_.biases = biases_of(verdict_, image_, stored_, sampled, scene_.objects.size(), threads());
     find_clusters();
     for (const std::uint8_t c : verdict_.classes.values) ++verdict_.counts[c];
     progress(1);
@@ -96,7 +96,20 @@ private:
     std::vector<std::vector<PixelPlace>> of_row(static_cast<std::size_t>(verdict_.height));
     parallel_for(threads(), of_row.size(), [&](std::size_t row, int) {
       const int y = static_cast<int>(row);
+      std::vector<std::uint8_t> plain(static_cast<std::size_t>(verdict_.width));
+      if (stored_.has_plain_levels()) {
+        const float *reference = verdict_.reference.at(0, y), *actual = image_.colour.at(0, y);
+        for (std::uint8_t& each : plain) {
+          each = stored_.is_plainly(reference[0], actual[0]) & stored_.is_plainly(reference[1], actual[1]) &
+                 stored_.is_plainly(reference[2], actual[2]);
+          reference += 3, actual += 3;
+        }
+      }
       for (int x = 0; x < verdict_.width; ++x) {
+        if (plain[static_cast<std::size_t>(x)] && !shows_another(device, x, y)) {
+          set_class(x, y, PixelClass::exact);
+          continue;
+        }
         const float* const reference = verdict_.reference.at(x, y);
         const Double3 levels = actual(x, y);
         bool exact = true, near = true;
@@ -184,6 +197,9 @@ private:
   }
 
   void find_clusters() {
+    if (std::none_of(verdict_.details.begin(), verdict_.details.end(),
+                     [](const JudgedDetail& detail) { return detail.found == PixelClass::unexplained; }))
+      return;
     Image<std::uint8_t> marked(verdict_.width, verdict_.height, 1);
     Image<double> differences(verdict_.width, verdict_.height, 1);
     for (const JudgedDetail& detail : verdict_.details) {

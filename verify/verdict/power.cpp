@@ -100,35 +100,46 @@ struct LevelDifference {
   int levels = 0;
 };
 
-/// Of a large image so many tell all there is, and cost less than the image.
-bool is_taken(std::uint32_t bits, std::size_t pixels) {
-  const std::uint32_t one_in = pixels > 200'000 ? 8 : 1;
-  return ((bits * 0x9e3779b1u) >> 16) % one_in == 0;
-}
+/// Which values of a large image are looked at: about a hundred thousand tell all there is, and cost less than the
+/// image.
+class TakenValues {
+public:
+  explicit TakenValues(std::size_t pixels)
+      : one_in_(pixels > 200'000 ? std::max(8u, std::bit_ceil(static_cast<std::uint32_t>(pixels / 50'000))) : 1) {}
+  bool has(std::uint32_t bits) const { return ((bits * 0x9e3779b1u) >> 16) % one_in_ == 0; }
+
+private:
+  std::uint32_t one_in_;
+};
 
 } // namespace
 
 std::vector<ObjectBias> biases_of(const Verdict& verdict, const DeviceImage& image, const StoredValue& stored,
-                                  const SampledBounds& sampled, std::size_t objects) {
+                                  const SampledBounds& sampled, std::size_t objects, int threads) {
   if (!stored.is_integer() || stored.step() != 1) return {};
   std::vector<std::vector<double>> half_widths(objects);
   for (const auto& pixel : sampled.pixels) half_widths[pixel.object].push_back(pixel.width / 2);
-  std::vector<std::vector<LevelDifference>> of_object(objects);
-  for (int y = 0; y < verdict.height; ++y)
-    for (int x = 0; x < verdict.width; ++x) {
-      const auto object = static_cast<std::size_t>(*verdict.object.at(x, y));
-      const auto found = static_cast<PixelClass>(*verdict.classes.at(x, y));
+  // By rows, and then in their order, so that the result does not depend on the threads.
+  std::vector<std::vector<std::pair<std::size_t, LevelDifference>>> of_row(static_cast<std::size_t>(verdict.height));
+  const TakenValues taken(verdict.classes.values.size());
+  parallel_for(threads, of_row.size(), [&](std::size_t row, int) {
+    const int y = static_cast<int>(row);
+    const float* const references = verdict.reference.at(0, y);
+    for (int i = 0; i < 3 * verdict.width; ++i) {
+      const auto bits = std::bit_cast<std::uint32_t>(references[i]);
+      if (!taken.has(bits)) continue;
+      const auto object = static_cast<std::size_t>(*verdict.object.at(i / 3, y));
+      const auto found = static_cast<PixelClass>(*verdict.classes.at(i / 3, y));
       if (object == 0 || found > PixelClass::shading) continue;
-      for (int c = 0; c < 3; ++c) {
-        const float reference = verdict.reference.at(x, y)[c];
-        const auto bits = std::bit_cast<std::uint32_t>(reference);
-        const double exact = stored.of(static_cast<double>(reference));
-        if (!is_taken(bits, verdict.classes.values.size()) || exact <= 0.5 || exact >= 254.5)
-          continue; // where levels end
-        const double apart = stored.levels(image.colour.at(x, y)[c]) - std::nearbyint(exact);
-        of_object[object - 1].push_back({bits, static_cast<int>(apart)});
-      }
+      const double exact = stored.of(static_cast<double>(references[i]));
+      if (exact <= 0.5 || exact >= 254.5) continue; // where levels end
+      const double apart = stored.levels(image.colour.at(0, y)[i]) - std::nearbyint(exact);
+      of_row[row].push_back({object - 1, {bits, static_cast<int>(apart)}});
     }
+  });
+  std::vector<std::vector<LevelDifference>> of_object(objects);
+  for (const auto& row : of_row)
+    for (const auto& [object, difference] : row) of_object[object].push_back(difference);
   std::vector<ObjectBias> biases;
   for (std::size_t i = 0; i < objects; ++i) {
     constexpr std::size_t enough_values = 1000, enough_widths = 16;

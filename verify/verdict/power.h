@@ -29,6 +29,6 @@ CauseShares shares_of(const SampledBounds& sampled);
 /// value of the reference counts once, so that areas of one colour do not count at all. Only where h is small in the
 /// mean.
 std::vector<ObjectBias> biases_of(const Verdict& verdict, const DeviceImage& image, const StoredValue& stored,
-                                  const SampledBounds& sampled, std::size_t objects);
+                                  const SampledBounds& sampled, std::size_t objects, int threads);
 
 } // namespace refraster
