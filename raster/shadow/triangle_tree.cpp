@@ -95,9 +95,10 @@ constexpr int max_depth = 48;
 } // namespace
 
 /// Splits parts in two, twice for each node.
-class TreeBuilder {
+class TriangleTreeBuilder {
 public:
-  TreeBuilder(TriangleTree& tree, const WorldMesh& mesh, int threads) : tree_(tree), mesh_(mesh), threads_(threads) {}
+  TriangleTreeBuilder(TriangleTree& tree, const WorldMesh& mesh, int threads)
+      : tree_(tree), mesh_(mesh), threads_(threads) {}
 
   void build() {
     const Part all = box_triangles();
@@ -294,7 +295,7 @@ private:
 };
 
 void TriangleTree::build(const WorldMesh& mesh, int threads) {
-  TreeBuilder(*this, mesh, threads).build();
+  TriangleTreeBuilder(*this, mesh, threads).build();
 }
 
 std::uint64_t TriangleTree::bytes_to_build(std::uint64_t triangles) {

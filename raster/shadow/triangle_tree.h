@@ -68,7 +68,7 @@ public:
   bool visit(const ShadowRay& ray, Body&& body) const;
 
 private:
-  friend class TreeBuilder;
+  friend class TriangleTreeBuilder;
 
   static constexpr int width = 4; // boxes of a node
   static constexpr int max_leaf = 4;

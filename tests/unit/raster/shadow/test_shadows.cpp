@@ -9,7 +9,6 @@
 #include "shading/user_function.h"
 #include "tests/support/invariants.h"
 #include "tests/support/scenes/leaf_scene.h"
-#include "tests/support/scenes/random_scene.h"
 #include "tests/support/scenes/shadow_scene.h"
 #include "tests/support/shading/each_fragment_function.h"
 #include "tests/support/shading/merl_tables.h"
