@@ -88,7 +88,8 @@ struct GlFrame {
 /// docs/glsl-interface.md says what a shader is given. Drawn as an application draws, y up in the window, so that
 /// gl_FragCoord, dFdy, gl_FrontFacing and ties on edges are OpenGL's own; but row 0 of each image is the top. Throws
 /// NoOpenGl, also for a number of samples that this OpenGL does not have; InputError for GLSL that does not compile,
-/// link or draw. Not to be called from two threads at once: a driver is chosen by the environment of the process.
+/// link or draw, and as check_drawn_by_gl(). Not to be called from two threads at once: a driver is chosen by the
+/// environment of the process.
 GlFrame render_gl(const Scene& scene, const GlOptions& options);
 
 } // namespace refraster

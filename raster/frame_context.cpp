@@ -23,6 +23,7 @@ SceneUses uses_of(const Scene& scene) {
     return any_texture(material, [](const TextureMap& map) { return map.is_placed(); });
   });
   uses.cut_outs = any_material(scene, [](const Material& material) { return material.has_cut_outs(); });
+  uses.shadows = has_shadows(scene);
   return uses;
 }
 

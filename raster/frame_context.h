@@ -10,8 +10,9 @@
 
 namespace refraster {
 
-struct Geometry; // raster/vertex/transform.h
-struct Bins;     // raster/visibility/bin.h
+struct Geometry;    // raster/vertex/transform.h
+struct Bins;        // raster/visibility/bin.h
+class SceneShadows; // raster/shadow/scene_shadows.h
 
 /// The pixels that a frame's images hold: those of the crop, or all.
 PixelRect rendered_region(const RenderOptions& options);
@@ -26,6 +27,7 @@ struct SceneUses {
   bool cut_outs = false;        // a material of which parts may be cut out: Material::has_cut_outs()
   bool tangents = false;        // a mesh with tangents
   bool placed_textures = false; // a texture that is scaled, moved or clamped: TextureMap::is_placed()
+  bool shadows = false;         // a light with a shadow
 };
 
 /// Asked once a frame.
@@ -50,6 +52,7 @@ inline Double3 shown_background(const FrameInput& frame) {
 struct FrameContext : FrameInput {
   const Geometry& geometry;
   const Bins& bins;
+  const SceneShadows* shadows = nullptr; // of a scene with shadows
 };
 
 } // namespace refraster

@@ -4,6 +4,7 @@
 #include "math/precisions.h"
 #include "raster/parallel.h"
 #include "raster/shade/shade.h"
+#include "raster/shadow/scene_shadows.h"
 #include "raster/stopwatch.h"
 #include "raster/tile_order.h"
 #include "scene/scene_checks.h"
@@ -168,11 +169,12 @@ void check(const RenderOptions& options) {
 
 // All stages, in memory that may be that of another frame.
 void render_frame(const Scene& scene, const RenderOptions& options, Geometry& geometry, Bins& bins,
-                  const std::function<std::span<TileWorker>(int threads)>& workers_for, Frame& frame) {
+                  SceneShadows& shadows, const std::function<std::span<TileWorker>(int threads)>& workers_for,
+                  Frame& frame) {
   check(options);
   if (const std::optional<SceneFault> fault = first_refused_fault(scene)) refuse(*fault);
   const Stopwatch whole_frame;
-  const FrameContext context{{scene, options}, geometry, bins};
+  FrameContext context{{scene, options}, geometry, bins};
   const PixelRect& region = context.region;
   need_more(options.memory, image_bytes(options, region), bytes_of(frame), "the image");
   reshape_images(options, region, context.threads, frame);
@@ -192,6 +194,10 @@ void render_frame(const Scene& scene, const RenderOptions& options, Geometry& ge
   transform_stored(context, geometry);
   frame.seconds.transform = stage.lap();
   bin_triangles(context, geometry, bins, frame.counts);
+  if (context.uses.shadows) {
+    shadows.build(context, geometry);
+    context.shadows = &shadows;
+  }
   frame.seconds.bin = stage.lap();
   shade_tiles(context, workers_for(frame.threads), frame);
   frame.seconds.tiles = stage.lap();
@@ -228,6 +234,7 @@ int precision_lanes(Precision precision) {
 struct Renderer::Memory {
   Geometry geometry;
   Bins bins;
+  SceneShadows shadows;
   // One for each thread; made for this tile size and precision.
   std::vector<TileWorker> workers;
   int tile_size = 0;
@@ -250,19 +257,20 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 void Renderer::render(const Scene& scene, const RenderOptions& options, Frame& frame) {
   render_frame(
-      scene, options, memory_->geometry, memory_->bins,
+      scene, options, memory_->geometry, memory_->bins, memory_->shadows,
       [&](int threads) { return memory_->workers_for(options, threads); }, frame);
 }
 
 void render_with(const Scene& scene, const RenderOptions& options, const MakeShading& make_shading, Frame& frame) {
   Geometry geometry;
   Bins bins;
+  SceneShadows shadows;
   std::vector<TileWorker> workers;
   const auto workers_for = [&](int threads) {
     for (int i = 0; i < threads; ++i) workers.emplace_back(options.tile_size, make_shading());
     return std::span(workers);
   };
-  render_frame(scene, options, geometry, bins, workers_for, frame);
+  render_frame(scene, options, geometry, bins, shadows, workers_for, frame);
 }
 
 Frame render(const Scene& scene, const RenderOptions& options) {

@@ -33,7 +33,7 @@ struct Fragment {
 template <class T>
 struct Incident {
   Vec3<T> direction; // unit, from the surface to the light; 0 with the light at the surface
-  Rgb<T> radiance;   // C: radiance times attenuation
+  Rgb<T> radiance;   // C: radiance times attenuation times visibility
 };
 
 } // namespace refraster::inline REFRASTER_KIT

@@ -40,6 +40,7 @@ struct FragmentBatch {
   void* rgb = nullptr;          // three rows: what is made
   LightSpans lights;
   UndefinedCounts* undefined = nullptr; // to be added to
+  LightVisibility visibility = {};      // of its fragments; of scenes with shadows
 };
 
 } // namespace refraster

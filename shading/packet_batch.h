@@ -2,6 +2,7 @@
 // Fragments of one material that are lit together.
 
 #include "shading/fragment.h"
+#include "shading/light_visibility.h"
 
 #include <array>
 #include <cstddef>
@@ -31,6 +32,12 @@ struct PacketBatch {
   std::array<Rgb<T>, capacity> sum;
   std::array<MaskOf<T>, capacity> in_use;     // lanes that hold a fragment
   std::array<FragmentMaps<T>, capacity> maps; // with Maps::yes; specular too while lit in stages
+  LightVisibility visibility;                 // of its fragments, the first packet's first; of scenes with shadows
+
+  /// Which of them a packet begins with.
+  static std::size_t fragment_of(std::size_t packet) {
+    return packet * static_cast<std::size_t>(NumberTraits<T>::lanes);
+  }
 
   /// body(p, fragment, tally) for each packet p.
   template <Maps has_maps, class Body>

@@ -87,15 +87,17 @@ template <class T>
   }
 }
 
-/// The sum. Textures and maps of the batch are those that StagedLighting has made.
-template <bool has_highlight, class T, class Light>
-[[gnu::flatten, gnu::noinline]] void stage_sum(SpecularGate gate, const Light& light, PacketBatch<T>& batch,
-                                               const StagedLight<T>& stages) {
+/// The sum; with `has_shadow` of a light whose shadow takes_light(). Textures and maps of the batch are those that
+/// StagedLighting has made.
+template <bool has_highlight, bool has_shadow, class T, class Light>
+[[gnu::flatten, gnu::noinline]] void stage_sum(SpecularGate gate, const Light& light, const LightShadow& shadow,
+                                               PacketBatch<T>& batch, const StagedLight<T>& stages) {
   for (int i = 0; i < batch.packets; ++i) {
     const auto p = static_cast<std::size_t>(i);
     Rgb<T> radiance;
     if constexpr (shines_evenly<Light>) radiance = as<T>(light.radiance);
     else radiance = stages.radiance[p];
+    if constexpr (has_shadow) radiance = times_visibility(radiance, shadow, batch.fragment_of(p));
     const T n_l = stages.n_l[p], highlight = has_highlight ? gated(gate, n_l, stages.highlight[p]) : T(0);
     batch.sum[p] += diffuse_and_highlight(batch.surface[p].texture, batch.maps[p].specular, n_l, highlight, radiance);
   }
@@ -122,20 +124,22 @@ public:
   }
 
   template <class Light>
-  void add(const Light& light) const {
-    if (has_highlight_) add<true>(light);
-    else add<false>(light);
+  void add(const Light& light, const LightShadow& shadow) const {
+    if (has_highlight_) add<true>(light, shadow);
+    else add<false>(light, shadow);
   }
 
 private:
   template <bool has_highlight, class Light>
-  void add(const Light& light) const {
+  void add(const Light& light, const LightShadow& shadow) const {
     if (has_highlight && exponent_.s == 0) [[unlikely]]
       note_zero_exponents(function_, light, batch_, counts_);
     StagedLight<T> stages;
     stage_directions<has_highlight>(function_, sharp_, light, batch_, counts_, stages);
     if constexpr (has_highlight) stage_highlights(exponent_, batch_.packets, stages);
-    stage_sum<has_highlight>(function_.specular_gate, light, batch_, stages);
+    if (takes_light<T>(shadow)) [[unlikely]]
+      stage_sum<has_highlight, true>(function_.specular_gate, light, shadow, batch_, stages);
+    else stage_sum<has_highlight, false>(function_.specular_gate, light, shadow, batch_, stages);
   }
 
   const Function& function_;

@@ -52,14 +52,19 @@ void sum_light(const LightSpans& lights, const Function& function, PacketBatch<T
       return StagedLighting<Function, T>(here, batch, std::integral_constant<Maps, has_maps>{}, counts);
     else return nullptr;
   }();
+  ShadowRows rows(batch.visibility);
   const auto add = [&](const auto& of_one_type) {
     for (const auto& light : of_one_type) {
+      const LightShadow shadow = rows.of(light);
       const auto prepared = evenly_attenuated<T>(within_range<T>(prepared_light(light)));
       if constexpr (LitInStages<Function, T>) {
-        lighting.add(prepared);
+        lighting.add(prepared, shadow);
       } else {
         batch.template for_each<has_maps>(counts, [&](std::size_t p, const Fragment<T>& at, const auto&) {
-          batch.sum[p] += reflected(here, at, arriving(prepared, at));
+          Incident<T> incident = arriving(prepared, at);
+          if (takes_light<T>(shadow)) [[unlikely]]
+            incident.radiance = times_visibility(incident.radiance, shadow, batch.fragment_of(p));
+          batch.sum[p] += reflected(here, at, incident);
         });
       }
     }

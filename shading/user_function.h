@@ -117,6 +117,7 @@ void shade_in(const Function& function, const FragmentBatch& batch) {
                             vector(FragmentBatch::to_eye, i), vector(FragmentBatch::texture, i)};
       packets.in_use[p] = Traits::first(std::min(lanes, end - i));
     }
+    packets.visibility = batch.visibility.from(first);
     sum_light(batch.lights, function, packets, *batch.undefined);
     for (std::uint32_t i = first; i < end; i += lanes) put(i, packets.sum[(i - first) / lanes]);
   }

@@ -15,6 +15,7 @@
 #include "app/output.h"
 #include "app/progress_line.h"
 #include "app/usage_error.h"
+#include "gl/drawn_by_gl.h"
 #include "gl/gl_report.h"
 #include "gl/render_gl.h"
 #include "io/scene/scene_source.h"
@@ -81,6 +82,7 @@ ExitCode run(const GlArguments& a) {
     const Scene scene = std::move(source).placed(options.width, options.height);
     line.reset(); // before anything is printed
     print_file_notes(notes, a.diagnostics);
+    check_drawn_by_gl(a.scene, scene);
     if (options.want_ids) check_triangle_numbers(a.scene, scene, "--ids");
     line = progress_line(a.diagnostics, "drawing " + a.scene);
     std::string fewer;

@@ -16,6 +16,7 @@
 #include "app/progress_line.h"
 #include "app/usage_error.h"
 #include "gl/context/driver_environment.h"
+#include "gl/drawn_by_gl.h"
 #include "gl/render_gl.h"
 #include "io/file/sha256.h"
 #include "io/scene/scene_source.h"
@@ -175,6 +176,9 @@ ExitCode run(VerifyArguments& a) {
   Scene& scene = source.scene;
   a.picture = a.asked.over(source.view.picture);
   a.judging.samples = a.picture.samples;
+  if (a.source != Source::file) check_drawn_by_gl(a.scene, scene);
+  if (has_shadows(scene))
+    report.notes.add(Note{a.scene, 0, "shadow", "not judged: a light that has one may reach a surface or not"});
   check_triangle_numbers(a.scene, scene, "verify");
   report.provenance.emplace_back("scene sha256", file_sha256(a.scene));
   DeviceImage image;

@@ -4,6 +4,7 @@
 
 #include "gl/context/gl_errors.h"
 #include "gl/draw/upload.h"
+#include "gl/drawn_by_gl.h"
 #include "gl/glsl/own_glsl.h"
 #include "gl/glsl/shader_choice.h"
 
@@ -70,6 +71,7 @@ const void* place_of(std::size_t triangle) {
 
 GlDrawing::GlDrawing(const GlApi& gl, const Scene& scene, const GlOptions& options)
     : gl_(gl), background_(scene.background), dummies_(gl, first_dummy_unit) {
+  check_drawn_by_gl({}, scene);
   for (std::size_t i = 0; i < texture_slots.size(); ++i) {
     const auto is_same = [&](const TextureSlot& slot) { return slot.blank == texture_slots[i].blank; };
     const auto first = static_cast<std::size_t>(std::find_if(texture_slots.begin(), texture_slots.end(), is_same) -

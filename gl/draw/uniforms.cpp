@@ -50,8 +50,8 @@ UniformValues scene_uniforms(const Scene& scene) {
     for (std::size_t i = 0; i < lights.size(); ++i) {
       const std::string at = std::string(Light::names.glsl) + "[" + std::to_string(i) + "].";
       const Light light = textbook_light(lights[i]);
-      Light::fields(light, [&](const std::string& name, const auto& value, const Range& range, auto&&) {
-        values[at + name] = uniform_of(value, range);
+      Light::fields(light, [&]<class Value>(const std::string& name, const Value& value, const Range& range, auto&&) {
+        if constexpr (!std::is_same_v<Value, Shadow>) values[at + name] = uniform_of(value, range);
       });
     }
   });

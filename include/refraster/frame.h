@@ -89,7 +89,7 @@ inline constexpr std::size_t max_exact_triangle_id = std::size_t{1} << 24;
 /// Seconds of wall time in each stage of a frame.
 struct StageSeconds {
   double transform = 0; ///< vertices
-  double bin = 0;       ///< triangles, to the tiles that they may touch
+  double bin = 0;       ///< triangles, to the tiles that they may touch; and into the tree of shadows
   double tiles = 0;     ///< visibility, shading, resolve
   double total = 0;     ///< of the whole frame
 };

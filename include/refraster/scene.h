@@ -24,17 +24,33 @@ struct LightNames {
   Need need = Need::optional;  ///< whether a scene file must have the list
 };
 
+/// Whether surfaces keep a light from others.
+enum class Shadow {
+  none, ///< the light shines through everything
+  exact ///< no light where a triangle of the scene lies between, decided without rounding: docs/shadows.md
+};
+
+template <>
+struct EnumNames<Shadow> {
+  static constexpr std::pair<Shadow, std::string_view> names[] = {{Shadow::none, "none"}, {Shadow::exact, "exact"}};
+};
+
 // A type of light declares its names and, as a fragment function does, its parameters: <refraster/fields.h>. What
 // arrives of it at a surface is in shading/light.h.
+
+/// Of the parameter, for the documentation.
+inline constexpr std::string_view shadow_meaning =
+    "`\"exact\"`: whatever triangle lies between it and a surface takes its light ([shadows.md](shadows.md))";
 
 /// A light that shines from one point in all directions: attenuated by 1 / (Kc + Kl d + Kq d^2), d in world units. All
 /// three 0 means no attenuation.
 struct PointLight {
-  Double3 position{0};  ///< world space
-  Double3 radiance{1};  ///< linear; each channel >= 0
-  double constant = 1;  ///< Kc >= 0
-  double linear = 0;    ///< Kl >= 0
-  double quadratic = 0; ///< Kq >= 0
+  Double3 position{0};          ///< world space
+  Double3 radiance{1};          ///< linear; each channel >= 0
+  double constant = 1;          ///< Kc >= 0
+  double linear = 0;            ///< Kl >= 0
+  double quadratic = 0;         ///< Kq >= 0
+  Shadow shadow = Shadow::none; ///< what keeps it from a surface: what crosses the segment to `position`
 
   /// Of the list.
   static constexpr LightNames names{"point_lights", "point lights", "pointLights", Need::required};
@@ -45,13 +61,15 @@ struct PointLight {
     field("constant", self.constant, Range{}, "Kc of the attenuation 1 / (Kc + Kl d + Kq d²); all three 0: none");
     field("linear", self.linear, Range{}, "Kl");
     field("quadratic", self.quadratic, Range{}, "Kq");
+    field("shadow", self.shadow, Range{}, shadow_meaning);
   }
 };
 
 /// A light infinitely far away. Not attenuated.
 struct DirectionLight {
-  Double3 direction{0, 0, -1}; ///< world space: where the light travels to; any length but 0
-  Double3 radiance{1};         ///< linear; each channel >= 0
+  Double3 direction{0, 0, -1};  ///< world space: where the light travels to; any length but 0
+  Double3 radiance{1};          ///< linear; each channel >= 0
+  Shadow shadow = Shadow::none; ///< what keeps it from a surface: what crosses the ray against `direction`
 
   /// Of the list.
   static constexpr LightNames names{"direction_lights", "direction lights", "directionLights", Need::required};
@@ -59,6 +77,7 @@ struct DirectionLight {
   static void fields(auto& self, auto&& field) {
     field("direction", self.direction, any_direction, "where the light travels to, world space; not zero");
     field("radiance", self.radiance, Range{}, "red, green, blue");
+    field("shadow", self.shadow, Range{}, shadow_meaning);
   }
 };
 
@@ -163,6 +182,15 @@ inline constexpr std::tuple light_lists{&Scene::point_lights, &Scene::direction_
 /// Calls visit(list) with each list of lights of a scene.
 void for_each_light_list(auto& scene, auto&& visit) {
   std::apply([&](auto... list) { (visit(scene.*list), ...); }, light_lists);
+}
+
+/// Whether any light is kept from surfaces by others.
+inline bool has_shadows(const Scene& scene) {
+  bool any = false;
+  for_each_light_list(scene, [&](const auto& lights) {
+    for (const auto& light : lights) any = any || light.shadow != Shadow::none;
+  });
+  return any;
 }
 
 /// Of all types.

@@ -390,6 +390,9 @@ SceneSource read_scene_source(const std::string& path, const SceneOptions& optio
   faults.sort_by_place();
   faults.add(in_files);
   faults.throw_if_any();
+  if (options.notes && has_shadows(scene) &&
+      any_material(scene, [](const Material& material) { return material.has_cut_outs(); }))
+    options.notes->add({path, 0, "opacity_map", "makes no holes in shadows: triangles cast them whole"});
   expose(scene, options.exposure_stops);
   source.textures = loader.texture_files();
   return source;

@@ -144,6 +144,13 @@ std::string nearly_black(const Frame& frame, const Scene& scene, double dark) {
          value;
 }
 
+Scene without_shadows(Scene scene) {
+  for_each_light_list(scene, [](auto& lights) {
+    for (auto& light : lights) light.shadow = Shadow::none;
+  });
+  return scene;
+}
+
 std::string explained(const Scene& scene, const RenderOptions& options, std::optional<std::uint64_t> shaded_pixels) {
   const RenderOptions looking = options_to_look_with(options);
   const Frame frame = render(scene, looking);
@@ -155,7 +162,14 @@ std::string explained(const Scene& scene, const RenderOptions& options, std::opt
   }
   const double dark = dark_radiance(options);
   const std::string what = nearly_black(frame, scene, dark);
-  return what.empty() ? "" : what + ": " + why_dark(scene, frame, dark);
+  if (what.empty()) return {};
+  if (has_shadows(scene)) {
+    const Scene shadowless = without_shadows(scene);
+    const Frame lit = render(shadowless, looking);
+    if (lit.cancelled) return {};
+    if (nearly_black(lit, shadowless, dark).empty()) return what + ": what is seen lies in shadow";
+  }
+  return what + ": " + why_dark(scene, frame, dark);
 }
 
 } // namespace

@@ -2,10 +2,11 @@
 // The shading of a tile in one number: included by raster/shade/precisions/*.cpp and, for other numbers, by
 // raster/render_in.h. For a number without lanes raster/shade/sample_data.h must be included too.
 
+#include "raster/resolve/resolve.h"
 #include "raster/shade/fragments.h"
 #include "raster/shade/packet_surfaces.h"
-#include "raster/resolve/resolve.h"
 #include "raster/shade/shade.h"
+#include "raster/shade/shadow/tile_shadows.h"
 #include "raster/shade/tiny/tiny_surface.h"
 #include "raster/shade/user_shading.h"
 #include "raster/stopwatch.h"
@@ -64,6 +65,8 @@ public:
     const std::uint32_t fragments = collect(context, visible);
     measures.seconds.attribute_setup += stopwatch.lap();
     colours_.resize(fragments);
+    if (context.shadows) [[unlikely]]
+      shadows_.decide(context, visible, runs_, fragments);
     const auto shade_groups = [&](const auto& groups) {
       for (const auto& group : groups) {
         const Material& material = *group.material;
@@ -106,6 +109,8 @@ private:
                    const SomeFunction& function, const SomeGroup& group, UndefinedCounts& undefined) {
     const auto shade_batch = [&] {
       const Scene& scene = context.scene;
+      if (context.shadows) [[unlikely]]
+        batch_.visibility = shadows_.from(batch_.first_fragment);
       if constexpr (std::is_same_v<SomeFunction, UserFunction>)
         user_shading_.sum_light(scene, function, batch_, undefined);
       else if constexpr (has_lanes) add_light<maps>(light_spans(scene), function, batch_, undefined);
@@ -195,6 +200,7 @@ private:
   PacketList<T> packets_;
   TinyFragments tiny_; // of a tile that has any, all
   PacketBatch<T> batch_;
+  TileShadows shadows_;
   UserShading<T> user_shading_;
   FragmentColours<T> colours_;
   TileResolver<T> resolver_;

@@ -25,6 +25,7 @@ public:
     asked.fragments = fragments;
     asked.lights = light_spans(scene);
     asked.undefined = &counts;
+    asked.visibility = batch.visibility;
     ask(function, asked, {batch.surface.data(), static_cast<std::size_t>(batch.packets)}, batch.sum.data());
   }
 

@@ -31,7 +31,8 @@ PrecisionStory precision_story(const FrameContext& context, const VisibleTile& v
     RenderOptions options = context.options;
     options.precision = precision;
     options.transfer = transfer;
-    shading->shade({{context.scene, options}, context.geometry, context.bins}, visible, frame, {counts, seconds});
+    shading->shade({{context.scene, options}, context.geometry, context.bins, context.shadows}, visible, frame,
+                   {counts, seconds});
     std::array<int, 3>& levels = transfer == Transfer::srgb ? story.srgb : story.levels;
     std::copy(frame.rgb8.values.begin(), frame.rgb8.values.end(), levels.begin());
   }

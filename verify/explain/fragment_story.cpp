@@ -1,5 +1,6 @@
 #include "verify/explain/fragment_story.h"
 
+#include "raster/shade/shadow/fragment_point.h"
 #include "verify/explain/fragment_terms.h"
 #include "verify/explain/readings.h"
 
@@ -133,7 +134,11 @@ LightStory light_story(const Light& light, std::size_t index, const Plain& at) {
   story.index = index;
   story.direction = plain(incident.direction);
   story.n_l = plain(dot(at.normal, incident.direction));
-  Light::fields(light, Parameters{story.parameters});
+  Light::fields(light, [&]<class Value>(std::string_view name, const Value& value, const auto&... about) {
+    if constexpr (std::is_same_v<Value, Shadow>)
+      if (value == Shadow::none) return; // no news
+    Parameters{story.parameters}(name, value, about...);
+  });
   story.arriving = plain(incident.radiance);
   if constexpr (requires { light.position; }) {
     story.distance = plain(length(as<T>(light.position) - at.position));
@@ -142,11 +147,30 @@ LightStory light_story(const Light& light, std::size_t index, const Plain& at) {
   return story;
 }
 
-void add_lights(const Scene& scene, const FragmentTerms<T>& terms, const auto& function, FragmentStory& story) {
+/// What triangle `number` of the frame is asked for at (x, y).
+struct ShadowQuestion {
+  const FrameContext& context;
+  std::uint32_t number;
+  std::int32_t x, y;
+};
+
+/// Of the light with that row.
+ShadowStory shadow_story(const ShadowQuestion& at, const FragmentTerms<T>& terms, std::size_t row) {
+  ShadowStory story;
+  if (terms.seen[row]) return story;
+  story.visibility = 0;
+  const SurfacePoint point = FragmentPoints(at.context, at.number).at(at.x, at.y);
+  if (const auto between = at.context.shadows->first_between(point, at.number, at.context.shadows->lights()[row]))
+    story.between = named_triangle(at.context, *between);
+  return story;
+}
+
+void add_lights(const ShadowQuestion& question, const FragmentTerms<T>& terms, const auto& function,
+                FragmentStory& story) {
   const PacketSurface<T>& s = terms.surface;
   const Plain at{s.position, s.normal, s.to_eye, s.texture, nullptr, terms.maps ? &*terms.maps : nullptr};
-  std::size_t number = 0;
-  for_each_light(scene, [&](const auto& light, std::size_t, std::size_t index) {
+  std::size_t number = 0, row = 0;
+  for_each_light(question.context.scene, [&](const auto& light, std::size_t, std::size_t index) {
     LightStory of = light_story(light, index, at);
     const LightTerm<T>& term = terms.lights[number++];
     of.reflected = plain(term.reflected);
@@ -154,6 +178,14 @@ void add_lights(const Scene& scene, const FragmentTerms<T>& terms, const auto& f
     if (terms.maps) of.specular_map = plain(terms.maps->specular);
     if constexpr (!std::same_as<std::remove_cvref_t<decltype(function)>, UserFunction>)
       add_parts(function, at, arriving(within_range<T>(prepared_light(light)), at).direction, of);
+    if (light.shadow != Shadow::none) {
+      ShadowStory shadow = shadow_story(question, terms, row++);
+      of.arriving *= shadow.visibility;
+      if constexpr (!std::same_as<std::remove_cvref_t<decltype(function)>, UserFunction>)
+        if (shadow.visibility == 0)
+          shadow.reflected = plain(reflected(function, at, arriving(within_range<T>(prepared_light(light)), at)));
+      of.shadow = std::move(shadow);
+    }
     story.lights.push_back(std::move(of));
   });
 }
@@ -260,7 +292,7 @@ FragmentStory fragment_story(const FrameContext& context, std::uint32_t number, 
   }
   with_function(material, [&]<class Function>(const Function& function) {
     if constexpr (!std::same_as<Function, UserFunction>) Function::fields(function, Parameters{story.parameters});
-    add_lights(context.scene, terms, function, story);
+    add_lights({context, number, centre(x), centre(y)}, terms, function, story);
   });
   story.ambient = plain(terms.ambient);
   if (terms.maps && material.specular_map.texture) story.specular_colour = plain(terms.maps->specular);

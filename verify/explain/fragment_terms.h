@@ -5,6 +5,7 @@
 #include "raster/shade/sample_data.h"
 #include "raster/shade/shade_packet.h"
 #include "raster/shade/user_shading.h"
+#include "raster/shade/shadow/tile_shadows.h"
 #include "shading/fragment_functions.h"
 
 #include <array>
@@ -34,6 +35,11 @@ struct FragmentTerms {
   std::vector<LightTerm<T>> lights; // in the order of light_lists
   Rgb<T> radiance{T(0)};
   UndefinedCounts undefined; // all
+  std::vector<std::uint8_t>
+      seen; // lights_seen(): of each light with a shadow, whether it is; and as many as lanes more
+
+  /// To the light that a fragment function sums, whose row with a shadow is that.
+  LightVisibility visibility(std::size_t row = 0) const { return {seen.empty() ? nullptr : seen.data() + row, 1}; }
 };
 
 /// The first lane of x, rounded to double.
@@ -109,11 +115,15 @@ void sum_terms(const Scene& scene, const Function& function, FragmentTerms<T>& t
   terms.ambient = ambient(function, at(tally));
   terms.radiance = terms.ambient;
   if (terms.maps) terms.radiance += terms.maps->emission;
+  ShadowRows rows(terms.visibility());
   for_each_light(scene, [&](const auto& light, std::size_t, std::size_t) {
     LightTerm<T> term;
     const UndefinedTally<T> own(term.undefined, first_lane<T>());
     const Fragment<T> fragment = at(own);
-    term.reflected = reflected(function, fragment, arriving(within_range<T>(prepared_light(light)), fragment));
+    Incident<T> incident = arriving(within_range<T>(prepared_light(light)), fragment);
+    if (const LightShadow shadow = rows.of(light); takes_light<T>(shadow))
+      incident.radiance = times_visibility(incident.radiance, shadow, 0);
+    term.reflected = reflected(function, fragment, incident);
     terms.radiance += term.reflected;
     terms.undefined += term.undefined;
     terms.lights.push_back(std::move(term));
@@ -126,22 +136,25 @@ void sum_terms(const Scene& scene, const Function& function, FragmentTerms<T>& t
 template <class T>
 void sum_terms(const Scene& scene, const UserFunction& function, FragmentTerms<T>& terms) {
   UserShading<T> shading;
-  const auto radiance = [&](const Scene& lit, UndefinedCounts& undefined) {
+  const auto radiance = [&](const Scene& lit, std::size_t first_row, UndefinedCounts& undefined) {
     PacketBatch<T> batch;
     batch.packets = 1;
+    batch.visibility = terms.visibility(first_row);
     batch.surface[0] = terms.surface;
     batch.in_use[0] = first_lane<T>();
     shading.sum_light(lit, function, batch, undefined);
     return batch.sum[0];
   };
   UndefinedCounts without_light;
-  terms.ambient = radiance(with_one_light(scene, 0, static_cast<std::size_t>(-1)), without_light);
-  for_each_light(scene, [&](const auto&, std::size_t list, std::size_t index) {
+  terms.ambient = radiance(with_one_light(scene, 0, static_cast<std::size_t>(-1)), 0, without_light);
+  std::size_t row = 0;
+  for_each_light(scene, [&](const auto& light, std::size_t list, std::size_t index) {
     LightTerm<T> term;
-    term.reflected = radiance(with_one_light(scene, list, index), term.undefined) - terms.ambient;
+    term.reflected = radiance(with_one_light(scene, list, index), row, term.undefined) - terms.ambient;
     terms.lights.push_back(std::move(term));
+    row += light.shadow != Shadow::none;
   });
-  terms.radiance = radiance(scene, terms.undefined);
+  terms.radiance = radiance(scene, 0, terms.undefined);
 }
 
 /// Calls visit(function) with what shades a material: its block of parameters, or a UserFunction.
@@ -161,6 +174,10 @@ FragmentTerms<T> fragment_terms(const FrameContext& context, std::uint32_t numbe
     packet_surface(context, material, data, tally, terms.surface);
     if (material.has_fragment_maps()) terms.maps = fragment_maps(material, data, tally);
   });
+  if (context.shadows) {
+    terms.seen = lights_seen(context, number, x, y);
+    terms.seen.resize(terms.seen.size() + static_cast<std::size_t>(NumberTraits<T>::lanes));
+  }
   with_function(material, [&](const auto& function) { sum_terms(context.scene, function, terms); });
   return terms;
 }

@@ -144,6 +144,14 @@ std::string merl_text(const LightStory& light, const MerlStory& m) {
   return text + row(term, light.reflected);
 }
 
+std::string shadow_text(const ShadowStory& shadow) {
+  std::string text = row("visibility", std::vector<double>{shadow.visibility});
+  if (shadow.between)
+    text += row("in the shadow of",
+                "triangle " + std::to_string(shadow.between->triangle) + " of " + object_text(*shadow.between));
+  return text;
+}
+
 std::string light_block(const LightStory& light) {
   std::string name = light_text(light);
   std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
@@ -152,7 +160,11 @@ std::string light_block(const LightStory& light) {
   text += row("direction to it l, unit", light.direction);
   if (light.distance) text += row("distance d", std::vector<double>{*light.distance});
   if (light.attenuation) text += row("attenuation at d", std::vector<double>{*light.attenuation});
-  text += row(light.attenuation ? "C: radiance x attenuation" : "C: the radiance, not attenuated", light.arriving);
+  if (light.shadow) text += shadow_text(*light.shadow);
+  text += row(light.shadow        ? (light.attenuation ? "C: attenuated, times visibility" : "C: radiance x visibility")
+              : light.attenuation ? "C: radiance x attenuation"
+                                  : "C: the radiance, not attenuated",
+              light.arriving);
   text += row("n.l", std::vector<double>{light.n_l});
   if (light.merl) return text + merl_text(light, *light.merl);
   if (!light.diffuse || !light.specular) return text + row("reflected", light.reflected);

@@ -125,6 +125,13 @@ struct ParameterStory {
   std::string word;            // of a choice
 };
 
+/// Whether a light with a shadow is seen from the surface.
+struct ShadowStory {
+  double visibility = 1;
+  std::optional<NamedTriangle> between; // where it is 0: of the triangles that take the light the one drawn first
+  std::optional<Double3> reflected;     // and what it would give if they did not; of a formula that is known here
+};
+
 /// What one light gives.
 struct LightStory {
   std::string type;      // "point light", "direction light"
@@ -132,14 +139,15 @@ struct LightStory {
   Double3 direction{0};  // l: unit, from the surface to the light
   double n_l = 0;        // n.l
   std::vector<ParameterStory> parameters;
-  Double3 arriving{0};                         // C: radiance times attenuation
+  Double3 arriving{0};                         // C: radiance times attenuation times visibility
   std::optional<double> distance, attenuation; // of a light that has a place
   std::optional<LobeStory> lobe;
   /// Of a function with kd and ks, per unit of C: kd t <n.l> and ks <r.v>^s. (diffuse + specular) C is `reflected`.
   std::optional<Double3> diffuse, specular;
   Double3 specular_map{1}; // what multiplies ks in it
   std::optional<MerlStory> merl;
-  Double3 reflected{0}; // toward the eye: what is added to the sum
+  Double3 reflected{0};              // toward the eye: what is added to the sum
+  std::optional<ShadowStory> shadow; // of a light that has one
   UndefinedCounts undefined;
 };
 
@@ -169,7 +177,7 @@ struct FragmentStory {
   bool turned = false;             // all normals: a two-sided object shows its back
   std::optional<NormalMapStory> maps_of_normal;
   Double3 normal{0}; // n: unit
-  Double3 to_eye{0};               // v: unit
+  Double3 to_eye{0}; // v: unit
   double n_v = 0;
   std::optional<Double2> uv; // as interpolated, not wrapped
   std::optional<TextureStory> texture;

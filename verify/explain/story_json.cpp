@@ -155,6 +155,14 @@ private:
       json_.member("distance", light.distance);
       json_.member("attenuation", light.attenuation);
       write(light.parameters);
+      json_.optional("shadow", light.shadow, [&](const ShadowStory& shadow) {
+        json_.object([&] {
+          json_.member("visibility", shadow.visibility);
+          json_.optional("between", shadow.between,
+                         [&](const NamedTriangle& of) { json_.object([&] { write_members(of); }); });
+          json_.optional("reflected", shadow.reflected, [&](const Double3& rgb) { json_.value(listed(rgb)); });
+        });
+      });
       json_.member("arriving", listed(light.arriving));
       json_.member("n_l", light.n_l);
       json_.optional("lobe", light.lobe, [&](const LobeStory& lobe) {

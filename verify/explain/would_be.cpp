@@ -174,6 +174,9 @@ private:
   void try_light(const Group& group, std::size_t i) {
     const LightStory& light = group.first().lights[i];
     const std::string of_light = " of " + name_of_light(light);
+    if (story_.fragments.size() == 1 && story_.background_samples == 0 && light.shadow && light.shadow->reflected)
+      try_pixel(group.first().radiance + *light.shadow->reflected, "the pixel with the light" + of_light,
+                "as if it had no shadow");
     const Double3 all = group.sum_of_light(i, reflected), matt = group.sum_of_light(i, diffuse),
                   shining = group.sum_of_light(i, specular), incident = group.sum_of_light(i, arriving);
     if (light.attenuation && *light.attenuation > 0)

@@ -153,6 +153,20 @@ Scene extremes() {
   return scene;
 }
 
+// Of what is seen and what is not, on each other and on a floor with other corners than theirs.
+Scene shadows() {
+  Scene scene = lit();
+  for (PointLight& light : scene.point_lights) light.shadow = Shadow::exact;
+  for (DirectionLight& light : scene.direction_lights) light.shadow = Shadow::exact;
+  scene.camera.position = {0.3, 1.9, 3.7};
+  return with(scene, {object(shared(plane_mesh(3)), {0, -0.8, 0}, {0, 20, 0}, {4, 1, 4},
+                             glossy<Phong>({0.9, 0.9, 0.9}, {0.2, 0.2, 0.2}, 20)),
+                      object(shared(knot_mesh(120, 12, 0.22)), {0.3, 0.1, 0}, {70, 0, 20}, Double3(0.7),
+                             glossy<BlinnPhong>({0.6, 0.7, 0.8}, {0.9, 0.9, 0.9}, 40)),
+                      object(shared(sphere_mesh(24, 12)), {-0.9, -0.4, 0.5}, {10, 20, 30}, Double3(0.4),
+                             glossy<Phong>({0.8, 0.5, 0.3}, {0.5, 0.5, 0.5}, 12))});
+}
+
 Scene many_lights() {
   Random random = Random::from_state(3);
   Scene scene = lit();
@@ -194,6 +208,8 @@ std::vector<HashedScene> hashed_scenes() {
   scenes.push_back({"thrown-triangles", thrown(400)});
   scenes.push_back({"extremes", extremes()});
   scenes.push_back({"many-lights", many_lights()});
+  scenes.push_back({"shadows", shadows()});
+  scenes.push_back({"shadows-4", shadows(), 4});
   for (const int samples : {2, 4, 8, 16})
     scenes.push_back({"samples-" + std::to_string(samples), thrown(100), samples});
   return scenes;

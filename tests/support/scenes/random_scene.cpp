@@ -261,6 +261,17 @@ Camera random_camera(Random& random) {
   }
 }
 
+/// Of lights of some scenes, from a generator of its own, which the other only seeds.
+void add_shadows(const Random& random, Scene& scene) {
+  constexpr std::uint64_t shadow_seed = 0x736861646f77;
+  Random peek = random, own(shadow_seed + static_cast<std::uint64_t>(peek.below(1 << 30)));
+  if (!one_in(own, 3)) return;
+  for_each_light_list(scene, [&](auto& lights) {
+    for (auto& light : lights)
+      if (one_in(own, 2)) light.shadow = Shadow::exact;
+  });
+}
+
 } // namespace
 
 Scene random_scene(Random& random) {
@@ -274,6 +285,7 @@ Scene random_scene(Random& random) {
     if (light.direction.x == 0 && light.direction.y == 0 && light.direction.z == 0) light.direction.z = 1;
     scene.direction_lights.push_back(light);
   }
+  add_shadows(random, scene);
   for (int i = random.below(6); i > 0; --i) scene.objects.push_back(random_object(random));
   return scene;
 }

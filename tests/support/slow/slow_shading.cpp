@@ -1,11 +1,14 @@
 #include "tests/support/slow/slow_shading.h"
 
+#include "tests/support/slow/slow_shadows.h"
+
 #include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <numbers>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace refraster::slow {
 namespace {
@@ -193,16 +196,41 @@ std::optional<Vec> brdf(const Merl& merl, Vec n, Vec i, Vec o) {
 
 // Light.
 
-std::vector<Arriving> lights_at(const Scene& scene, Vec position) {
+/// What shadows leave of a light: all or nothing.
+class Visibility {
+public:
+  Visibility(const Scene& scene, const Seen& seen) : seen_(seen) {
+    if (has_shadows(scene)) casters_.emplace(scene);
+  }
+
+  Real of(const auto& light, Vec to, bool is_direction) {
+    if (light.shadow == Shadow::none) return 1;
+    const std::optional<bool> sees = casters_->sees(seen_, to, is_direction);
+    doubtful = doubtful || !sees;
+    return sees.value_or(true) ? 1 : 0;
+  }
+  bool doubtful = false;
+
+private:
+  const Seen& seen_;
+  std::optional<ShadowCasters> casters_;
+};
+
+std::vector<Arriving> lights_at(const Scene& scene, const Seen& seen, bool& doubtful) {
   std::vector<Arriving> lights;
+  Visibility visibility(scene, seen);
   for (const PointLight& light : scene.point_lights) {
-    const Vec way = vec(light.position) - position;
+    const Vec way = vec(light.position) - seen.position;
     const Real d = length(way);
     const Real divisor = real(light.constant) + real(light.linear) * d + real(light.quadratic) * d * d;
-    lights.push_back({unit(way), vec(light.radiance) * (divisor > 0 ? 1 / divisor : 1)});
+    const Real seen_light = visibility.of(light, vec(light.position), false);
+    lights.push_back({unit(way), vec(light.radiance) * ((divisor > 0 ? 1 / divisor : 1) * seen_light)});
   }
-  for (const DirectionLight& light : scene.direction_lights)
-    lights.push_back({unit(vec(light.direction)) * Real(-1), vec(light.radiance)});
+  for (const DirectionLight& light : scene.direction_lights) {
+    const Vec to = vec(light.direction) * Real(-1);
+    lights.push_back({unit(to), vec(light.radiance) * visibility.of(light, to, true)});
+  }
+  doubtful = visibility.doubtful;
   return lights;
 }
 
@@ -254,12 +282,15 @@ concept HasFormula = requires(const Function& function, const Lit& at) {
 } // namespace
 
 Lit lit(const Scene& scene, const Seen& seen) {
+  bool doubtful = false;
+  std::vector<Arriving> lights = lights_at(scene, seen, doubtful);
   return {mapped_normal(seen),
           unit(vec(scene.camera.position) - seen.position),
           texture_colour(seen.material->diffuse_map, seen) * seen.colour,
-          lights_at(scene, seen.position),
+          std::move(lights),
           texture_colour(seen.material->specular_map, seen),
-          vec(seen.material->emissive) * texture_colour(seen.material->emissive_map, seen)};
+          vec(seen.material->emissive) * texture_colour(seen.material->emissive_map, seen),
+          doubtful};
 }
 
 std::optional<bool> is_there(const Seen& seen) {
@@ -291,6 +322,7 @@ std::optional<Shaded> shaded(const Scene& scene, const Seen& seen) {
   if (material.user_function || !has_formula(material.fragment_function))
     throw std::logic_error("slow_shading.cpp has no formula of " + std::string(material.function_name()));
   const Lit at = lit(scene, seen);
+  if (at.doubtful) return std::nullopt;
   return std::visit(
       [&]<class Function>(const Function& function) -> std::optional<Shaded> {
         if constexpr (HasFormula<Function>) return shaded_by(function, at);

@@ -46,8 +46,8 @@ const Material& material_of_triangle(const Object& object, std::uint32_t triangl
 }
 
 /// `side`: 1, or -1 where normals are turned.
-void look(const Object& object, const Material& material, Real side, const std::array<const Corner*, 3>& c,
-          const Planes& planes, Pixel pixel, Candidate& candidate) {
+void look(const Object& object, std::uint32_t triangle, const Material& material, Real side,
+          const std::array<const Corner*, 3>& c, const Planes& planes, Pixel pixel, Candidate& candidate) {
   const Vec p = {pixel.x + Real(0.5), pixel.y + Real(0.5), 1};
   std::array<Real, 3> lambda;
   Real least = std::numeric_limits<Real>::infinity(), size = 0;
@@ -86,7 +86,7 @@ void look(const Object& object, const Material& material, Real side, const std::
     return (a - mean(attribute) * sum_step) / sum;
   };
   Seen seen;
-  seen.object = &object, seen.material = &material;
+  seen.object = &object, seen.material = &material, seen.triangle = triangle;
   seen.position = mean([](const Corner& corner) { return corner.position; });
   const Vec normal = mean([](const Corner& corner) { return corner.normal; }) * side;
   seen.has_uv = c[0]->has_uv && c[1]->has_uv && c[2]->has_uv;
@@ -138,7 +138,7 @@ std::vector<std::optional<Seen>> seen_at(const Scene& scene, int width, int heig
     const Object& object = scene.objects[index];
     const std::vector<Corner> corners =
         vertices == Vertices::own ? corners_of(object, viewer) : stored_corners(scene, geometry, index, width, height);
-    const auto draw = [&](const std::array<const Corner*, 3>& c, const Material& material) {
+    const auto draw = [&](const std::array<const Corner*, 3>& c, std::uint32_t number, const Material& material) {
       const Vec e0 = cross(c[1]->window, c[2]->window), e1 = cross(c[2]->window, c[0]->window),
                 e2 = cross(c[0]->window, c[1]->window);
       const Real determinant = dot(c[0]->window, e0);
@@ -147,18 +147,19 @@ std::vector<std::optional<Seen>> seen_at(const Scene& scene, int width, int heig
       const bool mirrored = real(object.scale.x) * real(object.scale.y) * real(object.scale.z) < 0;
       const Real side = object.two_sided == TwoSided::yes && (determinant > 0) != mirrored ? -1 : 1;
       const Planes planes = {{e0 * (1 / determinant), e1 * (1 / determinant), e2 * (1 / determinant)}};
-      for (std::size_t i = 0; i < pixels.size(); ++i) look(object, material, side, c, planes, pixels[i], candidates[i]);
+      for (std::size_t i = 0; i < pixels.size(); ++i)
+        look(object, number, material, side, c, planes, pixels[i], candidates[i]);
     };
     for (std::uint32_t number = 0; number < object.mesh->triangles.size(); ++number) {
       const auto& triangle = object.mesh->triangles[number];
       const Material& material = material_of_triangle(object, number);
       const std::array<const Corner*, 3> c = {&corners[triangle[0]], &corners[triangle[1]], &corners[triangle[2]]};
       if (c[0]->w > 0 && c[1]->w > 0 && c[2]->w > 0) {
-        draw(c, material);
+        draw(c, number, material);
         continue;
       }
       const std::vector<Corner> part = part_in_front(c, viewer);
-      for (std::size_t k = 1; k + 1 < part.size(); ++k) draw({&part[0], &part[k], &part[k + 1]}, material);
+      for (std::size_t k = 1; k + 1 < part.size(); ++k) draw({&part[0], &part[k], &part[k + 1]}, number, material);
     }
   }
   std::vector<std::optional<Seen>> result;

@@ -6,6 +6,7 @@
 
 #include "tests/support/slow/slow_vector.h"
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -19,8 +20,9 @@ struct Pixel {
 struct Seen {
   const Object* object = nullptr; // null: nothing but the background
   const Material* material = nullptr;
-  Vec position, normal; // world space; normal of unit length
-  bool has_uv = false;  // all corners of the triangle have texture coordinates
+  std::uint32_t triangle = 0; // of the object's mesh
+  Vec position, normal;       // world space; normal of unit length
+  bool has_uv = false;        // all corners of the triangle have texture coordinates
   Real u = 0, v = 0;
   Vec colour = {1, 1, 1};                                // of the vertices
   Vec tangent;                                           // as interpolated; 0 without

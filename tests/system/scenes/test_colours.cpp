@@ -5,6 +5,7 @@
 #include "tests/support/scenes/half_textured.h"
 #include "tests/support/scenes/leaf_scene.h"
 #include "tests/support/scenes/listed_scenes.h"
+#include "tests/support/scenes/shadow_scene.h"
 #include "tests/support/slow/slow_shading.h"
 
 #include <doctest/doctest.h>
@@ -100,6 +101,10 @@ TEST_CASE("so they are of a mesh of which only some triangles have texture coord
 TEST_CASE("so they are where surfaces are cut out by their opacity") {
   for (const TextureFilter filter : {TextureFilter::nearest, TextureFilter::bilinear, TextureFilter::trilinear})
     check_colours(leaf_scene(filter), 7);
+}
+
+TEST_CASE("so they are where other things take a light") {
+  check_colours(shadow_scene(), 7);
 }
 
 TEST_CASE("so they are with every type of light, texture slot and vertex attribute") {

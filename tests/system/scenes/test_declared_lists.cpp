@@ -76,6 +76,7 @@ TEST_CASE("random scenes have every type of light, texture and vertex attribute,
     for_each_light_list(scene, [&]<class Light>(const std::vector<Light>& lights) {
       count(std::string(Light::names.words), !lights.empty());
     });
+    count("lights with shadows", has_shadows(scene));
     const auto any_object = [&](auto&& has) { return std::any_of(scene.objects.begin(), scene.objects.end(), has); };
     for (const TextureSlot& slot : texture_slots)
       count("the texture " + std::string(slot.name),

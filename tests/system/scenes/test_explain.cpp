@@ -6,6 +6,7 @@
 #include "tests/support/scenes/half_textured.h"
 #include "tests/support/scenes/listed_scenes.h"
 #include "tests/support/scenes/random_scene.h"
+#include "tests/support/scenes/shadow_scene.h"
 #include "verify/explain/explain_pixel.h"
 #include "verify/explain/story_json.h"
 #include "verify/explain/story_text.h"
@@ -177,6 +178,46 @@ TEST_CASE("the story of a random pixel of a random scene is that of the frame, w
     CHECK_FALSE(story_text(story).empty());
     CHECK_FALSE(story_json(story).empty());
   }
+}
+
+TEST_CASE("the story of a pixel in the shadow of something says of what, and what it would be without") {
+  const Scene scene = shadow_scene();
+  int in_shadow = 0, in_light = 0;
+  for (int i = 0; i < 60; ++i) {
+    const ExplainRequest request{5 + i * 5 % 310, 90 + i, 320, 180, i % 4 == 0 ? 4 : 1};
+    CAPTURE(i);
+    check_story(scene, request);
+    const PixelStory story = explain_pixel(scene, request);
+    for (const FragmentStory& f : story.fragments)
+      for (const LightStory& light : f.lights) {
+        const bool has_shadow = light.index < (light.type == "point light" ? 2 : 1);
+        REQUIRE(light.shadow.has_value() == has_shadow);
+        if (!has_shadow) continue;
+        if (light.shadow->visibility == 1) {
+          ++in_light;
+          CHECK_FALSE(light.shadow->between);
+          continue;
+        }
+        ++in_shadow;
+        CHECK(light.reflected == Double3(0));
+        REQUIRE(light.shadow->between);
+        REQUIRE(light.shadow->reflected);
+        const std::string between = "in the shadow of";
+        CHECK(story_text(story, {.lights = 9}).find(between) != std::string::npos);
+        CHECK(story_json(story).find("\"between\": {") != std::string::npos);
+        if (story.fragments.size() > 1 || *light.shadow->reflected == Double3(0)) continue;
+        ActualPixel actual;
+        actual.stored = f.radiance + *light.shadow->reflected;
+        actual.full_scale = 1;
+        actual.precision = StoredPrecision::floats(0x1p-24);
+        const PixelStory other = explain_pixel(scene, request, actual);
+        REQUIRE(other.actual);
+        CHECK(std::any_of(other.actual->would_be.begin(), other.actual->would_be.end(),
+                          [](const WouldBe& found) { return found.remark == "as if it had no shadow"; }));
+      }
+  }
+  CHECK(in_shadow > 20);
+  CHECK(in_light > 20);
 }
 
 TEST_CASE("every filter's texels, with their weights, are the texture's colour") {

@@ -218,6 +218,39 @@ TEST_CASE("a measured material is cut out by an opacity map, and a texture of co
   CHECK(folder.noted().find("t.png") != std::string::npos);
 }
 
+TEST_CASE("a light's shadow is read, and that opacity makes no holes in it is a note") {
+  const auto noted = [](const std::string& light, const std::string& material, Shadow& shadow) {
+    const TemporaryFolder folder;
+    write_files(folder.path, {{"s.json", R"({"scene": {"camera": {"position": "0 0 6"}, "point_lights": [],
+        "direction_lights": [{"direction": "0 0 -1", "radiance": "1 1 1")" +
+                                             light + R"(}], "objects": [{"mesh": {"plane": {}}, "position": "0 0 0",
+        "rotate_x": 0, "rotate_y": 0, "rotate_z": 0, "scale": "1 1 1", "fragment_function": "phong",
+        "material": {"ka": "0 0 0", "kd": "1 1 1", "ks": "0 0 0", "glossiness": 1)" +
+                                             material + "}}]}}"},
+                              {"t.png", png_bytes(1, 1, 3, 8, {255, 0, 0})}});
+    NoteList notes;
+    shadow = read_scene(folder / "s.json", {.notes = &notes}).direction_lights.at(0).shadow;
+    std::string text;
+    for (const Note& note : notes.notes()) text += note.text() + "\n";
+    return text;
+  };
+  const std::string opacity = ", \"opacity_map\": \"t.png\"", exact = ", \"shadow\": \"exact\"";
+  const std::string note = "opacity_map, makes no holes in shadows: triangles cast them whole";
+  Shadow shadow = Shadow::exact;
+  CHECK(noted("", opacity, shadow).empty());
+  CHECK(shadow == Shadow::none);
+  CHECK(noted(", \"shadow\": \"none\"", opacity, shadow).empty());
+  CHECK(shadow == Shadow::none);
+  CHECK(noted(exact, "", shadow).empty());
+  CHECK(shadow == Shadow::exact);
+  const std::string found = noted(exact, opacity, shadow);
+  CHECK_MESSAGE(found.find(note) != std::string::npos, found);
+  CHECK_THROWS_WITH_AS(
+      noted(", \"shadow\": \"soft\"", "", shadow),
+      doctest::Contains("/scene/direction_lights/0/shadow: found \"soft\", expected \"none\" or \"exact\""),
+      InputError);
+}
+
 TEST_CASE("norm is a normal map, map_Bump and bump are heights, with their options; their mesh gets tangents") {
   for (const std::string key : {"map_Bump", "map_bump", "bump"}) {
     ModelFolder folder("",

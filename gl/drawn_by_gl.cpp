@@ -1,0 +1,18 @@
+#include "gl/drawn_by_gl.h"
+
+#include <refraster/notes.h>
+
+namespace refraster {
+
+void check_drawn_by_gl(const std::string& path, const Scene& scene) {
+  for_each_light_list(scene, [&]<class Light>(const std::vector<Light>& lights) {
+    for (std::size_t i = 0; i < lights.size(); ++i)
+      if (lights[i].shadow != Shadow::none)
+        throw InputError(InputFault{path, 0, 0,
+                                    "/scene/" + std::string(Light::names.key) + "/" + std::to_string(i) + "/shadow",
+                                    '"' + std::string(name_of(lights[i].shadow)) + "\", which OpenGL does not cast",
+                                    "\"none\" for OpenGL; refraster render and explain cast it"});
+  });
+}
+
+} // namespace refraster
