@@ -5,7 +5,7 @@
 
 namespace refraster { // not the kit's: tables of it are the library's
 
-/// 1 sign, 5 exponent and 10 fraction bits. Finite. Numbers become halves by half_of (shading/half_of.h).
+/// 1 sign, 5 exponent and 10 fraction bits. Finite. Numbers become halves by half_of (math/half_of.h).
 struct Half {
   std::uint16_t bits = 0;
 

@@ -1,7 +1,7 @@
 #include <refraster/material.h>
 
 #include "math/elementary.h"
-#include "shading/half_of.h"
+#include "math/half_of.h"
 
 #include <limits>
 #include <mutex>

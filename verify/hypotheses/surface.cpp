@@ -1,7 +1,7 @@
 #include "verify/hypotheses/surface.h"
 
 #include "raster/shade/shade_packet.h"
-#include "shading/half_of.h"
+#include "math/half_of.h"
 
 #include <array>
 #include <cmath>

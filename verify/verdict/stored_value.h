@@ -38,13 +38,13 @@ public:
   }
   /// Whether nearly all pixels of a right image can be told by is_plainly(): levels, without a curve.
   bool has_plain_levels() const {
-    return is_integer() && transfer_ == Transfer::linear && rounding_ >= least_rounding();
+    return is_integer() && transfer_ == Transfer::linear && rounding_ >= plain_distance();
   }
   /// Of has_plain_levels(): true only where is() and may_be() are. By a few operations, so that an image that is exact
   /// costs little more than to be read.
   bool is_plainly(float radiance, float stored) const {
     const double level = 255 * std::clamp(static_cast<double>(radiance), 0.0, 1.0);
-    return std::abs(level - levels(stored)) <= least_rounding();
+    return std::abs(level - levels(stored)) <= plain_distance();
   }
 
   /// Whether that is this number, which is known in single precision, rounded once.
@@ -61,7 +61,7 @@ public:
   }
 
 private:
-  double least_rounding() const { return 0.49 * precision_.step; } // the nearest level, and not near the middle of two
+  double plain_distance() const { return 0.49 * precision_.step; } // the nearest level, and not near the middle of two
 
   Transfer transfer_;
   double to_levels_;

@@ -127,30 +127,6 @@ TEST_CASE("GLSL beyond the limit of its size is bad input") {
   CHECK(run.err == "refraster: f.glsl: found 1048577 bytes, expected at most 1048576 bytes\n");
 }
 
-TEST_CASE("a scene with an exact shadow is drawn by render alone, and gl and verify --gl say so in a line") {
-  const TemporaryFolder folder;
-  std::string text = scene_with("\"fragment_function\": \"phong\", " + plastic);
-  const std::string before = R"("radiance": "0.2 0.25 0.3")";
-  REQUIRE(text.find(before) != std::string::npos);
-  text.insert(text.find(before), R"("shadow": "exact", )");
-  save_text(folder / "s.json", text);
-  const std::string line = "s.json: /scene/direction_lights/0/shadow: found \"exact\", which OpenGL does not cast, "
-                           "expected \"none\" for OpenGL; refraster render and explain cast it\n";
-  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
-           {"gl", "s.json", "--size", "40x30"}, {"verify", "s.json", "--gl", "--size", "40x30"}}) {
-    const Finished run = run_program(folder.path, words);
-    CHECK(run.exit_code == 3);
-    CHECK_MESSAGE(run.err.find(line) != std::string::npos, run.err);
-    CHECK(run.out.empty());
-  }
-  CHECK(run_program(folder.path, {"render", "s.json", "--size", "40x30", "-o", "s.png"}).exit_code == 0);
-  const Finished verified = run_program(folder.path, {"verify", "s.json", "s.png"});
-  CHECK(verified.exit_code == 0);
-  CHECK_MESSAGE((verified.out + verified.err).find("a light that has one may reach a surface or not") !=
-                    std::string::npos,
-                verified.out);
-}
-
 TEST_CASE("compare finds Phong where Blinn-Phong is asked for") {
   const TemporaryFolder folder;
   const Finished found = compared_file(folder, wrong_shaders + "highlight.json");

@@ -37,3 +37,24 @@ TEST_CASE("OpenGL's image that shows something is not explained") {
   CHECK(run.exit_code == 0);
   CHECK_MESSAGE(run.err.find("note:") == std::string::npos, run.err);
 }
+
+TEST_CASE("a scene with an exact shadow is drawn by render alone, and gl and verify --gl say so in a line") {
+  const TemporaryFolder folder;
+  const std::string list = "\"direction_lights\": [{";
+  save_text(folder / "s.json", ball_with(list, list + R"("shadow": "exact", )"));
+  const std::string line = "s.json: /scene/direction_lights/0/shadow: found \"exact\", which OpenGL does not cast, "
+                           "expected \"none\" for OpenGL; refraster render and explain cast it\n";
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+           {"gl", "s.json", "--size", "40x30"}, {"verify", "s.json", "--gl", "--size", "40x30"}}) {
+    const Finished run = run_program(folder.path, words);
+    CHECK(run.exit_code == 3);
+    CHECK_MESSAGE(run.err.find(line) != std::string::npos, run.err);
+    CHECK(run.out.empty());
+  }
+  CHECK(run_program(folder.path, {"render", "s.json", "--size", "40x30", "-o", "s.png"}).exit_code == 0);
+  const Finished verified = run_program(folder.path, {"verify", "s.json", "s.png"});
+  CHECK(verified.exit_code == 0);
+  CHECK_MESSAGE((verified.out + verified.err).find("a light that has one may reach a surface or not") !=
+                    std::string::npos,
+                verified.out);
+}

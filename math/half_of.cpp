@@ -1,4 +1,4 @@
-#include "shading/half_of.h"
+#include "math/half_of.h"
 
 #include "math/scalar.h"
 

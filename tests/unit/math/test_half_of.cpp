@@ -1,6 +1,6 @@
 // Rounding to half precision: once, from double.
 
-#include "shading/half_of.h"
+#include "math/half_of.h"
 #include "tests/support/for_all.h"
 
 #include <doctest/doctest.h>
