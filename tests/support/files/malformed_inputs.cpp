@@ -227,7 +227,7 @@ void add_scenes(List& list) {
       "7},\n  \"point_lights\": [{\"x\": 1, ",
       "s.json:2:26: /scene/camera/position: found 7, expected three numbers\n"
       "s.json:3:21: /scene/point_lights/0/x: found an unknown key, expected one of position, radiance, constant, "
-      "linear, quadratic, space");
+      "linear, quadratic, shadow, space");
 }
 
 /// ASCII with a zero byte before (1) or behind (0) each character.
