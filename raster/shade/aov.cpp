@@ -54,6 +54,11 @@ std::size_t material_number(const Object& object, const Material& material) {
   return static_cast<std::size_t>(&material - object.materials.data()) + 1;
 }
 
+/// Whether it is a number of the triangle that is seen: all pixels of a run have it.
+bool is_of_triangle(Aov aov) {
+  return aov == Aov::object || aov == Aov::triangle || aov == Aov::material;
+}
+
 /// Which pixel a fragment belongs to, counted from the tile's corner, and whether it is the pixel's first.
 struct FragmentPlace {
   int x = 0, y = 0;
@@ -141,8 +146,22 @@ void write_aovs(const FrameContext& context, const VisibleTile& visible, std::sp
   const Double3 eye = context.scene.camera.position, ahead = normalize(context.scene.camera.target - eye);
   UserShading<T> user_shading;
   UndefinedCounts uncounted; // shading has counted these
+  const auto number_of = [&](Aov aov, const TileAttributes<double>::Group& group, const Triangle& triangle) {
+    if (aov == Aov::object) return std::size_t(group.object) + 1;
+    if (aov == Aov::material) return material_number(context.scene.objects[group.object], *group.material);
+    return std::size_t(triangle.number - context.geometry.first_triangle[triangle.object]) + 1;
+  };
   for (const auto& group : setups.groups()) {
     const Material& material = *group.material;
+    for (const FragmentRun& run : setups.sorted().subspan(group.begin_run, group.end_run - group.begin_run)) {
+      const FragmentPlace& place = places[run.first_fragment];
+      if (!place.is_first) continue;
+      for (std::size_t i = 0; i < aovs.size(); ++i)
+        if (is_of_triangle(aovs[i]))
+          std::fill_n(pixel(images[i], place.x, place.y), run.length,
+                      static_cast<float>(number_of(aovs[i], group, setups.setups()[run.slot])));
+    }
+    if (std::all_of(aovs.begin(), aovs.end(), is_of_triangle)) continue;
     for_each_packet<T>(setups, group, tile, [&](const Packet<T>& packet, std::uint32_t first) {
       const UndefinedTally<T> tally(uncounted, first_lanes<double, NumberTraits<T>::lanes>(packet.count));
       const PacketData<T, Triangles::many> data(packet);
@@ -167,19 +186,6 @@ void write_aovs(const FrameContext& context, const VisibleTile& visible, std::sp
           for (int c = 0; c < 3; ++c) put(c, [&](int lane) { return v[c][lane]; });
         };
         switch (aovs[i]) {
-        case Aov::triangle:
-          put(0, [&](int lane) {
-            return triangle(lane).number - context.geometry.first_triangle[triangle(lane).object] + 1;
-          });
-          break;
-        case Aov::object:
-          put(0, [&](int lane) { return triangle(lane).object + 1; });
-          break;
-        case Aov::material: {
-          const std::size_t number = material_number(context.scene.objects[group.object], material);
-          put(0, [&](int) { return number; });
-          break;
-        }
         case Aov::uv: {
           const PacketBarycentrics<T> at = barycentrics<Derivatives::no>(data);
           Vec2<T> uv(interpolated_uv(data, 0, at), interpolated_uv(data, 1, at));
@@ -210,6 +216,9 @@ void write_aovs(const FrameContext& context, const VisibleTile& visible, std::sp
             put3(std::visit([&](const auto& function) { return albedo<T>(function, surface.texture); },
                             material.fragment_function));
           break;
+        case Aov::object: // of runs
+        case Aov::triangle:
+        case Aov::material:
         case Aov::depth: // of samples
         case Aov::alpha:
         case Aov::count_:

@@ -96,17 +96,12 @@ private:
     std::vector<std::vector<PixelPlace>> of_row(static_cast<std::size_t>(verdict_.height));
     parallel_for(threads(), of_row.size(), [&](std::size_t row, int) {
       const int y = static_cast<int>(row);
-      std::vector<std::uint8_t> plain(static_cast<std::size_t>(verdict_.width));
-      if (stored_.has_plain_levels()) {
-        const float *reference = verdict_.reference.at(0, y), *actual = image_.colour.at(0, y);
-        for (std::uint8_t& each : plain) {
-          each = stored_.is_plainly(reference[0], actual[0]) & stored_.is_plainly(reference[1], actual[1]) &
-                 stored_.is_plainly(reference[2], actual[2]);
-          reference += 3, actual += 3;
-        }
-      }
+      std::vector<std::uint8_t> plain(3 * static_cast<std::size_t>(verdict_.width)); // of each channel
+      if (stored_.has_plain_levels())
+        stored_.are_plainly(verdict_.reference.at(0, y), image_.colour.at(0, y), plain);
       for (int x = 0; x < verdict_.width; ++x) {
-        if (plain[static_cast<std::size_t>(x)] && !shows_another(device, x, y)) {
+        const std::uint8_t* const is_plain = &plain[3 * static_cast<std::size_t>(x)];
+        if ((is_plain[0] & is_plain[1] & is_plain[2]) && !shows_another(device, x, y)) {
           set_class(x, y, PixelClass::exact);
           continue;
         }

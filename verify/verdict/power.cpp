@@ -127,7 +127,7 @@ std::vector<ObjectBias> biases_of(const Verdict& verdict, const DeviceImage& ima
     const float* const references = verdict.reference.at(0, y);
     for (int i = 0; i < 3 * verdict.width; ++i) {
       const auto bits = std::bit_cast<std::uint32_t>(references[i]);
-      if (!taken.has(bits)) continue;
+      if (bits == 0 || !taken.has(bits)) continue; // most of a background, at small cost
       const auto object = static_cast<std::size_t>(*verdict.object.at(i / 3, y));
       const auto found = static_cast<PixelClass>(*verdict.classes.at(i / 3, y));
       if (object == 0 || found > PixelClass::shading) continue;

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <span>
 
 namespace refraster {
 
@@ -36,15 +38,18 @@ public:
       if (!may_be(box.lo[c], box.hi[c], stored_levels[c])) return false;
     return true;
   }
-  /// Whether nearly all pixels of a right image can be told by is_plainly(): levels, without a curve.
+  /// Whether nearly all pixels of a right image can be told by are_plainly(): levels, without a curve.
   bool has_plain_levels() const {
     return is_integer() && transfer_ == Transfer::linear && rounding_ >= plain_distance();
   }
-  /// Of has_plain_levels(): true only where is() and may_be() are. By a few operations, so that an image that is exact
-  /// costs little more than to be read.
-  bool is_plainly(float radiance, float stored) const {
-    const double level = 255 * std::clamp(static_cast<double>(radiance), 0.0, 1.0);
-    return std::abs(level - levels(stored)) <= plain_distance();
+  /// Of has_plain_levels(): 1 only where is() and may_be() are true of a value and what is stored for it. By a few
+  /// operations of many values at a time, so that an image that is exact costs little more than to be read.
+  void are_plainly(const float* radiance, const float* stored, std::span<std::uint8_t> plain) const {
+    const double farthest = plain_distance();
+    for (std::size_t i = 0; i < plain.size(); ++i) {
+      const double level = 255 * std::clamp(static_cast<double>(radiance[i]), 0.0, 1.0);
+      plain[i] = std::abs(level - levels(stored[i])) <= farthest;
+    }
   }
 
   /// Whether that is this number, which is known in single precision, rounded once.
