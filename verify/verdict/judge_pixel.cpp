@@ -42,13 +42,15 @@ bool PixelJudge::matches_depth(const PixelCase& pixel, const Surface& surface) c
   return range.lo <= *pixel.depth && *pixel.depth <= range.hi;
 }
 
-/// Whether the colour is one of that surface, on one side or the other of each comparison that is open.
-bool PixelJudge::is_allowed(const PixelCase& pixel, const Surface& surface) {
+/// Whether depth and colour are of that surface, on one side or the other of each comparison that is open.
+PixelJudge::Match PixelJudge::match(const PixelCase& pixel, const Surface& surface) {
+  if (!matches_depth(pixel, surface)) return Match::no;
   const PixelBounds bounds = bounds_of(surface, pixel.at);
-  if (!is_within(bounds.colour, pixel) || !matches_depth(pixel, surface)) return false;
-  if (!bounds.open) return true;
-  return bounder_.for_each_path(DeviceTriangle(frame_, *surface), pixel.at.x, pixel.at.y,
-                                [&](const PixelBounds& path) { return is_within(path.colour, pixel); });
+  const auto is_one = [&](const PixelBounds& path) { return is_within(path.colour, pixel); };
+  if (is_one(bounds) && (!bounds.open || bounder_.for_each_path(DeviceTriangle(frame_, *surface), pixel.at.x,
+                                                                pixel.at.y, is_one)))
+    return Match::yes;
+  return bounds.undefined ? Match::undefined : Match::no;
 }
 
 PixelClass PixelJudge::by_own_surface(const PixelCase& pixel, std::uint32_t number, JudgedDetail& detail) {
@@ -95,15 +97,18 @@ PixelClass PixelJudge::by_other_surface(const PixelCase& pixel, JudgedDetail& de
   const auto ours = std::find_if(set.candidates.begin(), set.candidates.end(),
                                  [&](const Candidate& c) { return pixel.ours == c.number; });
   const bool ours_is_certain = ours != set.candidates.end() && ours->certain;
-  bool any_surface = false;
+  bool any_surface = false, any_undefined = false;
   const auto look = [&](const Surface& surface) {
     if (surface == pixel.ours || !matches_ids(pixel, surface)) return false;
     any_surface = true;
-    return is_allowed(pixel, surface);
+    const Match found = match(pixel, surface);
+    any_undefined |= found == Match::undefined;
+    return found == Match::yes;
   };
   if (set.background && look(std::nullopt)) return PixelClass::edge;
   for (const Candidate& c : set.candidates)
     if (look(c.number)) return c.certain && ours_is_certain ? PixelClass::depth : PixelClass::edge;
+  if (any_undefined) return PixelClass::undefined; // it may be seen, and then have any colour
   const bool ours_may_be =
       (ours != set.candidates.end() || (!pixel.ours && set.background)) && matches_ids(pixel, pixel.ours);
   detail.objection = !any_surface && !ours_may_be ? Objection::surface : Objection::colour;
@@ -190,7 +195,8 @@ JudgedDetail PixelJudge::judge(const PixelCase& pixel) {
       detail.found = PixelClass::unexplained;
       detail.objection = Objection::depth;
     }
-  } else if (!pixel.ours && set.background && matches_ids(pixel, std::nullopt) && is_allowed(pixel, std::nullopt)) {
+  } else if (!pixel.ours && set.background && matches_ids(pixel, std::nullopt) &&
+             match(pixel, std::nullopt) == Match::yes) {
     detail.found = PixelClass::rounding;
   }
   if (detail.found == PixelClass::unexplained) {

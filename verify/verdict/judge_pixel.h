@@ -35,7 +35,12 @@ private:
   PixelClass by_own_surface(const PixelCase& pixel, std::uint32_t number, JudgedDetail& detail);
   PixelClass by_other_surface(const PixelCase& pixel, JudgedDetail& detail);
   PixelClass by_samples(const PixelCase& pixel, JudgedDetail& detail);
-  bool is_allowed(const PixelCase& pixel, const Surface& surface);
+  enum class Match {
+    no,
+    undefined, // by its depth; the mathematics leaves its colour undefined
+    yes,
+  };
+  Match match(const PixelCase& pixel, const Surface& surface);
   bool matches_ids(const PixelCase& pixel, const Surface& surface) const;
   bool matches_depth(const PixelCase& pixel, const Surface& surface) const;
   ColourBox in_levels(const ColourBox& box) const;

@@ -182,6 +182,27 @@ TEST_CASE("the colour behind an edge is explained at the edge, and not a pixel f
   CHECK(class_at(judge(window.scene, other, precise(), {}), 8, 7) == PixelClass::unexplained);
 }
 
+TEST_CASE("any colour is explained where a surface without normals may be in front, and only there") {
+  constexpr int side = 16;
+  for (const bool has_normals : {false, true}) {
+    WindowScene made(side);
+    for (const float behind : {0.0f, 0x1p-23f}) { // nearer than two depths of 24 bits can tell apart
+      const double w = static_cast<double>(1 + behind);
+      made.add({made.place(4, 4, w), made.place(12, 4, w), made.place(4, 12, w)});
+    }
+    auto mesh = std::make_shared<Mesh>(*made.scene.objects[1].mesh);
+    if (!has_normals) mesh->normals.assign(3, Float3(0));
+    made.scene.objects[1].mesh = mesh;
+    DeviceImage image;
+    image.colour = made.frame().radiance;
+    image.full_scale = 1, image.precision = StoredPrecision::floats(0x1p-24);
+    for (const int at : {6, 14}) image.colour.at(at, 6)[0] = 0.75f; // on both triangles, and on none
+    const Verdict verdict = verdict_of(made.scene, image, precise());
+    CHECK(class_at(verdict, 6, 6) == (has_normals ? PixelClass::unexplained : PixelClass::undefined));
+    CHECK(class_at(verdict, 14, 6) == PixelClass::unexplained);
+  }
+}
+
 TEST_CASE("with several samples a pixel at an edge shows a mean, in steps of a sample") {
   WindowScene window(16);
   window.scene.background = {0.25, 0.25, 0.25};
