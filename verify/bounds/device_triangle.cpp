@@ -74,6 +74,7 @@ void DeviceTriangle::place_corners() {
   PixelRect& box = pixels_;
   box = {0, 0, frame_.width(), frame_.height()};
   if (in_front_) {
+    area_error_ = AreaError(corner_, width, height);
     reach_ = snap_radius() + std::max({corner_error_[0], corner_error_[1], corner_error_[2]});
     const auto along = [&](int axis, int size, int& first, int& count) {
       const double a = corner_[0][axis], b = corner_[1][axis], c = corner_[2][axis];
@@ -197,22 +198,25 @@ Coverage DeviceTriangle::coverage_by_weights(double x, double y) const {
 
 /// Over a triangle in front of the eye, the slope along x is the difference of two products, ((p0 - p1) (y2 - y0) - (p2
 /// - p0) (y0 - y1)) / d with p = f / w, or, where planes start at a corner, a sum of the values' own: in needles each
-/// is larger than what is left of them. A triangle that is cut becomes others, with corners in view.
+/// is larger than what is left of them. So is the area d. A triangle that is cut becomes others, with corners in view.
 DeviceTriangle::Plane DeviceTriangle::plane(const std::array<double, 3>& corner_values, double x, double y) const {
   Double3 sum(0);
   for (std::size_t i = 0; i < 3; ++i) sum += planes_.l[i] * corner_values[i];
-  const double width = frame_.width(), height = frame_.height();
+  const double width = frame_.width(), height = frame_.height(), value = sum.x * x + sum.y * y + sum.z;
   double most = 0;
+  // Slopes that are all off by one factor turn the plane about the corner at which it starts, whichever that is.
+  double from_corner = 0;
   Double2 along(std::abs(sum.x), std::abs(sum.y));
   if (clipped_) { // a plane is largest at a corner of the view
     for (const double px : {0.0, width})
       for (const double py : {0.0, height}) most = std::max(most, std::abs(sum.x * px + sum.y * py + sum.z));
+    from_corner = std::abs(value) + most;
   }
   if (in_front_) {
     std::array<double, 3> p{};
     for (std::size_t i = 0; i < 3; ++i) {
       p[i] = corner_values[i] / w_clip_[i];
-      if (!clipped_) most = std::max(most, std::abs(p[i]));
+      if (!clipped_) most = std::max(most, std::abs(p[i])), from_corner = std::max(from_corner, std::abs(value - p[i]));
     }
     const Double2 whole = corner_[1] - corner_[0], other = corner_[2] - corner_[0];
     const double area = std::abs(whole.x * other.y - whole.y * other.x);
@@ -228,7 +232,7 @@ DeviceTriangle::Plane DeviceTriangle::plane(const std::array<double, 3>& corner_
     }
     if (frame_.profile().interpolation.anchor == InterpolationAnchor::triangle) along = of_values;
   }
-  return {sum.x * x + sum.y * y + sum.z, sum.x, sum.y, plane_error(most, along, x, y)};
+  return {value, sum.x, sum.y, plane_error(most, along, x, y) + area_error_at(x, y) * from_corner};
 }
 
 /// Off by so many units of the magnitudes that it is summed from, as InterpolationProfile says.
@@ -249,7 +253,8 @@ ValueRange DeviceTriangle::depth(double x, double y) const {
   if (planes_.is_flat()) return {};
   const Plane z = plane(z_clip_, x, y);
   // A depth between the planes is at most 1, whatever its corners are.
-  const double error_of_plane = clipped_ ? plane_error(1, {std::abs(z.along_x), std::abs(z.along_y)}, x, y) : z.error;
+  const double error_of_plane =
+      clipped_ ? plane_error(1, {std::abs(z.along_x), std::abs(z.along_y)}, x, y) + 2 * area_error_at(x, y) : z.error;
   const double reach = in_front_ ? exact_reach_at(x, y) : reach_at(x, y);
   const std::array<double, 3> weight = planes_.at(x, y);
   double vertex_error = 0;

@@ -2,6 +2,7 @@
 // A triangle as a device may have it: where it may be, how deep, and how its attributes may be interpolated.
 
 #include "raster/shade/attribute_setup.h"
+#include "verify/bounds/area_error.h"
 #include "verify/bounds/device_frame.h"
 #include "verify/bounds/window_triangle.h"
 
@@ -64,6 +65,7 @@ private:
     double value = 0, along_x = 0, along_y = 0, error = 0;
   };
   Plane plane(const std::array<double, 3>& corner_values, double x, double y) const;
+  double area_error_at(double x, double y) const { return in_front_ ? area_error_.at({x, y}, reach_) : 0; }
   double plane_error(double most, const Double2& along, double x, double y) const;
   Coverage coverage_in_front(double x, double y) const;
   Coverage coverage_by_weights(double x, double y) const;
@@ -93,6 +95,7 @@ private:
   // Of the vertex stage, of homogeneous coordinates: in pixels times w, in w, in w; and of the viewport, in pixels.
   std::array<double, 3> xy_error_{}, z_error_{}, w_error_{}, viewport_error_{};
   double reach_ = 0; // the most of corner_reach(); if in front
+  AreaError area_error_; // if in front
   PixelRect pixels_;
 };
 

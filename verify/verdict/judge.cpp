@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstring>
 #include <mutex>
 #include <span>
 #include <stdexcept>
@@ -93,18 +94,27 @@ private:
 
   /// Classifies what is the reference, as it is stored. Returns the others, row by row.
   std::vector<PixelPlace> by_reference(const DeviceFrame& device) {
+    static_assert(static_cast<int>(PixelClass::exact) == 0);
+    const bool only_colour = image_.ids.empty() && image_.depth.empty();
     std::vector<std::vector<PixelPlace>> of_row(static_cast<std::size_t>(verdict_.height));
     parallel_for(threads(), of_row.size(), [&](std::size_t row, int) {
       const int y = static_cast<int>(row);
       std::vector<std::uint8_t> plain(3 * static_cast<std::size_t>(verdict_.width)); // of each channel
       if (stored_.has_plain_levels())
         stored_.are_plainly(verdict_.reference.at(0, y), image_.colour.at(0, y), plain);
+      const auto first_doubt = [&](int x) { // from x on
+        const std::uint8_t* const from = plain.data() + 3 * static_cast<std::size_t>(x);
+        const void* const at = std::memchr(from, 0, 3 * static_cast<std::size_t>(verdict_.width - x));
+        return at ? x + static_cast<int>((static_cast<const std::uint8_t*>(at) - from) / 3) : verdict_.width;
+      };
+      int doubt = first_doubt(0);
       for (int x = 0; x < verdict_.width; ++x) {
-        const std::uint8_t* const is_plain = &plain[3 * static_cast<std::size_t>(x)];
-        if ((is_plain[0] & is_plain[1] & is_plain[2]) && !shows_another(device, x, y)) {
-          set_class(x, y, PixelClass::exact);
+        if (x < doubt) { // all classes are exact until they are set
+          if (only_colour) x = doubt - 1;
+          else if (shows_another(device, x, y)) of_row[row].push_back({x, y});
           continue;
         }
+        doubt = first_doubt(x + 1);
         const float* const reference = verdict_.reference.at(x, y);
         const Double3 levels = actual(x, y);
         bool exact = true, near = true;

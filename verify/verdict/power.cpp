@@ -105,11 +105,11 @@ struct LevelDifference {
 class TakenValues {
 public:
   explicit TakenValues(std::size_t pixels)
-      : one_in_(pixels > 200'000 ? std::max(8u, std::bit_ceil(static_cast<std::uint32_t>(pixels / 50'000))) : 1) {}
-  bool has(std::uint32_t bits) const { return ((bits * 0x9e3779b1u) >> 16) % one_in_ == 0; }
+      : others_(pixels > 200'000 ? std::max(8u, std::bit_ceil(static_cast<std::uint32_t>(pixels / 50'000))) - 1 : 0) {}
+  bool has(std::uint32_t bits) const { return (((bits * 0x9e3779b1u) >> 16) & others_) == 0; }
 
 private:
-  std::uint32_t one_in_;
+  std::uint32_t others_; // how many are left out for one that is taken: a power of two less 1
 };
 
 } // namespace
