@@ -1,6 +1,6 @@
-// Headers of libraries that most tests include, for REFRASTER_PRECOMPILE. Tests include what they use all the same: a build
-// without the option finds what is missing.
 #pragma once
+// Headers of libraries that most tests include, for REFRASTER_PRECOMPILE. Tests include what they use all the same: a
+// build without the option finds what is missing.
 #include <doctest/doctest.h>
 
 #include <refraster/vector.h> // GLM, as this project sets it up
