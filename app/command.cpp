@@ -60,7 +60,7 @@ Command refraster_command() {
                     "4 cannot write, 5 no OpenGL, 70 a mistake of refraster's own, 130 interrupted.",
                     "`refraster COMMAND --help` says more."},
           .commands = {render_command(), turntable_command(), verify_command(), explain_command(), compare_command(),
-                       gl_command(), bench_command(), scene_command(), mesh_command(), merl_command(),
+                       gl_command(), bench_command(), scene_command(), mesh_command(), brdf_command(),
                        list_command()}};
 }
 

@@ -40,11 +40,11 @@ struct Command {
 /// --help and --version.
 const OptionGroup& help_group();
 
-/// From the program down to a command: refraster, merl, synth.
+/// From the program down to a command: refraster, brdf, synth.
 using CommandPath = std::vector<const Command*>;
-/// "refraster merl synth".
+/// "refraster brdf synth".
 std::string full_name(const CommandPath& path);
-/// "merl synth", as messages name it behind "refraster: "; of the program itself "".
+/// "brdf synth", as messages name it behind "refraster: "; of the program itself "".
 std::string place_name(const CommandPath& path);
 
 /// Every command below and including this one, parents first, in the order of declaration.
@@ -66,7 +66,7 @@ Command gl_command();        // gl_command.cpp
 Command bench_command();     // bench_command.cpp
 Command scene_command();     // scene_command.cpp
 Command mesh_command();      // mesh_command.cpp
-Command merl_command();      // merl_command.cpp
+Command brdf_command();      // brdf/brdf_command.cpp
 Command list_command();      // list_command.cpp
 
 /// The program: all of them.

@@ -10,5 +10,6 @@ find_package(PkgConfig REQUIRED)
 find_package(ZLIB REQUIRED) # what OpenEXR unpacks, counted before
 pkg_check_modules(OpenEXR REQUIRED IMPORTED_TARGET OpenEXR)
 pkg_check_modules(Nettle REQUIRED IMPORTED_TARGET nettle>=3.4) # sha256 and base64; loaded in a tenth of libcrypto's time
+pkg_check_modules(CMinpack REQUIRED IMPORTED_TARGET cminpack) # least squares of `brdf fit`
 find_path(STB_INCLUDE_DIR stb_image.h PATH_SUFFIXES stb REQUIRED)
 find_package(CLI11 REQUIRED CONFIG)

@@ -149,7 +149,7 @@ CommandPath path_of(const Command& program, const std::vector<std::string>& word
 
 Command man_page_command() {
   const auto words = std::make_shared<std::vector<std::string>>();
-  Option command = arguments("COMMAND", *words, "command to describe, as render, or merl info; by default refraster");
+  Option command = arguments("COMMAND", *words, "command to describe, as render, or brdf info; by default refraster");
   command.completes = Completes::commands;
   return {.name = "man-page",
           .meaning = "Page of the manual, for man -l",

@@ -5,7 +5,7 @@
 namespace refraster {
 namespace {
 
-/// "refraster merl info" is completed by the function _refraster_merl_info.
+/// "refraster brdf info" is completed by the function _refraster_brdf_info.
 std::string function_name(const CommandPath& path) {
   std::string name = "_" + full_name(path);
   std::replace(name.begin(), name.end(), ' ', '_');

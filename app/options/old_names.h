@@ -11,6 +11,6 @@ struct OldName {
 };
 
 inline constexpr OldName old_names[] = {
-    {"--rung", "--precision"}, {"--rungs", "--precisions"}, {"rungs", "precisions"}};
+    {"--rung", "--precision"}, {"--rungs", "--precisions"}, {"rungs", "precisions"}, {"merl", "brdf"}};
 
 } // namespace refraster

@@ -1,6 +1,6 @@
 #include "bench/page/charts.h"
 
-#include "bench/page/svg.h"
+#include "io/html/svg.h"
 #include "io/file/text.h"
 
 #include <algorithm>

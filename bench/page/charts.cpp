@@ -21,6 +21,10 @@ std::size_t index_of(const std::vector<std::string>& precisions, const std::stri
   return static_cast<std::size_t>(std::find(precisions.begin(), precisions.end(), precision) - precisions.begin());
 }
 
+std::string precision_class(std::size_t n) {
+  return "precision" + std::to_string(n % 4);
+}
+
 std::vector<LegendEntry> precision_legend(const Run& run) {
   std::vector<LegendEntry> legend;
   for (const std::string& precision : precisions_of(run)) legend.push_back({precision_class(legend.size()), precision});

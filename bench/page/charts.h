@@ -3,7 +3,7 @@
 
 #include "bench/measure/results.h"
 
-#include "bench/page/svg.h"
+#include "io/html/svg.h"
 
 #include <span>
 #include <string>
@@ -14,6 +14,9 @@ namespace refraster::bench {
 /// The precisions of a run in the order in which they first appear: their index is their colour.
 std::vector<std::string> precisions_of(const Run& run);
 std::size_t index_of(const std::vector<std::string>& precisions, const std::string& precision);
+
+/// The class of the n-th precision's colour.
+std::string precision_class(std::size_t n);
 
 /// The precisions of a run and their colours.
 std::vector<LegendEntry> precision_legend(const Run& run);

@@ -1,5 +1,5 @@
 #pragma once
-// How the page looks beside io/html/base.css; its charts: chart_style.h.
+// How the page looks beside io/html/base.css; its charts: io/html/chart_style.h.
 
 namespace refraster::bench {
 

@@ -40,6 +40,8 @@ inline constexpr Limit image_bytes{"an image file", std::uint64_t{1} << 33, "byt
                                    "twice the largest image of four floats a pixel"};
 inline constexpr Limit glsl_bytes{"a GLSL file", std::uint64_t{1} << 20, "bytes", "N bytes",
                                   "a shader is text that someone wrote"};
+inline constexpr Limit csv_bytes{"a table of numbers (CSV)", std::uint64_t{1} << 28, "bytes", "N bytes",
+                                 "a row for each bin of a MERL table takes half of it"};
 // Images and textures
 inline constexpr Limit image_side{"an image that is read, each side", 65536, "a side", "W x H pixels",
                                   "what stb_image takes; a JPEG has 65500 at most"};
@@ -78,11 +80,11 @@ inline constexpr Limit threads{
 /// In the order of docs/limits.md.
 inline constexpr std::array all_limits = std::apply(
     []<class... Light>(std::vector<Light> Scene::*...) {
-      return std::array{&limit::scene_bytes,    &limit::json_depth,       &limit::obj_bytes,    &limit::mtl_bytes,
-                        &limit::image_bytes,    &limit::glsl_bytes,       &limit::image_side,   &limit::image_pixels,
-                        &limit::image_channels, &limit::jpeg_scans,       &limit::texture_side, &limit::objects,
-                        &limit::materials,      &limit::lights<Light>..., &limit::vertices,     &limit::triangles,
-                        &limit::frame_side,     &limit::frame_samples,    &limit::threads};
+      return std::array{&limit::scene_bytes,  &limit::json_depth,     &limit::obj_bytes,        &limit::mtl_bytes,
+                        &limit::image_bytes,  &limit::glsl_bytes,     &limit::csv_bytes,        &limit::image_side,
+                        &limit::image_pixels, &limit::image_channels, &limit::jpeg_scans,       &limit::texture_side,
+                        &limit::objects,      &limit::materials,      &limit::lights<Light>..., &limit::vertices,
+                        &limit::triangles,    &limit::frame_side,     &limit::frame_samples,    &limit::threads};
     },
     light_lists);
 

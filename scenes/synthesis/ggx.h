@@ -3,15 +3,26 @@
 // Each is f(n, i, o) in 1/sr, without cosine, for unit vectors with n.i > 0 and n.o > 0; isotropic, reciprocal to
 // the last bit, and reflecting no more than arrives.
 
+#include <refraster/fields.h>
+
 #include "math/vec.h"
 
 #include <numbers>
+#include <string_view>
 
 namespace refraster {
 
 /// The same in all directions: albedo / pi.
 struct Lambert {
+  static constexpr std::string_view name = "lambert";
+  static constexpr std::string_view meaning = "the same in all directions";
+
   Double3 albedo{0.5}; // fraction of the light that is reflected, each channel in [0, 1]
+
+  /// Declares the parameters: <refraster/fields.h>.
+  static void fields(auto& self, auto&& field) {
+    field("albedo", self.albedo, Range{0, 1}, "fraction of the light that is reflected");
+  }
 
   template <Number T>
   Rgb<T> operator()(const Vec3<T>&, const Vec3<T>&, const Vec3<T>&) const {
@@ -43,11 +54,24 @@ T cosine_to_half(const Vec3<T>& i, const Vec3<T>& o) {
   return as<T>(0.5) * sqrt(squared_length(i + o));
 }
 
+/// Below 0.0001 a highlight fills less than half of the first bin of theta_h, 1.9e-4 rad: a table shows one sample of
+/// it.
+inline constexpr Range ggx_alpha_range{0.0001, 1};
+
 /// Rough metal: D G F / (4 n.i n.o), F = f0 + (1 - f0) (1 - i.h)^5.
 /// Schlick, "An inexpensive BRDF model for physically-based rendering", 1994, for the Fresnel factor F.
 struct GgxConductor {
+  static constexpr std::string_view name = "ggx-conductor";
+  static constexpr std::string_view meaning = "rough metal";
+
   double alpha = 0.1; // width of the density, in (0, 1]: the slope at which it has fallen to a quarter
   Double3 f0{0.9};    // reflectance at normal incidence, each channel in [0, 1]
+
+  /// Declares the parameters: <refraster/fields.h>.
+  static void fields(auto& self, auto&& field) {
+    field("alpha", self.alpha, ggx_alpha_range, "roughness: slope at which the density has fallen to a quarter");
+    field("f0", self.f0, Range{0, 1}, "reflectance at normal incidence");
+  }
 
   template <Number T>
   Rgb<T> operator()(const Vec3<T>& n, const Vec3<T>& i, const Vec3<T>& o) const {
@@ -70,9 +94,19 @@ T dielectric_fresnel(const T& c, double ior) {
 /// Rough dielectric over a diffuse ground: D G F / (4 n.i n.o) + (1 - F(n.i)) (1 - F(n.o)) albedo / pi. Light that
 /// enters meets the ground once; what the surface throws back inside is lost.
 struct GgxDielectric {
+  static constexpr std::string_view name = "ggx-dielectric";
+  static constexpr std::string_view meaning = "rough dielectric over a diffuse ground";
+
   double alpha = 0.3;  // as for GgxConductor
   double ior = 1.5;    // refractive index, > 1
   Double3 albedo{0.5}; // of the ground, each channel in [0, 1]
+
+  /// Declares the parameters: <refraster/fields.h>.
+  static void fields(auto& self, auto&& field) {
+    field("alpha", self.alpha, ggx_alpha_range, "roughness: slope at which the density has fallen to a quarter");
+    field("ior", self.ior, Range{1.0001, 10}, "refractive index");
+    field("albedo", self.albedo, Range{0, 1}, "of the ground: fraction of the light that is reflected");
+  }
 
   template <Number T>
   Rgb<T> operator()(const Vec3<T>& n, const Vec3<T>& i, const Vec3<T>& o) const {

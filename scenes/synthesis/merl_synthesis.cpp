@@ -1,7 +1,5 @@
 #include "scenes/synthesis/merl_synthesis.h"
 
-#include "math/elementary/degrees.h"
-
 #include <numbers>
 
 namespace refraster {
@@ -25,16 +23,19 @@ const BrdfPreset presets[] = {
 
 } // namespace
 
+DirectionPair directions_of(const SineCosine& theta_h, const SineCosine& theta_d, const SineCosine& before_middle) {
+  const double x = theta_d.sine * before_middle.sine, y = theta_d.sine * before_middle.cosine, z = theta_d.cosine;
+  return {{theta_h.cosine * x + theta_h.sine * z, y, theta_h.cosine * z - theta_h.sine * x},
+          {theta_h.sine * z - theta_h.cosine * x, -y, theta_h.cosine * z + theta_h.sine * x}};
+}
+
 DirectionPair directions_at_centre(int h, int d, int p) {
   const double root_of_fraction = (h + 0.5) / MerlTable::theta_h_bins; // the table is even in sqrt(theta_h)
   const SineCosine theta_h = sine_cosine_of_degrees(root_of_fraction * root_of_fraction * right_angle);
   const SineCosine theta_d = sine_cosine_of_degrees((d + 0.5) / MerlTable::theta_d_bins * right_angle);
   // From phi_d = pi/2, in both directions alike: cos phi_d changes its sign from p to 179 - p and nothing else.
   const SineCosine before_middle = sine_cosine_of_degrees((89.5 - p) / MerlTable::phi_d_bins * 180);
-
-  const double x = theta_d.sine * before_middle.sine, y = theta_d.sine * before_middle.cosine, z = theta_d.cosine;
-  return {{theta_h.cosine * x + theta_h.sine * z, y, theta_h.cosine * z - theta_h.sine * x},
-          {theta_h.sine * z - theta_h.cosine * x, -y, theta_h.cosine * z + theta_h.sine * x}};
+  return directions_of(theta_h, theta_d, before_middle);
 }
 
 Double3 raised_above_horizon(const Double3& direction) {

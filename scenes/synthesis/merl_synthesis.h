@@ -3,6 +3,7 @@
 
 #include <refraster/material.h>
 
+#include "math/elementary/degrees.h"
 #include "scenes/synthesis/ggx.h"
 
 #include <concepts>
@@ -19,9 +20,14 @@ struct DirectionPair {
   Double3 i, o;
 };
 
-/// The pair whose half and difference angles are those of the centre of a bin; h lies in the x-z plane. With
-/// b(x) = (sin x, 0, cos x) and d the direction (theta_d, phi_d) from the pole,
+/// The pair that has these half and difference angles; h lies in the x-z plane. With b(x) = (sin x, 0, cos x) and d the
+/// direction (theta_d, phi_d) from the pole,
 ///     h = b(theta_h),  i = d turned from the pole to h about the y axis,  o = i mirrored about h.
+/// before_middle: of pi/2 - phi_d, so that exchanging i and o, which mirrors phi_d about pi/2, changes the sign of its
+/// sine and nothing else.
+DirectionPair directions_of(const SineCosine& theta_h, const SineCosine& theta_d, const SineCosine& before_middle);
+
+/// The pair whose half and difference angles are those of the centre of a bin.
 /// Bins p and 179 - p exchange i and o (and mirror them in y), to the last bit of i.z and o.z.
 /// Computed without the C library's sine, so that a table has the same bits on every machine.
 DirectionPair directions_at_centre(int h, int d, int p);

@@ -1,8 +1,8 @@
 #include "verify/page/packed.h"
 
+#include "io/html/base64.h"
 #include "io/image/png/png_filter.h"
 
-#include <nettle/base64.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -64,12 +64,6 @@ void need_same_size(const Image<Value>& a, const Image<Value>& b) {
 }
 
 } // namespace
-
-std::string base64(const Bytes& bytes) {
-  std::string text(BASE64_ENCODE_RAW_LENGTH(bytes.size()), '\0');
-  base64_encode_raw(text.data(), bytes.size(), bytes.data());
-  return text;
-}
 
 std::string packed(const Image<std::uint8_t>& image) {
   return packed_rows(image.values, image.width, image.channels);

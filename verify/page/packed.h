@@ -26,7 +26,4 @@ std::string packed_difference(const Image<float>& image, const Image<float>& bas
 /// Base64 of a zlib stream of the text.
 std::string packed(std::string_view text);
 
-/// Base64 (RFC 4648, 4) of any bytes.
-std::string base64(const std::vector<std::uint8_t>& bytes);
-
 } // namespace refraster

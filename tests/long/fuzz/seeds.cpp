@@ -169,6 +169,13 @@ void add_images(Seeds& seeds) {
   }
 }
 
+void add_measurements(Seeds& seeds) {
+  seeds.add("csv", "in_out", "# measured\ntheta_in,theta_out,dphi,r,g,b\n0,10,180,.1,2e-1,3\n10,20,0,nan,-1,inf\n");
+  seeds.add("csv", "half", "theta_h;theta_d;phi_d\r\n\"1\"; 2 ;3\r\n");
+  seeds.add("csv", "vectors", "in_x in_y in_z out_x out_y out_z\n0 0 1 0.6 0 0.8\n");
+  seeds.add("csv", "faults", "a,b\n1\nx,2\n1,2,3\n");
+}
+
 void add_tables(Seeds& seeds) {
   using test::bytes_of;
   // As tests/long/fuzz/merl.cpp takes them: a header, then places and values.
@@ -190,6 +197,7 @@ int main(int count, char** words) {
     return 2;
   }
   Seeds seeds(words[1]);
-  for (const auto add : {add_malformed, add_scenes, add_devices, add_meshes, add_libraries, add_images, add_tables})
+  for (const auto add : {add_malformed, add_scenes, add_devices, add_meshes, add_libraries, add_images, add_measurements,
+                         add_tables})
     add(seeds);
 }

@@ -14,6 +14,7 @@ using Bytes = std::span<const std::uint8_t>;
 void read_scene_bytes(Bytes bytes);       // scene JSON, with a mesh and a texture beside it that it may name
 void read_limits_bytes(Bytes bytes);      // the limits of a comparison: JSON
 void read_device_bytes(Bytes bytes);      // the profile of a device: JSON
+void read_csv_bytes(Bytes bytes);         // tables of numbers
 void read_obj_bytes(Bytes bytes);         // OBJ
 void read_mtl_bytes(Bytes bytes);         // material libraries
 void read_merl_bytes(Bytes bytes);        // MERL .binary; a whole table is made of few bytes
@@ -29,6 +30,7 @@ inline constexpr Target targets[] = {
     {"scene", read_scene_bytes},
     {"limits", read_limits_bytes},
     {"device", read_device_bytes},
+    {"csv", read_csv_bytes},
     {"obj", read_obj_bytes},
     {"mtl", read_mtl_bytes},
     {"merl", read_merl_bytes},

@@ -17,7 +17,7 @@ struct TestFile {
   std::string patch = {};
 };
 
-/// Which function reads `input`. scene: `refraster render`; image: `refraster compare`; merl: `refraster merl info`.
+/// Which function reads `input`. scene: `refraster render`; image: `refraster compare`; merl: `refraster brdf info`.
 enum class Reader { scene, obj, image, texture, merl };
 
 struct MalformedInput {

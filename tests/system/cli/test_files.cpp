@@ -174,7 +174,7 @@ TEST_CASE("what is no file is not read, nor waited for: a pipe, a socket, a devi
     save_text(folder / "s.json", scene_of(R"("mesh": {"cube": {}})", ", \"texture_file_path\": " + quoted(path)));
     says(render(folder, "s.json", {"--allow-outside"}), "an image");
     says(run_program(folder.path, {"compare", path, path}), "an image");
-    says(run_program(folder.path, {"merl", "info", path}), "a MERL table");
+    says(run_program(folder.path, {"brdf", "info", path}), "a MERL table");
     save_text(folder / "a.png", red_pixel);
     says(run_program(folder.path, {"compare", "a.png", "a.png", "--limits", path}), "a JSON file of limits");
   }
@@ -199,7 +199,7 @@ TEST_CASE("a file of 5 GB with nothing in it is refused for its size or its cont
   std::fstream(folder / "s.json", std::ios::in | std::ios::out | std::ios::binary) << std::string(1 << 16, ' ');
   refused({"render", "s.json"}, "s.json: found 5000000000 bytes, expected at most 16777216 bytes");
   refused({"render", "mesh.json"}, "m.obj: found 5000000000 bytes, expected at most 2147483647 bytes");
-  refused({"merl", "info", "t.binary"}, "t.binary: dimensions: found 0 x 0 x 0, expected 90 x 90 x 180");
+  refused({"brdf", "info", "t.binary"}, "t.binary: dimensions: found 0 x 0 x 0, expected 90 x 90 x 180");
   const std::string unknown = ": found an unknown image type, expected " + readable_formats();
   refused({"compare", "i.png", "i.png"}, "i.png" + unknown);
   refused({"compare", "i.exr", "i.exr"}, "i.exr" + unknown);

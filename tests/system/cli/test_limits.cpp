@@ -108,6 +108,9 @@ std::vector<Beyond> beyond_each() {
   for (int i = 0; i <= 65536; ++i) names += "usemtl m" + std::to_string(i) + "\n";
   add_scene(limit::materials, scene_of("", "", of_file),
             "m.obj: found 65537 materials, expected at most 65536 materials", {{"m.obj", std::move(names)}});
+  add(limit::csv_bytes, {{"t.csv", "#", limit::csv_bytes.value + 1}},
+      {"brdf", "eval", "lambert", "--points", "t.csv"},
+      "t.csv: found 268435457 bytes, expected at most 268435456 bytes");
   add(limit::image_bytes, {{"i.pfm", "PF", limit::image_bytes.value + 1}}, {"compare", "i.pfm", "i.pfm"},
       "i.pfm: found 8589934593 bytes, expected at most 8589934592 bytes");
   add(limit::image_side, {{"i.png", png_of(65537, 1)}}, {"compare", "i.png", "i.png"},

@@ -1,4 +1,4 @@
-// refraster mesh, refraster merl
+// refraster mesh, refraster brdf
 
 #include <refraster/files.h>
 #include <refraster/mesh.h>
@@ -36,17 +36,17 @@ TEST_CASE("a table that is not one is exit code 3") {
   const TemporaryFolder folder;
   save_text(folder / "short.binary", "short");
   for (const char* file : {"short.binary", "none.binary", "."})
-    CHECK(run_program(folder.path, {"merl", "info", file}).exit_code == 3);
+    CHECK(run_program(folder.path, {"brdf", "info", file}).exit_code == 3);
 }
 
 TEST_CASE("a synthetic table has the facts that its formula has" * doctest::test_suite("slow")) {
   const TemporaryFolder folder;
   const Finished made =
-      run_program(folder.path, {"merl", "synth", "lambert", "--albedo", "0.2,0.4,0.8", "-o", "l.binary"});
+      run_program(folder.path, {"brdf", "synth", "lambert", "--albedo", "0.2,0.4,0.8", "-o", "l.binary"});
   CHECK(made.exit_code == 0);
   CHECK(made.out == "l.binary\n");
   CHECK(std::filesystem::file_size(folder / "l.binary") == 34'992'012); // 12 + 8 * 3 * 90 * 90 * 180
-  const Finished info = run_program(folder.path, {"merl", "info", "l.binary"});
+  const Finished info = run_program(folder.path, {"brdf", "info", "l.binary"});
   CHECK(info.exit_code == 0);
   CHECK(info.out.find("90 x 90 x 180") != std::string::npos);
   CHECK(info.out.find("not one of the 100") != std::string::npos);

@@ -16,7 +16,7 @@ std::vector<std::string> command_for(test::Reader reader, const std::string& inp
   case test::Reader::image:
     return {"compare", input, input};
   case test::Reader::merl:
-    return {"merl", "info", input};
+    return {"brdf", "info", input};
   case test::Reader::obj:
   case test::Reader::texture:
     return {};

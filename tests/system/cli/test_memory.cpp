@@ -107,8 +107,8 @@ TEST_CASE("with any limit a run ends well or says that it does not fit, and neve
   const Words compare = {"compare", "i.png", "i.png", "--diff", "d.png", "--flip"};
   CHECK(with_limits(folder, compare, 320, 64).done > 0);
   CHECK(with_limits(folder, {"mesh", "sphere", "--segments", "900", "--rings", "900"}, 320, 64).done > 0);
-  CHECK(with_limits(folder, {"merl", "synth", "lambert"}, 320, 64).done > 0);
-  CHECK(with_limits(folder, {"merl", "info", "lambert.binary"}, 320, 64).done > 0);
+  CHECK(with_limits(folder, {"brdf", "synth", "lambert"}, 320, 64).done > 0);
+  CHECK(with_limits(folder, {"brdf", "info", "lambert.binary"}, 320, 64).done > 0);
   const Words bench = {"bench", "ball.json", "--size", "640x480", "--frames", "1", "--seconds", "0", "--gl", "none"};
   CHECK(with_limits(folder, bench, 320, 64).done > 0);
 }

@@ -31,13 +31,18 @@ const std::vector<Words> every_level = {
     {"mesh", "plane"},
     {"mesh", "torus"},
     {"mesh", "knot"},
-    {"merl"},
-    {"merl", "info"},
-    {"merl", "synth"},
-    {"merl", "synth", "lambert"},
-    {"merl", "synth", "ggx-conductor"},
-    {"merl", "synth", "ggx-dielectric"},
-    {"merl", "synth", "brass-like"},
+    {"brdf"},
+    {"brdf", "info"},
+    {"brdf", "eval"},
+    {"brdf", "compare"},
+    {"brdf", "fit"},
+    {"brdf", "plot"},
+    {"brdf", "import"},
+    {"brdf", "synth"},
+    {"brdf", "synth", "lambert"},
+    {"brdf", "synth", "ggx-conductor"},
+    {"brdf", "synth", "ggx-dielectric"},
+    {"brdf", "synth", "brass-like"},
     {"list"},
     {"list", "fragment-functions"},
     {"list", "precisions"},
@@ -178,14 +183,14 @@ TEST_CASE("every wrong argument is answered with exit code 2, one line and a hin
       {"mesh", "sphere", "--rings", "1.5"},
       {"mesh", "torus", "--tube-radius", "0"},
       {"mesh", "torus", "--tube-radius", "nan"},
-      {"merl"},
-      {"merl", "info"},
-      {"merl", "synth"},
-      {"merl", "synth", "gold"},
-      {"merl", "synth", "lambert", "--albedo", "1.5"},
-      {"merl", "synth", "lambert", "--albedo", "0.1,0.2"},
-      {"merl", "synth", "ggx-conductor", "--alpha", "0"},
-      {"merl", "synth", "ggx-dielectric", "--ior", "1"},
+      {"brdf"},
+      {"brdf", "info"},
+      {"brdf", "synth"},
+      {"brdf", "synth", "gold"},
+      {"brdf", "synth", "lambert", "--albedo", "1.5"},
+      {"brdf", "synth", "lambert", "--albedo", "0.1,0.2"},
+      {"brdf", "synth", "ggx-conductor", "--alpha", "0"},
+      {"brdf", "synth", "ggx-dielectric", "--ior", "1"},
       {"list"},
       {"list", "colours"},
       {"list", "completions"},
@@ -215,10 +220,10 @@ TEST_CASE("what is wrong is named, with what was meant and what there is") {
     return err.substr(0, err.find('\n'));
   };
   CHECK(said_of({"rendr"}) == "refraster: found \"rendr\", expected one of render, turntable, verify, explain, "
-                              "compare, gl, bench, scene, mesh, merl, list; did you mean render?");
-  CHECK(said_of({"merl", "sinth"}) ==
-        "refraster: merl: found \"sinth\", expected one of info, synth; did you mean synth?");
-  CHECK(said_of({"merl"}) == "refraster: merl: found nothing, expected one of info, synth");
+                              "compare, gl, bench, scene, mesh, brdf, list; did you mean render?");
+  CHECK(said_of({"brdf", "sinth"}) ==
+        "refraster: brdf: found \"sinth\", expected one of info, synth, eval, compare, fit, plot, import; did you mean synth?");
+  CHECK(said_of({"brdf"}) == "refraster: brdf: found nothing, expected one of info, synth, eval, compare, fit, plot, import");
   CHECK(said_of({"render"}) ==
         "refraster: render: found nothing, expected SCENE (scene file or OBJ model; docs/scene-format.md)");
   CHECK(said_of({"compare", "a.png"}).starts_with("refraster: compare: found nothing, expected B ("));
@@ -231,7 +236,7 @@ TEST_CASE("what is wrong is named, with what was meant and what there is") {
   CHECK(said_of({"render", "ball.json", "-quiet"}).find("found \"-quiet\"") != std::string::npos);
   CHECK(said_of({"--quiet", "render", "ball.json"}) ==
         "refraster: found \"--quiet\", expected a command before it, "
-        "one of render, turntable, verify, explain, compare, gl, bench, scene, mesh, merl, list");
+        "one of render, turntable, verify, explain, compare, gl, bench, scene, mesh, brdf, list");
   CHECK(said_of({"render", "ball.json", "--precision", "flaot"}) ==
         "refraster: --precision: found \"flaot\", expected one of double, float, fast, exact; did you mean float?");
   CHECK(said_of({"render", "ball.json", "--aov", "depth,norml"}) ==
@@ -252,14 +257,14 @@ TEST_CASE("who writes blanks between values is told about commas") {
   CHECK(hint_in({"render", "--crop", "0 0 4 4", "ball.json"}) == "--crop 0,0,4,4");
   CHECK(hint_in({"render", "--crop=0, 0, 4, 4", "ball.json"}) == "--crop 0,0,4,4");
   CHECK(hint_in({"render", "--aov", "depth", "normal", "ball.json"}) == "--aov depth,normal");
-  CHECK(hint_in({"merl", "synth", "lambert", "--albedo", "0.1", "0.2", "0.3"}) == "--albedo 0.1,0.2,0.3");
+  CHECK(hint_in({"brdf", "synth", "lambert", "--albedo", "0.1", "0.2", "0.3"}) == "--albedo 0.1,0.2,0.3");
   CHECK(hint_in({"render", "ball.json", "--crop", "0,0,0,4"}).empty());
   CHECK(hint_in({"render", "ball.json", "--aov", "depth,normal", "more"}).empty());
 }
 
 TEST_CASE("a command without the one that must follow prints its help to standard error") {
   const TemporaryFolder folder;
-  for (const Words& level : {Words{}, Words{"mesh"}, Words{"merl"}, Words{"merl", "synth"}, Words{"list"}}) {
+  for (const Words& level : {Words{}, Words{"mesh"}, Words{"brdf"}, Words{"brdf", "synth"}, Words{"list"}}) {
     const Finished bare = run_program(folder.path, level);
     INFO(joined(level));
     CHECK(bare.exit_code == 2);

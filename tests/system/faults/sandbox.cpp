@@ -174,7 +174,7 @@ std::vector<WritingCommand> commands_that_write(Effort effort) {
   commands.push_back({"mesh", {"mesh", "sphere", "--segments", "8", "--rings", "4", "-o", "out/m.obj"}, {"m.obj"}});
   commands.push_back({"render with --cache", with(render, {"out/o.png", "--cache", "cache"}), {"o.png"}});
   commands.back().words[1] = "mesh.json";
-  commands.push_back({"merl synth", {"merl", "synth", "lambert", "-o", "out/t.binary"}, {"t.binary"}});
+  commands.push_back({"brdf synth", {"brdf", "synth", "lambert", "-o", "out/t.binary"}, {"t.binary"}});
   commands.push_back(
       {"bench, report, page",
        {"bench", "s.json", "--size", "16x12", "--frames", "1", "--seconds", "0", "--threads", "1", "--gl", "none",

@@ -156,7 +156,7 @@ TEST_CASE("compare finds a measured BRDF that is cut off at phi_d = 0 instead of
           text_of(wrong_shaders + "phi_d_fs.glsl"));
   const Finished found = compared_file(folder, wrong_shaders + "phi_d.json");
   CHECK_MESSAGE(found.exit_code == 1, found.out);
-  REQUIRE(run_program(folder.path, {"merl", "synth", "brass-like", "-o", "brass.binary"}).exit_code == 0);
+  REQUIRE(run_program(folder.path, {"brdf", "synth", "brass-like", "-o", "brass.binary"}).exit_code == 0);
   save_text(folder / "merl_fs.glsl", right);
   const Finished none =
       compared(folder, scene_with(R"("fragment_function": "merl", "fragment_shader_file_path": "merl_fs.glsl",

@@ -17,8 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view layers[] = {"math", "shading", "scene",  "raster", "io",
-                                       "gl",   "verify",  "scenes", "bench",  "app"}; // from the ground up
+constexpr std::string_view layers[] = {"math",   "shading", "scene", "raster", "io", "gl",
+                                       "verify", "scenes",  "brdf",  "bench",  "app"}; // from the ground up
 // The halves of a frame, in this order; what lies beside them is below them all, but for the frame itself.
 constexpr std::string_view halves[] = {"raster/vertex/", "raster/visibility/", "raster/shadow/", "raster/shade/",
                                        "raster/explain/"};

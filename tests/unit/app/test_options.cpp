@@ -175,7 +175,9 @@ TEST_CASE("a required argument that is missing is named with its meaning, one to
     Words words;
     for (const Option* const other : all_options(*path.back()))
       if (other->occurs == Occurs::once || (other->is_argument() && other->occurs == Occurs::at_most_once))
-        words.push_back(other->is_argument() ? "1" : other->name + "=1"); // a file's name, or a number
+        words.push_back(other->is_argument()   ? "1" // a file's name, or a number
+                        : other->words.empty() ? other->name + "=1"
+                                               : other->name + "=" + other->words.front());
     words.emplace_back("one-more");
     CHECK(is_in("found \"one-more\", expected no argument but ", said_of(path, words)));
   });

@@ -1,3 +1,4 @@
+#include "io/html/base64.h"
 #include "verify/page/packed.h"
 
 #include "tests/support/random.h"

@@ -2,13 +2,13 @@
 // A picture: in a page it takes the page's colours, on light and on dark paper; saved as a file it stands alone, with
 // its own style, on light paper. Everything is drawn by classes of chart_style.h.
 
-#include "bench/page/scale.h"
+#include "io/html/scale.h"
 
 #include <span>
 #include <string>
 #include <string_view>
 
-namespace refraster::bench {
+namespace refraster {
 
 enum class Anchor { start, middle, end };
 
@@ -19,8 +19,8 @@ struct LegendEntry {
 
 class Svg {
 public:
-  /// `title` is read to those who do not see the picture.
-  Svg(double width, double height, const std::string& title);
+  /// `title` is read to those who do not see the picture. further_style: of classes that chart_style.h has not.
+  Svg(double width, double height, const std::string& title, std::string_view further_style = {});
 
   void line(double x1, double y1, double x2, double y2, std::string_view classes);
   void rectangle(double x, double y, double width, double height, std::string_view classes,
@@ -28,6 +28,10 @@ public:
   void dot(double x, double y, double radius, std::string_view classes, const std::string& tooltip = {});
   /// Through points x[i], y[i].
   void curve(std::span<const double> x, std::span<const double> y, std::string_view classes);
+  /// Along `data`, in SVG's own words: "M 0 0 L 10 10".
+  void path(const std::string& data, std::string_view classes);
+  /// An image, its bytes those of a PNG file.
+  void image(double x, double y, double width, double height, const std::string& png, const std::string& tooltip = {});
   void text(double x, double y, Anchor anchor, const std::string& words, std::string_view classes = {});
   /// A row of coloured marks and what they stand for, from x to the right; y is the middle of the row.
   void legend(double x, double y, std::span<const LegendEntry> entries);
@@ -44,7 +48,4 @@ private:
   std::string svg_;
 };
 
-/// The class of the n-th precision's colour.
-std::string precision_class(std::size_t n);
-
-} // namespace refraster::bench
+} // namespace refraster

@@ -1,8 +1,8 @@
-#include "bench/page/scale.h"
+#include "io/html/scale.h"
 
 #include <doctest/doctest.h>
 
-using namespace refraster::bench;
+using namespace refraster;
 
 namespace {
 

@@ -1,10 +1,11 @@
-#include "bench/page/svg.h"
+#include "io/html/svg.h"
 
-#include "bench/page/chart_style.h"
 #include "io/file/text.h"
+#include "io/html/base64.h"
+#include "io/html/chart_style.h"
 #include "io/html/markup.h"
 
-namespace refraster::bench {
+namespace refraster {
 namespace {
 
 std::string classes_attribute(std::string_view classes) {
@@ -18,12 +19,12 @@ std::string closed(const char* element, const std::string& tooltip) {
 
 } // namespace
 
-Svg::Svg(double width, double height, const std::string& title) {
+Svg::Svg(double width, double height, const std::string& title, std::string_view further_style) {
   svg_ =
       format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %g %g\" width=\"%g\" height=\"%g\" role=\"img\" "
              "aria-label=\"",
              width, height, width, height) +
-      escaped(title) + "\">\n<style>" + chart_style + "</style>\n";
+      escaped(title) + "\">\n<style>" + chart_style + std::string(further_style) + "</style>\n";
   rectangle(0, 0, width, height, "paper");
 }
 
@@ -47,6 +48,17 @@ void Svg::curve(std::span<const double> x, std::span<const double> y, std::strin
   svg_ += "<polyline points=\"";
   for (std::size_t i = 0; i < x.size(); ++i) svg_ += format("%s%.1f,%.1f", i == 0 ? "" : " ", x[i], y[i]);
   svg_ += "\"" + classes_attribute(classes) + "/>\n";
+}
+
+void Svg::path(const std::string& data, std::string_view classes) {
+  svg_ += "<path d=\"" + data + "\"" + classes_attribute(classes) + "/>\n";
+}
+
+void Svg::image(double x, double y, double width, double height, const std::string& png, const std::string& tooltip) {
+  svg_ += format("<image x=\"%.2f\" y=\"%.2f\" width=\"%.2f\" height=\"%.2f\" preserveAspectRatio=\"none\" "
+                 "href=\"data:image/png;base64,",
+                 x, y, width, height) +
+          base64({png.begin(), png.end()}) + "\"" + closed("image", tooltip);
 }
 
 void Svg::text(double x, double y, Anchor anchor, const std::string& words, std::string_view classes) {
@@ -86,8 +98,4 @@ void Svg::y_axis(const Scale& scale, double left, double right, const std::strin
   upward_text(14, (scale(scale.from()) + scale(scale.to())) / 2, name);
 }
 
-std::string precision_class(std::size_t n) {
-  return "precision" + std::to_string(n % 4);
-}
-
-} // namespace refraster::bench
+} // namespace refraster

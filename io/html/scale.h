@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace refraster::bench {
+namespace refraster {
 
 /// A mark on an axis: where, and what is written there ("" for a line without a number).
 struct Tick {
@@ -35,4 +35,4 @@ private:
   std::vector<Tick> ticks_;
 };
 
-} // namespace refraster::bench
+} // namespace refraster

@@ -1,7 +1,7 @@
 #pragma once
 // How a chart looks.
 
-namespace refraster::bench {
+namespace refraster {
 
 /// Each colour is said twice: for a program that knows no variables of CSS, as many that read SVG do, the second is a
 /// fault and the first stands. In a page the variables are the page's (style.h), in a file of its own there are none.
@@ -28,4 +28,4 @@ circle.precision3, .mark.precision3 { fill: #8c4aa8; fill: var(--precision3, #8c
 .part4 { fill: #e5b54b; } .part5 { fill: #d9683c; } .part6 { fill: #a670a5; } .part7 { fill: #a9adb1; }
 )";
 
-} // namespace refraster::bench
+} // namespace refraster

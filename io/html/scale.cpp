@@ -1,11 +1,11 @@
-#include "bench/page/scale.h"
+#include "io/html/scale.h"
 
 #include "io/file/text.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace refraster::bench {
+namespace refraster {
 namespace {
 
 std::string superscript(int n) {
@@ -89,4 +89,4 @@ double Scale::operator()(double value) const {
   return a_ + (b_ - a_) * fraction;
 }
 
-} // namespace refraster::bench
+} // namespace refraster
