@@ -98,7 +98,7 @@ public:
     M::fields(function,
               [&]<class Value>(std::string_view key, Value& value, const Range& range, std::string_view meaning) {
                 if (use == Use::other && is_known(key)) return; // a parameter of the same name has been read
-                (*this)(key, value, range, meaning, use == Use::own && !NamedEnum<Value> ? required : defaulted);
+                (*this)(key, value, range, meaning, use == Use::own && is_required<Value>(range) ? required : defaulted);
               });
   }
 

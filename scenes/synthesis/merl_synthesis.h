@@ -3,7 +3,7 @@
 
 #include <refraster/material.h>
 
-#include "scenes/synthesis/ggx.h"
+#include "scenes/synthesis/analytic_brdfs.h"
 
 #include <concepts>
 #include <span>

@@ -3,7 +3,8 @@
 // Each is f(n, i, o) in 1/sr, without cosine, for unit vectors with n.i > 0 and n.o > 0; isotropic, reciprocal to
 // the last bit, and reflecting no more than arrives.
 
-#include "math/vec.h"
+#include "shading/microfacet/fresnel.h"
+#include "shading/microfacet/ggx.h"
 
 #include <numbers>
 
@@ -19,22 +20,18 @@ struct Lambert {
   }
 };
 
-/// The density of microfacet normals, D(h) = alpha^2 / (pi (alpha^2 cos^2 theta_h + sin^2 theta_h)^2).
-/// The sine comes from the cross product: 1 - cos^2 would leave few digits of it where D is largest.
-/// Walter et al., "Microfacet models for refraction through rough surfaces", 2007, equation 33.
+/// D(h), of unit vectors. The sine comes from the cross product: 1 - cos^2 would leave few digits of it where D is
+/// largest.
 template <Number T>
 T ggx_density(const Vec3<T>& n, const Vec3<T>& h, double alpha) {
-  const T spread = as<T>(alpha * alpha) * square(dot(n, h)) + squared_length(cross(n, h));
-  return as<T>(alpha * alpha / std::numbers::pi) / square(spread);
+  const GgxWidth<T> width = ggx_width<T>(alpha);
+  return ggx_density(ggx_spread(square(dot(n, h)), squared_length(cross(n, h)), width), width);
 }
 
-/// Masking and shadowing over 4 (n.i) (n.o), with both heights correlated. Walter's G1 has Lambda(x) such that this is
-///     1 / (2 (n_o sqrt(a + (1 - a) n_i^2) + n_i sqrt(a + (1 - a) n_o^2))),     a = alpha^2.
-/// Heitz, "Understanding the masking-shadowing function in microfacet-based BRDFs", 2014, equation 99.
+/// Masking and shadowing over 4 (n.i) (n.o).
 template <Number T>
 T ggx_visibility(const T& n_i, const T& n_o, double alpha) {
-  const T a = as<T>(alpha * alpha), rest = as<T>(1 - alpha * alpha);
-  return as<T>(0.5) / (n_o * sqrt(a + rest * square(n_i)) + n_i * sqrt(a + rest * square(n_o)));
+  return as<T>(0.5) / smith_divisor(n_i, n_o, ggx_width<T>(alpha));
 }
 
 /// i.h = o.h = |i + o| / 2: written so, exchanging i and o changes no bit.
@@ -43,8 +40,7 @@ T cosine_to_half(const Vec3<T>& i, const Vec3<T>& o) {
   return as<T>(0.5) * sqrt(squared_length(i + o));
 }
 
-/// Rough metal: D G F / (4 n.i n.o), F = f0 + (1 - f0) (1 - i.h)^5.
-/// Schlick, "An inexpensive BRDF model for physically-based rendering", 1994, for the Fresnel factor F.
+/// Rough metal: D G F / (4 n.i n.o), F = f0 + (1 - f0) (1 - i.h)^5, Schlick's.
 struct GgxConductor {
   double alpha = 0.1; // width of the density, in (0, 1]: the slope at which it has fallen to a quarter
   Double3 f0{0.9};    // reflectance at normal incidence, each channel in [0, 1]
@@ -59,12 +55,10 @@ struct GgxConductor {
   }
 };
 
-/// The fraction of unpolarised light that a smooth dielectric reflects, at cosine c of the angle of incidence; ior > 1.
-/// Walter et al. 2007, equation 22.
+/// At cosine c of the angle of incidence; ior > 1.
 template <Number T>
 T dielectric_fresnel(const T& c, double ior) {
-  const T g = sqrt(as<T>(ior * ior - 1) + square(c));
-  return as<T>(0.5) * square((g - c) / (g + c)) * (T(1) + square((c * (g + c) - T(1)) / (c * (g - c) + T(1))));
+  return dielectric_reflectance(c, as<T>(ior * ior - 1));
 }
 
 /// Rough dielectric over a diffuse ground: D G F / (4 n.i n.o) + (1 - F(n.i)) (1 - F(n.o)) albedo / pi. Light that
