@@ -11,12 +11,17 @@ double cross(const Double2& e, const Double2& f) {
   return e.x * f.y - e.y * f.x;
 }
 
-/// Each product is rounded, and so are its two factors.
-double of_triangle(const Double2& a, const Double2& b, const Double2& c) {
+/// Each product is rounded, and so are its two factors: the sides from a corner, whichever it is.
+double of_triangle(const std::array<Double2, 3>& corners) {
   constexpr double product_roundings = 3 * 0x1p-24;
-  const Double2 e = b - a, f = c - a;
-  const double area = std::abs(cross(e, f)), products = std::abs(e.x * f.y) + std::abs(e.y * f.x);
-  return area > 0 ? product_roundings * (products / area - 1) : std::numeric_limits<double>::infinity();
+  double most = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Double2 e = corners[(i + 1) % 3] - corners[i], f = corners[(i + 2) % 3] - corners[i];
+    const double area = std::abs(cross(e, f)), products = std::abs(e.x * f.y) + std::abs(e.y * f.x);
+    if (!(area > 0)) return std::numeric_limits<double>::infinity();
+    most = std::max(most, product_roundings * (products / area - 1));
+  }
+  return most;
 }
 
 /// Whether the point lies in the triangle, or no farther from it than the margin along each axis.
@@ -45,7 +50,7 @@ std::vector<Double2> cut(const std::vector<Double2>& polygon, int axis, double l
 } // namespace
 
 AreaError::AreaError(const std::array<Double2, 3>& corners, double width, double height)
-    : whole_(of_triangle(corners[0], corners[1], corners[2])) {
+    : whole_(of_triangle(corners)) {
   const auto is_in_view = [&](const Double2& at) { return at.x >= 0 && at.x <= width && at.y >= 0 && at.y <= height; };
   if (std::all_of(corners.begin(), corners.end(), is_in_view)) return;
   in_view_.assign(corners.begin(), corners.end());
@@ -60,7 +65,7 @@ double AreaError::at(const Double2& point, double margin) const {
     for (std::size_t i = 1; i + 1 < size; ++i) {
       const std::array<Double2, 3> piece{in_view_[first], in_view_[(first + i) % size],
                                          in_view_[(first + i + 1) % size]};
-      if (may_hold(piece, point, margin)) most = std::max(most, of_triangle(piece[0], piece[1], piece[2]));
+      if (may_hold(piece, point, margin)) most = std::max(most, of_triangle(piece));
     }
   return most;
 }
