@@ -16,15 +16,10 @@ namespace {
 
 constexpr std::string_view blanks = " \t\r";
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(blanks);
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
-}
-
 /// Cells in quotes hold numbers or names: neither has a separator in it.
 std::string_view without_quotes(std::string_view cell) {
-  if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"') return trimmed(cell.substr(1, cell.size() - 2));
+  if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"')
+    return trimmed(cell.substr(1, cell.size() - 2), blanks);
   return cell;
 }
 
@@ -39,7 +34,7 @@ template <class Use>
 void for_each_cell(std::string_view line, char separator, const Use& use) {
   for (std::size_t start = 0; start <= line.size();) {
     const std::size_t end = std::min(line.find(separator, start), line.size());
-    use(without_quotes(trimmed(line.substr(start, end - start))));
+    use(without_quotes(trimmed(line.substr(start, end - start), blanks)));
     start = separator == ' ' ? std::min(line.find_first_not_of(" \t", end), line.size()) : end + 1;
     if (separator == ' ' && start == line.size()) break;
   }
@@ -63,7 +58,7 @@ public:
     for (std::size_t start = 0; start < text.size();) {
       const std::size_t end = std::min(text.find('\n', start), text.size());
       ++line_;
-      const std::string_view line = trimmed(text.substr(start, end - start));
+      const std::string_view line = trimmed(text.substr(start, end - start), blanks);
       start = end + 1;
       if (line.empty() || line.front() == '#') continue;
       if (table_.columns.empty()) read_header(line);

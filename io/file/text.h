@@ -19,6 +19,13 @@ std::string one_line(std::string_view message);
 /// Well-formed is what The Unicode Standard, table 3-7, says.
 std::string as_utf8(std::string_view text);
 
+/// What is left between the first and the last character that is not one of `blanks`; empty if there is none.
+inline std::string_view trimmed(std::string_view text, std::string_view blanks) {
+  const std::size_t begin = text.find_first_not_of(blanks);
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
+}
+
 /// As printf.
 template <class... Arguments>
 std::string format(const char* pattern, Arguments... arguments) {

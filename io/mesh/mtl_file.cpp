@@ -17,17 +17,11 @@ namespace {
 
 constexpr std::string_view blanks = " \t\v\f";
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(blanks);
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
-}
-
 /// The first word, which goes with the blanks after it.
 std::string_view take_word(std::string_view& text) {
   const std::size_t end = std::min(text.find_first_of(blanks), text.size());
   const std::string_view word = text.substr(0, end);
-  text = trimmed(text.substr(end));
+  text = trimmed(text.substr(end), blanks);
   return word;
 }
 
@@ -82,7 +76,7 @@ public:
     while (!text.empty()) {
       ++line_;
       const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
-      statement(trimmed(text.substr(0, end)));
+      statement(trimmed(text.substr(0, end), blanks));
       const bool is_pair = text.substr(end).starts_with("\r\n");
       text.remove_prefix(std::min(end + (is_pair ? 2 : 1), text.size()));
     }
