@@ -18,6 +18,8 @@ constexpr std::string_view meaning_of() {
   if constexpr (requires { Block::meaning; }) return Block::meaning;
   else if constexpr (std::is_same_v<Block, Phong>) return "kd + ks (r.v)^s / n.l, as the fragment function shades";
   else if constexpr (std::is_same_v<Block, BlinnPhong>) return "kd + ks (n.h)^s / n.l, as the fragment function shades";
+  else if constexpr (std::is_same_v<Block, Microfacet>)
+    return "metal or a dielectric over its ground, as glTF has them";
   else static_assert(!std::is_same_v<Block, Block>, "the model needs a line of help");
 }
 

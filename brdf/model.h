@@ -16,16 +16,29 @@
 namespace refraster {
 
 /// Every model that the commands of `refraster brdf` take by name. A row is either
-///   a formula            f(n, i, o) in 1/sr: scenes/synthesis/ggx.h
+///   a formula            f(n, i, o) in 1/sr: scenes/synthesis/analytic_brdfs.h
 ///   a fragment function  <refraster/material.h>: f is what it reflects of one light of radiance 1, by n.i; without its
 ///                        ambient term, with a white texture
 /// and has `name`, `fields` and, in model.cpp, a line of help. Reading, help, `brdf synth` and the tests follow.
-using BrdfModel = std::variant<Lambert, Phong, BlinnPhong, GgxConductor, GgxDielectric>;
+using BrdfModel = std::variant<Lambert, Phong, BlinnPhong, Microfacet, GgxConductor, GgxDielectric>;
 
 /// Calls use(Block{}) for each of the list, with the parameters that it has by default.
 template <class Use>
 void for_each_model(const Use& use) {
   [&]<class... Models>(const std::variant<Models...>*) { (use(Models{}), ...); }(static_cast<BrdfModel*>(nullptr));
+}
+
+/// False of a parameter on which no f depends: ambient light is no reflection.
+constexpr bool is_of_f(std::string_view parameter) {
+  return parameter != "ka";
+}
+
+/// The same of a block as it is: the indices of a metal count only where its law is that of conductors.
+template <class Block>
+bool is_of_f(const Block& block, std::string_view parameter) {
+  if constexpr (std::is_same_v<Block, Microfacet>)
+    if (block.fresnel != MicrofacetFresnel::conductor && (parameter == "eta" || parameter == "k")) return false;
+  return is_of_f(parameter);
 }
 
 /// f in 1/sr toward o of light from i, unit vectors over a surface with normal (0, 0, 1); 0 unless both are above it.
@@ -70,8 +83,8 @@ std::string expected_parameter(const Double3& value, const Range& range);
 std::string parameter_text(double value);
 std::string parameter_text(const Double3& value);
 
-/// "blinn_phong:kd=0.5,ks=0.1,glossiness=32": read_models reads the same values back, but for parameters that no light
-/// shows (ka), which are left out.
+/// "blinn_phong:kd=0.5,ks=0.1,glossiness=32": read_models reads the same values back, but for parameters on which f
+/// does not depend, which are left out.
 std::string model_text(const BrdfModel& model);
 /// The same of several that add up.
 std::string model_text(const std::vector<BrdfModel>& lobes);

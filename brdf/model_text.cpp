@@ -194,7 +194,7 @@ std::string model_text(const BrdfModel& model) {
         char before = ':';
         Block::fields(block,
                       [&]<class Value>(std::string_view name, const Value& value, const Range&, std::string_view) {
-                        if (name == "ka") return;
+                        if (!is_of_f(block, name)) return;
                         if constexpr (NamedEnum<Value>)
                           if (value == EnumNames<Value>::names[0].first) return; // as by default
                         text += before + std::string(name) + "=" + parameter_text(value);

@@ -1,3 +1,19 @@
+option(REFRASTER_PRECOMPILE "Read common headers once for each library, and once for all tests" OFF)
+
+# What most files of a target include is read once, where REFRASTER_PRECOMPILE says so: a third of the time that its
+# smaller files take. They include what they use all the same: a build without the option finds what is missing.
+function(refraster_precompile target)
+  if(REFRASTER_PRECOMPILE)
+    target_precompile_headers(${target} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled.h)
+    refraster_precompiled_warnings(${target})
+  endif()
+endfunction()
+
+# What GCC 12 sees wrongly in "literal" + std::string (GCC bug 105651) is then no longer a warning of a system header.
+function(refraster_precompiled_warnings target)
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread>)
+endfunction()
+
 # refraster_layer(NAME SOURCES ... [PUBLIC ...] [PRIVATE ...])
 # One library for one layer of the code base, with alias refraster::NAME. Static, or shared with BUILD_SHARED_LIBS:
 # scripts/package_levels. Its headers are found within this build only: who uses the library sees include/refraster.

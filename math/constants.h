@@ -19,6 +19,8 @@ inline constexpr RealConstant pi = {std::numbers::pi,
                                     "3.14159265358979323846264338327950288419716939937510582097494459230781640628621"};
 inline constexpr RealConstant half_pi = {
     std::numbers::pi / 2, "1.57079632679489661923132169163975144209858469968755291048747229615390820314310"};
+inline constexpr RealConstant one_over_pi = {
+    1 / std::numbers::pi, "0.318309886183790671537767526745028724068919291480912897495334688117793595268453"};
 inline constexpr RealConstant two_over_pi = {
     2 / std::numbers::pi, "0.636619772367581343075535053490057448137838582961825794990669376235587190536906"};
 inline constexpr RealConstant degrees_per_radian = {

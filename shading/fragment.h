@@ -9,7 +9,7 @@ namespace refraster::inline REFRASTER_KIT {
 /// What a material's further textures say of a fragment, where it has any: Material::has_fragment_maps().
 template <class T>
 struct FragmentMaps {
-  Rgb<T> specular; // multiplies ks
+  Rgb<T> specular; // multiplies ks; of Microfacet: its green multiplies roughness, its blue metallic
   Rgb<T> emission; // light of its own
 };
 
@@ -21,7 +21,7 @@ struct Fragment {
   Vec3<T> to_eye; // unit; 0 with the eye at the surface
   Rgb<T> texture; // texture colour, white without a texture
   const UndefinedTally<T>* tally = nullptr;
-  const FragmentMaps<T>* maps = nullptr; // null: ks is as the material has it, and there is no light of its own
+  const FragmentMaps<T>* maps = nullptr; // null: parameters as the material has them, and no light of its own
 
   /// Counts a case that the mathematics leaves undefined, where `where` says so. See shading/undefined.h.
   void undefined(Undefined which, const MaskOf<T>& where) const {

@@ -6,4 +6,5 @@
 
 #include "shading/blinn_phong.h"
 #include "shading/merl.h"
+#include "shading/microfacet/microfacet.h"
 #include "shading/phong.h"

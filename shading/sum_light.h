@@ -86,7 +86,7 @@ template <Maps has_maps = Maps::no, class T, class Function>
 void with_maps(const Material& material, auto&& visit) {
   std::visit(
       [&]<class Function>(const Function& function) {
-        if constexpr (std::is_base_of_v<PhongParameters, Function>)
+        if constexpr (std::is_base_of_v<PhongParameters, Function> || std::is_same_v<Function, Microfacet>)
           if (material.has_fragment_maps()) return visit(std::integral_constant<Maps, Maps::yes>{}, function);
         visit(std::integral_constant<Maps, Maps::no>{}, function);
       },
@@ -94,12 +94,14 @@ void with_maps(const Material& material, auto&& visit) {
 }
 
 /// The colour a surface would be called by: what it reflects of white light from the front. For a function with `kd`,
-/// kd times the texture; for others f at normal incidence and exitance, times pi: for a Lambertian surface, its
-/// reflectance.
+/// kd times the texture; for one with `base_color`, that times the texture; for others f at normal incidence and
+/// exitance, times pi: for a Lambertian surface, its reflectance.
 template <class T, class Function>
 Rgb<T> albedo(const Function& function, const Rgb<T>& texture) {
   if constexpr (requires { as<T>(function.kd); }) {
     return as<T>(function.kd) * texture;
+  } else if constexpr (requires { as<T>(function.base_color); }) {
+    return as<T>(function.base_color) * texture;
   } else {
     const Vec3<T> up(T(0), T(0), T(1));
     const Fragment<T> at{up, up, up, Rgb<T>(T(1)), nullptr};

@@ -114,9 +114,9 @@ Command brdf_fit_command() {
           .notes = notes,
           .finish = [arguments]() -> Action {
             check_brdf_word("BRDF", arguments->word);
-            const BrdfFit one{.model = arguments->model,
-                              .lobes =
-                                  find_fitted_model(arguments->model)->start(HighlightShape{}, arguments->lobes, 1)};
+            const BrdfFit one{
+                .model = arguments->model,
+                .lobes = find_fitted_model(arguments->model)->starts.front()(HighlightShape{}, arguments->lobes, 1)};
             if (arguments->output == standard_output && needs_table(one))
               throw UsageError("--output", "\"-\"", "a name for the material, since a table is written beside it");
             return [arguments] { return run(*arguments); };

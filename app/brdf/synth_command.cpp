@@ -42,7 +42,7 @@ template <class Block>
 std::vector<Option> parameter_options(Block& block) {
   std::vector<Option> options;
   Block::fields(block, [&](std::string_view name, auto& value, const Range& range, std::string_view meaning) {
-    if (name == "ka") return;
+    if (!is_of_f(name)) return;
     std::string with_dashes = "--" + std::string(name);
     std::replace(with_dashes.begin(), with_dashes.end(), '_', '-');
     options.push_back(declared_option(with_dashes, value, range, meaning));

@@ -4,7 +4,7 @@ namespace refraster {
 namespace {
 
 /// Fish takes a backslash in single quotes for an escape; a quote in them is written \'.
-std::string quoted(std::string_view text) {
+std::string single_quoted(std::string_view text) {
   std::string result = "'";
   for (const char letter : text) {
     if (letter == '\'' || letter == '\\') result += '\\';
@@ -28,11 +28,11 @@ std::string offer(const Command& program, const Option& option) {
   case Completes::folders:
     return exclusive + " -a '(__fish_complete_directories)'";
   case Completes::commands:
-    return exclusive + " -a " + quoted(names_of_commands(program));
+    return exclusive + " -a " + single_quoted(names_of_commands(program));
   case Completes::words:
     if (option.takes == Takes::values)
-      return exclusive + " -a " + quoted("(__fish_append , " + joined(option.words) + ")");
-    return exclusive + " -a " + quoted(joined(option.words));
+      return exclusive + " -a " + single_quoted("(__fish_append , " + joined(option.words) + ")");
+    return exclusive + " -a " + single_quoted(joined(option.words));
   case Completes::nothing:
     break;
   }
@@ -44,18 +44,18 @@ std::string offer(const Command& program, const Option& option) {
 std::string fish_completions(const Command& program) {
   std::string commands, lines;
   for (const CommandPath& path : all_commands(program)) {
-    if (path.size() > 1) commands += " " + quoted(full_name(path));
+    if (path.size() > 1) commands += " " + single_quoted(full_name(path));
     const std::string line =
-        "complete -c refraster -n " + quoted("test (__refraster_command) = \"" + full_name(path) + "\"");
+        "complete -c refraster -n " + single_quoted("test (__refraster_command) = \"" + full_name(path) + "\"");
     for (const Command& sub : path.back()->commands)
-      lines += line + " -a " + quoted(sub.name) + " -d " + quoted(sub.meaning) + "\n";
+      lines += line + " -a " + single_quoted(sub.name) + " -d " + single_quoted(sub.meaning) + "\n";
     for (const Option* const option : all_options(*path.back())) {
       std::string names;
       if (option->short_name != 0) names += std::string(" -s ") + option->short_name;
       if (!option->is_argument()) names += " -l " + option->name.substr(2);
       const std::string value = option->takes == Takes::nothing ? "" : offer(program, *option);
       if (!option->is_argument() || !value.empty())
-        lines += line + names + value + " -d " + quoted(option->meaning) + "\n";
+        lines += line + names + value + " -d " + single_quoted(option->meaning) + "\n";
     }
   }
   return R"(# Completion of refraster for fish, made by `refraster list completions fish`.

@@ -4,6 +4,7 @@
 #include "bench/precision/inputs.h"
 #include "math/exact.h"
 #include "shading/merl_lookup.h"
+#include "shading/microfacet/microfacet.h"
 
 namespace refraster::precision {
 
@@ -26,6 +27,18 @@ Exactly exactly(const SomeFunction& function, const Inputs& in) {
   return {reflected(function, there.at, there.light).x,
           (diffuse * magnitude_of_dot(there.at.normal, there.light.direction) + as<Exact>(in.ks)) *
               there.light.radiance.x};
+}
+
+/// What microfacets give. Its terms: those of its two lobes with sum |n_i l_i| for n.l, and the density at its peak.
+inline Exactly exactly(const Microfacet& function, const Inputs& in) {
+  const Lit<Exact> there = lit<Exact>(in);
+  const Vec3<Exact>&n = there.at.normal, &l = there.light.direction;
+  const MicrofacetTerms<Exact> terms = microfacet_terms(function, there.at, l);
+  const Exact value = (terms.diffuse.x + terms.specular.x) * there.light.radiance.x, n_l = dot(n, l);
+  if (!(n_l > Exact(0)) || !(terms.diffuse.x > Exact(0))) return {value, value};
+  const GgxWidth<Exact> width = ggx_width(microfacet_surface(function, there.at).alpha);
+  const Exact specular = terms.fresnel.x * terms.cosine_over_divisor * width.squared_over_pi / square(width.squared);
+  return {value, (terms.diffuse.x + specular) * (magnitude_of_dot(n, l) / n_l) * there.light.radiance.x};
 }
 
 /// Rusinkiewicz's coordinates in bins, of the directions brought to unit length first. w in [0, 180).

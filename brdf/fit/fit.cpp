@@ -4,7 +4,6 @@
 #include "io/file/text.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace refraster {
@@ -20,12 +19,17 @@ Rgb<double> logarithm_of(const Rgb<double>& f, double cosine) {
   return {std::log1p(cosine * f.x), std::log1p(cosine * f.y), std::log1p(cosine * f.z)};
 }
 
+/// Beyond 80 degrees of either direction measurements are the least certain, and of what is smooth the highlight is a
+/// hundred times what it is elsewhere: Ngan et al. 2005, section 3, leave it out as well.
+constexpr double min_cosine = 0.17364817766693035; // of 80 degrees
+
 std::vector<FitPoint> fit_points(const Brdf& brdf) {
   std::vector<FitPoint> points;
   for (int h = 0; h < MerlTable::theta_h_bins; ++h)
     for (int d = 2; d < MerlTable::theta_d_bins; d += 4)
       for (int p = 4; p < MerlTable::phi_d_bins; p += 9) { // both of p and 179 - p: light and eye exchanged
         const DirectionPair pair = directions_at_centre(h, d, p);
+        if (std::min(pair.i.z, pair.o.z) < min_cosine) continue;
         const BrdfValue value = brdf.value(pair);
         if (value.measured) points.push_back({pair, logarithm_of(value.f, pair.i.z)});
       }
@@ -93,21 +97,31 @@ bool can_be_fitted(const std::vector<FitPoint>& points, const std::vector<BrdfMo
 
 std::optional<BrdfFit> fit_brdf(const Brdf& brdf, const FittedModel& model, int lobes) {
   const std::optional<HighlightShape> shape = highlight_shape(brdf);
+  if (!shape) return std::nullopt;
   const std::vector<FitPoint> points = fit_points(brdf);
   constexpr double widths[] = {1, 1.0 / 3, 3};
-  if (!shape || !can_be_fitted(points, model.start(*shape, lobes, 1))) return std::nullopt;
-  // A dozen steps tell which start is the best; that one goes on until it is at rest. A thread for each start: within
-  // one, threads would wait for each other hundreds of times.
-  std::array<BrdfFit, std::size(widths)> tried;
+  const auto start = [&](std::size_t s, std::size_t w) { return model.starts[s](*shape, lobes, widths[w]); };
+  for (std::size_t s = 0; s < model.starts.size(); ++s)
+    if (!can_be_fitted(points, start(s, 0))) return std::nullopt;
+  // A dozen steps tell which width is the best to start with; from there it goes on until it is at rest. A thread for
+  // each start: within one, threads would wait for each other hundreds of times.
+  std::vector<BrdfFit> tried(model.starts.size() * std::size(widths)), fits(model.starts.size());
 #pragma omp parallel for schedule(dynamic)
   for (std::size_t k = 0; k < tried.size(); ++k) {
-    const std::vector<BrdfModel> start = model.start(*shape, lobes, widths[k]);
-    const int some_evaluations = 12 * static_cast<int>(fit_parameters(start).size() + 1);
-    tried[k] = fit_to_points(points, std::string(model.name), start, some_evaluations);
+    const std::vector<BrdfModel> lobes_at_start = start(k / std::size(widths), k % std::size(widths));
+    const int some_evaluations = 12 * static_cast<int>(fit_parameters(lobes_at_start).size() + 1);
+    tried[k] = fit_to_points(points, std::string(model.name), lobes_at_start, some_evaluations);
   }
-  const BrdfFit& best = *std::ranges::min_element(tried, {}, &BrdfFit::log_rms);
-  BrdfFit fit = fit_to_points(points, std::string(model.name), best.lobes, max_evaluations);
-  for (const BrdfFit& one : tried) fit.evaluations += one.evaluations;
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t s = 0; s < fits.size(); ++s) {
+    const auto first = tried.begin() + static_cast<std::ptrdiff_t>(s * std::size(widths));
+    const auto best = std::ranges::min_element(first, first + std::size(widths), {}, &BrdfFit::log_rms);
+    fits[s] = fit_to_points(points, std::string(model.name), best->lobes, max_evaluations);
+  }
+  BrdfFit fit = *std::ranges::min_element(fits, {}, &BrdfFit::log_rms);
+  fit.evaluations = 0;
+  for (const std::vector<BrdfFit>* const all : {&tried, &fits})
+    for (const BrdfFit& one : *all) fit.evaluations += one.evaluations;
   return fit;
 }
 

@@ -23,10 +23,10 @@ inline constexpr double min_explained = 0.9;
 
 /// Least squares of ln(1 + c f), c the cosine of the light's angle (Löw, Kronander, Ynnerman, Unger, "BRDF models for
 /// accurate and efficient rendering of glossy surfaces", 2012), over red, green and blue at the centres of bins: of all
-/// theta_h, every fourth theta_d and every ninth phi_d. Each bin counts the same, so that a highlight, where bins are
-/// fine, does. Begins at closed forms of the highlight's height and width, and at a third and three times that width;
-/// the best of the three is the result. Deterministic. A second or two.
-/// lobes from 1 to 3. Nothing where the reflectance is measured nowhere that the start looks.
+/// theta_h, every fourth theta_d and every ninth phi_d, where light and eye are within 80 degrees of the normal. Each
+/// bin counts the same, so that a highlight, where bins are fine, does. Begins at closed forms of the highlight's
+/// height and width, and at a third and three times that width; the best of them is the result. Deterministic. A second
+/// or two. lobes: 1 to 3. Nothing where the reflectance is measured nowhere that the start looks.
 std::optional<BrdfFit> fit_brdf(const Brdf& brdf, const FittedModel& model, int lobes);
 
 /// The same from these lobes alone: for those who search for a better start.

@@ -27,12 +27,14 @@ void write_value(JsonWriter& json, std::string_view name, Enum value) {
   json.member(name, name_of(value));
 }
 
-/// Choices stay as a scene has them by default, and are left out.
+/// Choices stay as a scene has them by default, and are left out, and so is what the scene need not have for f.
 template <class Block>
 void write_parameters(JsonWriter& json, const Block& block) {
-  Block::fields(block, [&]<class Value>(std::string_view name, const Value& value, const Range&, std::string_view) {
-    if constexpr (!NamedEnum<Value>) write_value(json, name, value);
-  });
+  Block::fields(block,
+                [&]<class Value>(std::string_view name, const Value& value, const Range& range, std::string_view) {
+                  if (range.need == Need::optional && !is_of_f(block, name)) return;
+                  if constexpr (!NamedEnum<Value>) write_value(json, name, value);
+                });
 }
 
 } // namespace

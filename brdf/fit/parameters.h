@@ -8,18 +8,26 @@
 
 namespace refraster {
 
+/// How steps of a number are measured.
+enum class FitScale {
+  channel,  // of a colour: by itself
+  width,    // by its logarithm
+  fraction, // by itself: either end is an answer
+};
+
 /// A parameter of one lobe that a fit may change.
 struct FitParameter {
   std::size_t lobe = 0;
   std::string name; // "kd.r", "alpha"
   double value = 0;
-  Range range;            // what it may be: for widths, from 1e-4 to 1e6 at most
-  bool is_width = false;  // a single number: its logarithm is what is fitted
+  Range range; // what it may be: for widths, from 1e-4 to 1e6 at most
+  FitScale scale = FitScale::channel;
   bool is_at_end() const; // of its range, to within a thousandth: the fit may want more
 };
 
-/// Those of all lobes: colours channel by channel, then single numbers. What is diffuse (kd, albedo) is the first
-/// lobe's only; choices, and what no light shows, stay as they are.
+/// Those of all lobes: colours channel by channel, then single numbers. The ground (kd, albedo, metallic, ior) is the
+/// first lobe's only; choices, and what f does not depend on, stay as they are. Of a Microfacet without any metal the
+/// refractive index may change and the metal may not, of others the other way round.
 std::vector<FitParameter> fit_parameters(const std::vector<BrdfModel>& lobes);
 
 /// The values without bounds: each number stands for one within the range, by James and Roos, "MINUIT", 1975, section

@@ -68,12 +68,26 @@ double ggx_peak(double alpha, double cosine) {
   return ggx_density(Double3(0, 0, 1), Double3(0, 0, 1), alpha) * ggx_visibility(cosine, cosine, alpha);
 }
 
+/// Reflectance at normal incidence that gives the highlight its height, over a lobe of that width.
+Rgb<double> f0_of(const HighlightShape& shape, double alpha, int k) {
+  return shape.specular * (part_of(k).height / ggx_peak(alpha, shape.cos_theta_d));
+}
+
+/// What lies under a boundary of that reflectance, passed twice.
+Double3 ground_of(const HighlightShape& shape, double f0, double visible) {
+  return clamped(shape.diffuse * (std::numbers::pi / (square(1 - f0) * visible)), 0.001, 0.99);
+}
+
+double index_of(double f0) {
+  return (1 + std::sqrt(f0)) / (1 - std::sqrt(f0));
+}
+
 std::vector<BrdfModel> start_of_conductor(const HighlightShape& shape, int lobes, double width) {
   std::vector<BrdfModel> result;
   for (int k = 0; k < lobes; ++k) {
     GgxConductor block;
     block.alpha = alpha_of(shape.half_width * width * part_of(k).width);
-    block.f0 = clamped(shape.specular * (part_of(k).height / ggx_peak(block.alpha, shape.cos_theta_d)), 0.01, 0.99);
+    block.f0 = clamped(f0_of(shape, block.alpha, k), 0.01, 0.99);
     result.push_back(block);
   }
   return result;
@@ -84,14 +98,50 @@ std::vector<BrdfModel> start_of_dielectric(const HighlightShape& shape, int lobe
   for (int k = 0; k < lobes; ++k) {
     GgxDielectric block;
     block.alpha = alpha_of(shape.half_width * width * part_of(k).width);
-    const double f0 = std::clamp(
-        luminance(shape.specular) * part_of(k).height / ggx_peak(block.alpha, shape.cos_theta_d), 0.005, 0.6);
-    block.ior = (1 + std::sqrt(f0)) / (1 - std::sqrt(f0));
-    const double through = (1 - f0) * (1 - f0);
-    block.albedo = k == 0 ? clamped(shape.diffuse * (std::numbers::pi / through), 0.001, 0.99) : Double3(0);
+    const double f0 = std::clamp(luminance(f0_of(shape, block.alpha, k)), 0.005, 0.6);
+    block.ior = index_of(f0);
+    block.albedo = k == 0 ? ground_of(shape, f0, 1) : Double3(0);
     result.push_back(block);
   }
   return result;
+}
+
+/// Further lobes of a Microfacet are those of metal: what is left of the ground is the first one's.
+std::vector<BrdfModel> start_of_microfacet(const HighlightShape& shape, int lobes, double width, const auto& first) {
+  std::vector<BrdfModel> result;
+  for (int k = 0; k < lobes; ++k) {
+    Microfacet block;
+    const double alpha = alpha_of(shape.half_width * width * part_of(k).width);
+    block.roughness = std::sqrt(alpha);
+    const Rgb<double> f0 = f0_of(shape, alpha, k);
+    if (k == 0) first(block, f0);
+    else block.base_color = clamped(f0, 0.01, 0.99);
+    result.push_back(block);
+  }
+  return result;
+}
+
+/// With F the reflectance of the index, s and d the luminance of highlight and ground, and q = 1 - metallic:
+///     s = q F + (1 - q) b,   d = q b,   hence F q^2 - (s + d) q + d = 0, of which this is the smaller root.
+std::vector<BrdfModel> start_with_metal(const HighlightShape& shape, int lobes, double width) {
+  return start_of_microfacet(shape, lobes, width, [&](Microfacet& block, const Rgb<double>& f0) {
+    const double f = square((block.ior - 1) / (block.ior + 1));
+    const double d = luminance(shape.diffuse) * std::numbers::pi / square(1 - f), sum = luminance(f0) + d;
+    const double root = std::sqrt(std::max(sum * sum - 4 * f * d, 0.0));
+    block.metallic = std::clamp(1 - 2 * d / (sum + root), 0.01, 0.99);
+    const double rest = 1 - block.metallic;
+    block.base_color = block.metallic > 0.5 ? clamped((f0 - Rgb<double>(rest * f)) / block.metallic, 0.01, 0.99)
+                                            : ground_of(shape, f, rest);
+  });
+}
+
+std::vector<BrdfModel> start_without_metal(const HighlightShape& shape, int lobes, double width) {
+  return start_of_microfacet(shape, lobes, width, [&](Microfacet& block, const Rgb<double>& f0) {
+    const double f = std::clamp(luminance(f0), 0.005, 0.6);
+    block.metallic = 0;
+    block.ior = index_of(f);
+    block.base_color = ground_of(shape, f, 1);
+  });
 }
 
 double theta_h_of(int h) {
@@ -121,24 +171,26 @@ std::optional<HighlightShape> highlight_shape(const Brdf& brdf) {
     const double floor = std::max(shape.diffuse[c] / 10, std::numeric_limits<double>::min());
     shape.specular[c] = std::max(line.front().second[c] - shape.diffuse[c], floor);
   }
-  const double half = luminance(shape.diffuse) + luminance(shape.specular) / 2;
+  const double ground = luminance(shape.diffuse), half = ground + luminance(shape.specular) / 2;
   shape.half_width = line.back().first;
+  // So broad that nothing stands out, or so narrow that it is not there: the first is what fits have to find.
+  if (luminance(line.front().second) <= half) return shape;
   for (std::size_t k = 0; k < line.size(); ++k) {
     const double f = luminance(line[k].second);
     if (f > half) continue;
-    // Between two bins, in theta_h; a highlight that falls within the first is as wide as that.
-    const double before = k == 0 ? f : luminance(line[k - 1].second), from = k == 0 ? line[k].first : line[k - 1].first;
-    const double fraction = before > f ? (before - half) / (before - f) : 1;
-    shape.half_width = from + (line[k].first - from) * fraction;
+    // Between two bins, in theta_h.
+    const double before = luminance(line[k - 1].second), from = line[k - 1].first;
+    shape.half_width = from + (line[k].first - from) * (before - half) / (before - f);
     break;
   }
   return shape;
 }
 
-const std::vector<FittedModel> fitted_models = {{Phong::name, start_of_plain_phong},
-                                                {BlinnPhong::name, start_of_blinn_phong},
-                                                {GgxConductor::name, start_of_conductor},
-                                                {GgxDielectric::name, start_of_dielectric}};
+const std::vector<FittedModel> fitted_models = {{Phong::name, {start_of_plain_phong}},
+                                                {BlinnPhong::name, {start_of_blinn_phong}},
+                                                {Microfacet::name, {start_with_metal, start_without_metal}},
+                                                {GgxConductor::name, {start_of_conductor}},
+                                                {GgxDielectric::name, {start_of_dielectric}}};
 
 const FittedModel* find_fitted_model(std::string_view name) {
   const auto found = std::find_if(fitted_models.begin(), fitted_models.end(),

@@ -23,7 +23,9 @@ constexpr std::array all_light_names =
     std::apply([]<class... Light>(std::vector<Light> Scene::*...) { return std::array{Light::names...}; }, light_lists);
 
 /// Set for some fragment functions only.
-constexpr std::string_view of_some_functions[] = {"ka", "kd", "ks", "glossiness", "specularGate", "merlBrdf"};
+constexpr std::string_view of_some_functions[] = {"ka",           "kd",       "ks",        "glossiness",
+                                                  "specularGate", "merlBrdf", "baseColor", "metallic",
+                                                  "roughness",    "ior",      "eta",       "k"};
 
 /// The type that a value is for. Samplers and bools are set as an int is.
 struct Expected {

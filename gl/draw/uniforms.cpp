@@ -89,6 +89,13 @@ UniformValues object_uniforms(const Object& object, const Double4x4& clip_from_w
           values["ks"] = Float3(function.ks);
           values["glossiness"] = static_cast<float>(function.glossiness);
           values["specularGate"] = function.specular_gate == SpecularGate::open ? 0 : 1;
+        } else if constexpr (std::is_same_v<Microfacet, std::decay_t<decltype(function)>>) {
+          values["baseColor"] = Float3(function.base_color);
+          values["metallic"] = static_cast<float>(function.metallic);
+          values["roughness"] = static_cast<float>(function.roughness);
+          values["ior"] = static_cast<float>(function.ior);
+          values["eta"] = Float3(function.eta);
+          values["k"] = Float3(function.k);
         } else if constexpr (std::is_same_v<Merl, std::decay_t<decltype(function)>>) {
           values["merlBrdf"] = merl_unit;
         }

@@ -108,10 +108,15 @@ void define_texture(std::ostream& text, const TextureSlot& slot, const TextureMa
          << "; // scale, offset\n";
 }
 
-void define_function(std::ostream& text, const PhongParameters& function, const Material& material, MerlFilter) {
+/// Textures and light of its own.
+void define_colours(std::ostream& text, const Material& material) {
   for (const TextureSlot& slot : texture_slots)
-    if (slot.use == SlotUse::colours) define_texture(text, slot, material.*slot.map);
+    if (slot.use == SlotUse::colours && shows(material, slot)) define_texture(text, slot, material.*slot.map);
   define(text, "EMISSIVE", material.emissive != Double3(0));
+}
+
+void define_function(std::ostream& text, const PhongParameters& function, const Material& material, MerlFilter) {
+  define_colours(text, material);
   define(text, "SPECULAR", function.ks != Double3(0));
   define(text, "ZERO_GLOSSINESS", function.glossiness == 0);
   define(text, "SPECULAR_GATE", function.specular_gate == SpecularGate::cut_below_horizon);
@@ -123,6 +128,11 @@ void define_function(std::ostream& text, const Merl& function, const Material&, 
   define_choice(text, "MERL_ANGLES", "ANGLES_", function.angles);
   define(text, "MERL_HARDWARE_FILTER", filter == MerlFilter::hardware);
   text << "#define MERL_LOG_EPSILON " << std::showpoint << MerlTable::log_epsilon << "\n";
+}
+
+void define_function(std::ostream& text, const Microfacet& function, const Material& material, MerlFilter) {
+  define_colours(text, material);
+  define_choice(text, "MICROFACET_FRESNEL", "FRESNEL_", function.fresnel);
 }
 
 /// Of any fragment function.
@@ -137,6 +147,7 @@ template <class SomeFunction>
 std::string_view formulas_of(const SomeFunction&) {
   if constexpr (std::is_same_v<SomeFunction, Phong> || std::is_same_v<SomeFunction, BlinnPhong>) return glsl_text.phong;
   if constexpr (std::is_same_v<SomeFunction, Merl>) return glsl_text.merl;
+  if constexpr (std::is_same_v<SomeFunction, Microfacet>) return glsl_text.microfacet;
   return {};
 }
 
@@ -153,14 +164,16 @@ bool has_own_glsl(const LightNames& lights) {
 
 bool has_own_glsl(const TextureSlot& slot) {
   const std::string declared = "sampler2D " + std::string(slot.sampler) + ";";
-  return glsl_text.phong.find(declared) != std::string_view::npos ||
-         glsl_text.opacity.find(declared) != std::string_view::npos ||
-         glsl_text.normal_map.find(declared) != std::string_view::npos;
+  const std::string_view texts[] = {glsl_text.colours, glsl_text.phong, glsl_text.microfacet, glsl_text.opacity,
+                                    glsl_text.normal_map};
+  return std::any_of(std::begin(texts), std::end(texts),
+                     [&](std::string_view text) { return text.find(declared) != std::string_view::npos; });
 }
 
 bool has_own_glsl(std::string_view varying) {
   const std::string read = "fs_in(" + std::string(varying) + ")";
-  const std::string_view texts[] = {glsl_text.surface, glsl_text.phong, glsl_text.merl, glsl_text.main};
+  const std::string_view texts[] = {glsl_text.surface, glsl_text.colours,    glsl_text.phong,
+                                    glsl_text.merl,    glsl_text.microfacet, glsl_text.main};
   return std::any_of(std::begin(texts), std::end(texts),
                      [&](std::string_view text) { return text.find(read) != std::string_view::npos; });
 }
@@ -220,6 +233,7 @@ std::string own_fragment_glsl(const Scene& scene, const Mesh& mesh, const Materi
       define_texture(text, slot, material.*slot.map);
   text << varyings(mesh, dialect, "in") << glsl_text.surface;
   if (turns_normals) text << glsl_text.normal_map;
+  if (formulas.data() != glsl_text.merl.data()) text << glsl_text.colours; // a measured surface has none
   text << formulas << light_sum(scene) << glsl_text.opacity << glsl_text.main;
   return text.str();
 }

@@ -5,18 +5,8 @@ uniform vec3 ka;
 uniform vec3 kd;
 uniform vec3 ks;
 uniform float glossiness;
-#ifdef EMISSIVE // emissive is not 0
-uniform vec3 emissive;
-#endif
-// Where each texture is read, TEXTURE_AT and so on, is defined above: at fs_in(TexCoord), or scaled and moved.
-#ifdef HAS_TEXTURE
-uniform sampler2D tex;
-#endif
 #ifdef HAS_SPECULAR_MAP
 uniform sampler2D specularTex;
-#endif
-#ifdef HAS_EMISSIVE_MAP
-uniform sampler2D emissiveTex;
 #endif
 
 vec3 specular_colour; // ks, times its texture: read once, for all lights
@@ -26,27 +16,11 @@ vec3 surface_colour() {
 #ifdef HAS_SPECULAR_MAP
     specular_colour *= texture(specularTex, SPECULAR_MAP_AT).rgb;
 #endif
-    vec3 t = vec3(1.0);
-#ifdef HAS_TEXTURE
-    t = texture(tex, TEXTURE_AT).rgb;
-#endif
-#ifdef HAS_COLOURS
-    t *= max(fs_in(Color), 0.0);
-#endif
-    return t;
+    return texture_colour();
 }
 
-// With light of its own.
 vec3 ambient(vec3 t) {
-    vec3 colour = ka * t;
-#ifdef EMISSIVE
-    vec3 own = emissive;
-#ifdef HAS_EMISSIVE_MAP
-    own *= texture(emissiveTex, EMISSIVE_MAP_AT).rgb;
-#endif
-    colour += own;
-#endif
-    return colour;
+    return with_emission(ka * t);
 }
 
 float highlight(vec3 n, vec3 v, vec3 l, float n_l) {

@@ -20,12 +20,16 @@ enum class Ends { included, excluded };
 /// Whether the vector of length 0 belongs to a range.
 enum class Zero { included, excluded };
 
+/// Whether a scene file must have a key.
+enum class Need { required, optional };
+
 /// What a number may be: finite, and from min to max; each channel for a colour, each coordinate for a vector.
 struct Range {
   double min = 0;                                  ///< the least
   double max = std::numeric_limits<double>::max(); ///< the greatest
   Ends ends = Ends::included;                      ///< whether those two belong to it
   Zero zero = Zero::included;                      ///< for a vector: whether it may have no direction
+  Need need = Need::required;                      ///< of a fragment function's colour or number
 
   /// False for NaN.
   constexpr bool contains(double x) const { return ends == Ends::included ? min <= x && x <= max : min < x && x < max; }
@@ -36,9 +40,6 @@ inline constexpr Range any_number{std::numeric_limits<double>::lowest(), std::nu
 
 /// Every vector that has a direction, at any length.
 inline constexpr Range any_direction{any_number.min, any_number.max, Ends::included, Zero::excluded};
-
-/// Whether a scene file must have a key.
-enum class Need { required, optional };
 
 /// The words that stand for the values of an enum in a scene file. Specialise beside the enum, one line a value:
 ///     static constexpr std::pair<Enum, std::string_view> names[] = {{Enum::a, "a"}, …};
@@ -68,8 +69,9 @@ constexpr std::optional<Enum> value_named(std::string_view name) {
 
 // A fragment function, or a type of light, declares each parameter in its function `fields`, by one call:
 //     field("kd", self.kd, Range{}, "diffuse reflection, r g b");
-// for a Double3 (a colour), a double, or a named enum. A scene must give every colour and number; an enum, which
-// chooses between conventions, may be left out and then keeps the value that the member has from the start.
+// for a Double3 (a colour), a double, or a named enum. A scene must give every colour and number whose range does not
+// say that it is optional; an enum, which chooses between conventions, may be left out. What is left out keeps the
+// value that the member has from the start.
 
 /// An enum whose type is not known here: the words for its values, and which of them it is.
 struct NamedValue {

@@ -65,7 +65,7 @@ inline constexpr AovKind aov_kinds[] = {
     {"uv", 2, AovValues::floats, AovMean::covered, {"uv.U", "uv.V"},
      "texture coordinates as interpolated, not wrapped"},
     {"albedo", 3, AovValues::floats, AovMean::covered, {"albedo.R", "albedo.G", "albedo.B"},
-     "texture colour times kd; for a measured BRDF its value at normal incidence times pi"},
+     "texture colour times kd or base_color; for a measured BRDF its value at normal incidence times pi"},
     {"triangle", 1, AovValues::numbers, AovMean::none, {"triangle.ID"},
      "number of the triangle in its object's mesh, from 1"},
     {"object", 1, AovValues::numbers, AovMean::none, {"object.ID"}, "number of the object in the scene, from 1"},

@@ -184,9 +184,60 @@ struct Merl {
   }
 };
 
+/// By what law a smooth boundary reflects, of the fraction of a Microfacet's surface that is metal and of the rest.
+///   schlick     Schlick's for both: f0 of the metal is the base colour, of the rest that of its refractive index
+///   dielectric  Schlick's for the metal, the exact one of dielectrics for the rest
+///   conductor   the exact ones: that of conductors, by eta and k, for the metal
+enum class MicrofacetFresnel { schlick, dielectric, conductor };
+
+template <>
+struct EnumNames<MicrofacetFresnel> {
+  static constexpr std::pair<MicrofacetFresnel, std::string_view> names[] = {
+      {MicrofacetFresnel::schlick, "schlick"},
+      {MicrofacetFresnel::dielectric, "dielectric"},
+      {MicrofacetFresnel::conductor, "conductor"},
+  };
+};
+
+/// Reflection by microfacets, with the parameters of glTF's metallic-roughness: radiance toward the eye from one light,
+///
+///     (D(h) G2(l, v) F(h.l) / (4 n.l n.v) + (1 - m) T(n.l) T(n.v) b t / pi) <n.l> C,     0 unless n.l > 0 and n.v > 0,
+///
+/// D being GGX of width alpha = roughness^2, G2 Smith's masking and shadowing with correlated heights, F the Fresnel
+/// factor, m the metallic fraction, b the base colour, t the texture colour, and T what a smooth boundary lets through.
+/// There is no ambient term. docs/microfacet.md has the formulas and their sources.
+struct Microfacet {
+  /// In a scene file.
+  static constexpr std::string_view name = "microfacet";
+  /// Of names of GLSL files that mean it.
+  static constexpr std::string_view shader_stems[] = {"microfacet_fs", "microfacet", "pbr_fs", "pbr"};
+  /// A roughness below it, the product with its map, counts as it: of a mirror a light without size shows nothing.
+  static constexpr double min_roughness = 1e-4;
+
+  Double3 base_color{1};           ///< linear, each channel in [0, 1]
+  double metallic = 1;             ///< m, the fraction that is metal, in [0, 1]
+  double roughness = 1;            ///< in [0, 1]; its square is alpha
+  double ior = 1.5;                ///< refractive index of what is not metal, in [1, 10]
+  Double3 eta{0.143, 0.375, 1.44}; ///< refractive index of the metal, with `conductor`; as it is here, gold's
+  Double3 k{3.98, 2.39, 1.6};      ///< its extinction coefficient
+  MicrofacetFresnel fresnel = MicrofacetFresnel::schlick; ///< by what law a smooth boundary reflects
+
+  /// Declares the parameters: <refraster/fields.h>.
+  static void fields(auto& self, auto&& field) {
+    field("base_color", self.base_color, Range{0, 1}, "colour of the diffuse light, and of metal, r g b");
+    field("metallic", self.metallic, Range{0, 1}, "the fraction of the surface that is metal");
+    field("roughness", self.roughness, Range{0, 1}, "the square root of the width of the highlight; 1e-4 at least");
+    field("fresnel", self.fresnel, Range{}, "by what law a smooth boundary reflects");
+    field("ior", self.ior, Range{.min = 1, .max = 10, .need = Need::optional}, "refractive index of what is not metal");
+    const Range above_0{0, 100, Ends::excluded, Zero::included, Need::optional};
+    field("eta", self.eta, above_0, "refractive index of metal, r g b, for `conductor`");
+    field("k", self.k, Range{.max = 100, .need = Need::optional}, "extinction coefficient of metal, r g b, likewise");
+  }
+};
+
 /// Every fragment function of the library. The order is that of `refraster list fragment-functions`; nothing else
 /// depends on it. The formula of each is in shading/fragment_functions.h.
-using FragmentFunction = std::variant<Phong, BlinnPhong, Merl>;
+using FragmentFunction = std::variant<Phong, BlinnPhong, Merl, Microfacet>;
 
 struct FragmentBatch; // of the fragment kit
 
@@ -212,7 +263,9 @@ struct Material {
   std::shared_ptr<const UserFunction> user_function = {}; ///< shades instead of it, if not null
   TextureMap diffuse_map = {};                            ///< t of the formulas
   TextureMap specular_map = {};                           ///< of Phong and Blinn-Phong: multiplies ks
-  TextureMap emissive_map = {};                           ///< of Phong and Blinn-Phong: multiplies `emissive`
+  TextureMap emissive_map = {};                           ///< of all but Merl: multiplies `emissive`
+  TextureMap roughness_map = {};                          ///< of Microfacet: red of what is read multiplies roughness
+  TextureMap metallic_map = {};                           ///< of Microfacet: and metallic
   TextureMap opacity_map = {};                            ///< of any function: red is how much of the surface is there
   /// Where the opacity at a pixel's centre, in double, is less than this, the triangle has none of the pixel's samples,
   /// and what is behind it is seen. In [0, 1].
@@ -221,7 +274,7 @@ struct Material {
   TextureMap bump_map = {};   ///< of all functions: heights, in red, by whose slopes normals are turned
   double normal_scale = 1;    ///< of normal_map: multiplies red and green, less 1/2: its strength; finite
   double bump_scale = 1;      ///< of bump_map: height of white over black, in texels; finite
-  /// Light of its own, of Phong and Blinn-Phong: added to the ambient term. Linear; each channel >= 0.
+  /// Light of its own, of all but Merl: added to the ambient term. Linear; each channel >= 0.
   Double3 emissive{0};
 
   std::string name = {}; ///< for reports: of a file's its own
@@ -229,10 +282,17 @@ struct Material {
   /// What is measured of it; null if another function shades it.
   const Merl* measured() const { return user_function ? nullptr : std::get_if<Merl>(&fragment_function); }
 
-  /// Whether there is more to its fragments than the parameters of Phong or Blinn-Phong and t: a colour of highlights
-  /// that varies, or light of its own.
+  /// What is microfacets of it; null if another function shades it.
+  const Microfacet* microfacets() const {
+    return user_function ? nullptr : std::get_if<Microfacet>(&fragment_function);
+  }
+
+  /// Whether there is more to its fragments than the parameters and t: a colour of highlights, a roughness or a
+  /// metallic fraction that varies, or light of its own.
   bool has_fragment_maps() const {
-    return (specular_map.texture || emissive != Double3(0)) && !user_function && !measured();
+    if (user_function || measured()) return false;
+    const bool varies = microfacets() ? roughness_map.texture || metallic_map.texture : specular_map.texture != nullptr;
+    return varies || emissive != Double3(0);
   }
 
   /// Whether parts of it may be cut out: where its opacity is below the threshold.
@@ -294,7 +354,7 @@ inline constexpr std::array texture_slots{
                 {},
                 "emissiveTex",
                 "emissiveTexPlace",
-                "multiplies `emissive`; for `phong` and `blinn_phong`"},
+                "multiplies `emissive`; not for `merl`"},
     TextureSlot{&Material::opacity_map,
                 nullptr,
                 "opacity_map",
@@ -322,13 +382,38 @@ inline constexpr std::array texture_slots{
                 .meaning = "turns normals by the slopes of its heights",
                 .value = SlotValue::scalar,
                 .use = SlotUse::surface,
-                .channel = ScalarChannel::luminance}};
+                .channel = ScalarChannel::luminance},
+    TextureSlot{.map = &Material::roughness_map,
+                .name = "roughness_map",
+                .key = "roughness_map",
+                .sampler = "roughnessTex",
+                .place = "roughnessTexPlace",
+                .meaning = "multiplies `roughness`; for `microfacet`; read in green, as glTF packs it",
+                .value = SlotValue::scalar,
+                .channel = ScalarChannel::green},
+    TextureSlot{.map = &Material::metallic_map,
+                .name = "metallic_map",
+                .key = "metallic_map",
+                .sampler = "metallicTex",
+                .place = "metallicTexPlace",
+                .meaning = "multiplies `metallic`; for `microfacet`; read in blue, as glTF packs it",
+                .value = SlotValue::scalar,
+                .channel = ScalarChannel::blue}};
 
 /// The slot of this member.
 constexpr TextureSlot declared(TextureMap Material::*map) {
   for (const TextureSlot& slot : texture_slots)
     if (slot.map == map) return slot;
   return {};
+}
+
+/// Whether a texture that the material may have is one that its fragment function shows.
+inline bool shows(const Material& material, const TextureSlot& slot) {
+  if (slot.use == SlotUse::surface) return true;
+  const bool of_microfacets = slot.map == &Material::roughness_map || slot.map == &Material::metallic_map;
+  if (of_microfacets || slot.map == &Material::specular_map)
+    return of_microfacets == (material.microfacets() != nullptr) && !material.measured();
+  return !material.measured();
 }
 
 /// Calls visit(map) with each texture that the material has.

@@ -28,10 +28,20 @@ std::string_view without_comment(std::string_view text) {
   return text.substr(0, text.find_last_not_of(" \t") + 1);
 }
 
-Material with_function(const PhongParameters& parameters, FileFunction function) {
+/// Without textures and light of its own.
+Material with_function(const MeshMaterial& described, FileFunction function) {
   Material material;
-  if (function == FileFunction::phong) material.fragment_function = Phong{parameters};
-  else material.fragment_function = BlinnPhong{parameters};
+  switch (function) {
+  case FileFunction::phong:
+    material.fragment_function = Phong{phong_parameters(described)};
+    break;
+  case FileFunction::blinn_phong:
+    material.fragment_function = BlinnPhong{phong_parameters(described)};
+    break;
+  case FileFunction::microfacet:
+    material.fragment_function = microfacet_parameters(described);
+    break;
+  }
   return material;
 }
 
@@ -57,7 +67,7 @@ std::string consequence(const FoundFile& found, std::string_view without) {
 } // namespace
 
 Material FileMaterials::plain(FileFunction function) {
-  return with_function(phong_parameters(MeshMaterial{}), function);
+  return with_function(MeshMaterial{}, function);
 }
 
 const std::vector<MeshMaterial>& FileMaterials::library(const std::string& path) {
@@ -155,20 +165,24 @@ const std::vector<Material>& FileMaterials::materials(const std::string& obj_pat
   const auto [entry, is_new] = materials_.try_emplace({&mesh, function});
   if (!is_new) return entry->second;
   for (const MeshMaterial& described : mesh.materials) {
-    Material& material = entry->second.emplace_back(with_function(phong_parameters(described), function));
+    Material& material = entry->second.emplace_back(with_function(described, function));
     material.name = described.name;
     // Colours of images are those of screens, where they are looked at; what weighs a highlight is a value.
     material.diffuse_map = map(described.diffuse_map, {ColourSpace::srgb}, described, obj_path);
-    material.specular_map = map(described.specular_map, {}, described, obj_path);
+    if (!material.microfacets()) material.specular_map = map(described.specular_map, {}, described, obj_path);
     material.emissive_map = map(described.emissive_map, {ColourSpace::srgb}, described, obj_path);
     const auto scalar = [&](const MeshTexture& texture, TextureMap Material::*slot) {
       material.*slot = map(texture, {.channel = scalar_channel(texture, declared(slot).channel)}, described, obj_path);
     };
     scalar(described.dissolve_map, &Material::opacity_map), scalar(described.bump_map, &Material::bump_map);
+    if (material.microfacets()) {
+      scalar(described.roughness_map, &Material::roughness_map);
+      scalar(described.metallic_map, &Material::metallic_map);
+    }
     material.normal_map = map(described.normal_map, {}, described, obj_path);
     material.emissive = emissive_colour(described);
     material.bump_scale = described.bump_map.bump_multiplier;
-    if (notes_) note_what_is_not_shown(described, *notes_);
+    if (notes_) note_what_is_not_shown(described, function, *notes_);
   }
   return entry->second;
 }

@@ -6,6 +6,7 @@
 #include <refraster/mesh.h>
 #include <refraster/notes.h>
 
+#include "io/scene/model/mtl_material.h"
 #include "io/scene/scene_source.h"
 
 #include <functional>
@@ -16,9 +17,6 @@
 #include <vector>
 
 namespace refraster {
-
-/// Which formula shades what a file describes. Both have the same parameters.
-enum class FileFunction { phong, blinn_phong };
 
 /// Reads libraries and textures, each once. Nothing in them is a fault, but a library beyond limit::mtl_bytes: a model
 /// is drawn with what there is, and each kind of remark is a note.

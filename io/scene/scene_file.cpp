@@ -93,7 +93,7 @@ private:
             return read_merl(path);
           });
     for (std::size_t i = 0; i < texture_slots.size(); ++i) {
-      if (material.measured() && texture_slots[i].use == SlotUse::colours) continue;
+      if (!shows(material, texture_slots[i])) continue;
       TextureMap& map = material.*texture_slots[i].map;
       map = text.maps[i].map, map.texture = texture(text.maps[i]);
     }
@@ -107,7 +107,9 @@ private:
   }
 
   static FileFunction function_of(const ObjectText& text) {
-    return fragment_function_of(text) == place_of<Phong>() ? FileFunction::phong : FileFunction::blinn_phong;
+    const std::optional<std::size_t> function = fragment_function_of(text);
+    if (function == place_of<Phong>()) return FileFunction::phong;
+    return function == place_of<Microfacet>() ? FileFunction::microfacet : FileFunction::blinn_phong;
   }
 
   /// Those of the mesh, by the names that the file has for them.
@@ -296,7 +298,7 @@ private:
     };
     if (material.emissive != Double3(0) && (measured || material.user_function))
       options_.notes->add({document_.file(), 0, "emissive of " + in_quotes(material.function_name()),
-                           "not used: only phong and blinn_phong have light of their own"});
+                           "not used: it has no light of its own"});
     if (!measured) note("brdf_file_path", text.brdf_file, " uses no measured table");
     for (std::size_t i = 0; i < texture_slots.size(); ++i) {
       const TextureSlot& slot = texture_slots[i];
@@ -305,6 +307,7 @@ private:
       if (measured) note(key, text.maps[i].path, " shows no texture");
       else if (material.user_function && slot.map != &Material::diffuse_map)
         note(key, text.maps[i].path, " shows no other texture than the diffuse one");
+      else if (!shows(material, slot)) note(key, text.maps[i].path, " does not use it");
     }
   }
 

@@ -200,6 +200,12 @@ std::size_t place_of() {
 /// A material may hold the parameters of every fragment function: those of its own must be there, others may.
 enum class Use { own, other };
 
+/// Whether a scene must give a parameter of this type and range: <refraster/fields.h>.
+template <class Value>
+constexpr bool is_required(const Range& range) {
+  return !NamedEnum<Value> && range.need == Need::required;
+}
+
 /// Keys of the lecture's framework that mean nothing to a still image.
 struct Ignored {
   double value = 0;
@@ -293,7 +299,7 @@ void material_keys(auto& text, auto&& keys) {
              slot.file_key, nullptr);
   }
   keys("emissive", text.object.material.emissive, Range{},
-       "light of its own, r g b, added to the ambient term; for `phong` and `blinn_phong`",
+       "light of its own, r g b, added to the ambient term; not for `merl`",
        otherwise("`\"0 0 0\"`; `\"1 1 1\"` beside an `emissive_map`"));
   keys("opacity_threshold", text.object.material.opacity_threshold, Range{0, 1},
        "where the `opacity_map` at a pixel's centre is less, nothing of the surface is in the pixel", defaulted);

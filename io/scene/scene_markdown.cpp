@@ -125,7 +125,7 @@ public:
     inside(place_ + " with `" + std::string(M::name) + '`', [&](MarkdownKeys& keys) {
       M::fields(function,
                 [&]<class Value>(std::string_view key, Value& value, const Range& range, std::string_view meaning) {
-                  keys(key, value, range, meaning, NamedEnum<Value> ? defaulted : required);
+                  keys(key, value, range, meaning, is_required<Value>(range) ? required : defaulted);
                 });
     });
   }

@@ -116,10 +116,10 @@ class ParameterReader final : public FieldVisitor {
 public:
   ParameterReader(SceneReader& reader, Use use) : reader_(reader), use_(use) {}
   void field(std::string_view key, double& value, const Range& range, std::string_view meaning) override {
-    read(key, value, range, meaning, required);
+    read(key, value, range, meaning, is_required<double>(range) ? required : defaulted);
   }
   void field(std::string_view key, Double3& value, const Range& range, std::string_view meaning) override {
-    read(key, value, range, meaning, required);
+    read(key, value, range, meaning, is_required<Double3>(range) ? required : defaulted);
   }
   void field(std::string_view key, NamedValue& value, const Range& range, std::string_view meaning) override {
     read(key, value, range, meaning, defaulted);
@@ -250,10 +250,12 @@ void SceneReader::check(ObjectText& text) {
   if (has_shape && text.material_from == MaterialFrom::file)
     fault("material", "\"from_file\" beside mesh", "an object: a shape has no materials of its own");
   if (has_shape && find("materials")) fault("materials", "materials beside mesh", "obj_file_path: a shape has none");
-  if (const auto function = fragment_function_of(text);
-      any_from_file && function && *function != place_of<Phong>() && *function != place_of<BlinnPhong>())
+  if (const auto function = fragment_function_of(text); any_from_file && function && *function != place_of<Phong>() &&
+                                                        *function != place_of<BlinnPhong>() &&
+                                                        *function != place_of<Microfacet>())
     fault(find("fragment_function") ? "fragment_function" : "fragment_shader_file_path",
-          "a function that files describe no materials for", "phong or blinn_phong, or no material \"from_file\"");
+          "a function that files describe no materials for",
+          "phong, blinn_phong or microfacet, or no material \"from_file\"");
   if (has_shape && find("normals")) fault("normals", "normals beside mesh", "obj_file_path: a shape has its own");
   if (has_shape && find("vertex_colors"))
     fault("vertex_colors", "vertex_colors beside mesh", "obj_file_path: a shape has no colours");

@@ -95,11 +95,11 @@ public:
 
   template <class M>
   void parameters(M& function, Use use) {
-    M::fields(function,
-              [&]<class Value>(std::string_view key, Value& value, const Range& range, std::string_view meaning) {
-                if (use == Use::other && is_known(key)) return; // a parameter of the same name has been read
-                (*this)(key, value, range, meaning, use == Use::own && !NamedEnum<Value> ? required : defaulted);
-              });
+    M::fields(
+        function, [&]<class Value>(std::string_view key, Value& value, const Range& range, std::string_view meaning) {
+          if (use == Use::other && is_known(key)) return; // a parameter of the same name has been read
+          (*this)(key, value, range, meaning, use == Use::own && is_required<Value>(range) ? required : defaulted);
+        });
   }
 
   void parameters(UserFunction& function, Use use);

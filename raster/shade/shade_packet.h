@@ -6,6 +6,8 @@
 #include "shading/sum_light.h"
 #include "shading/texture.h"
 
+#include <algorithm>
+
 namespace refraster {
 
 /// The interpolated normal; where that is 0, the triangle's own; where that is 0 too, 0. Of any length.
@@ -179,15 +181,19 @@ void packet_surface(const FrameContext& context, const Material& material, const
 template <class Data, class T = typename Data::Number, class Read = SamplePlaced>
 [[gnu::noinline]] FragmentMaps<T> fragment_maps(const Material& material, const Data& data,
                                                 const UndefinedTally<T>& tally, const Read& read = {}) {
-  const TextureMap &specular = material.specular_map, &emissive = material.emissive_map;
-  const bool derivatives = needs_derivatives(specular) || needs_derivatives(emissive);
+  const bool derivatives = std::any_of(texture_slots.begin(), texture_slots.end(), [&](const TextureSlot& slot) {
+    return slot.use == SlotUse::colours && slot.map != &Material::diffuse_map && needs_derivatives(material.*slot.map);
+  });
   const PacketBarycentrics<T> at =
       derivatives ? barycentrics<Derivatives::yes>(data) : barycentrics<Derivatives::no>(data);
   const auto colour = [&](const TextureMap& map) {
     return map.texture && data.may_have_texture_coordinates() ? texture_colour(map, data, at, tally, read)
                                                               : Rgb<T>(T(1));
   };
-  return {colour(specular), as<T>(within_range<T>(material.emissive)) * colour(emissive)};
+  Rgb<T> specular;
+  if (material.microfacets()) specular = {T(1), colour(material.roughness_map).x, colour(material.metallic_map).x};
+  else specular = colour(material.specular_map);
+  return {specular, as<T>(within_range<T>(material.emissive)) * colour(material.emissive_map)};
 }
 
 } // namespace refraster

@@ -4,7 +4,7 @@
 #include <refraster/material.h>
 
 #include "math/elementary/degrees.h"
-#include "scenes/synthesis/ggx.h"
+#include "scenes/synthesis/analytic_brdfs.h"
 
 #include <concepts>
 #include <span>

@@ -102,6 +102,12 @@ MerlStory merl_story(const Merl& merl, const Plain& at, const Vec3<T>& l) {
   return story;
 }
 
+MicrofacetStory microfacet_story(const Microfacet& function, const Plain& at, const MicrofacetTerms<T>& terms,
+                                 const Vec3<T>& l) {
+  return {plain(microfacet_surface(function, at).alpha), plain(terms.density), plain(terms.cosine_over_divisor),
+          plain(terms.fresnel), plain(dot(at.normal, l)) > 0 && plain(dot(at.normal, at.to_eye)) > 0};
+}
+
 /// What the formula makes of the light, in parts.
 template <class Function>
 void add_parts(const Function& function, const Plain& at, const Vec3<T>& l, LightStory& story) {
@@ -115,6 +121,11 @@ void add_parts(const Function& function, const Plain& at, const Vec3<T>& l, Ligh
   }
   if constexpr (PhongLike<Function>) story.lobe = lobe_story(function, at, l);
   if constexpr (std::same_as<Function, Merl>) story.merl = merl_story(function, at, l);
+  if constexpr (std::same_as<Function, Microfacet>) {
+    const MicrofacetTerms<T> terms = microfacet_terms(function, at, l);
+    story.diffuse = plain(terms.diffuse), story.specular = plain(terms.specular);
+    story.microfacet = microfacet_story(function, at, terms, l);
+  }
 }
 
 /// How much of a light without colour arrives.
@@ -175,7 +186,8 @@ void add_lights(const ShadowQuestion& question, const FragmentTerms<T>& terms, c
     const LightTerm<T>& term = terms.lights[number++];
     of.reflected = plain(term.reflected);
     of.undefined = term.undefined;
-    if (terms.maps) of.specular_map = plain(terms.maps->specular);
+    if constexpr (PhongLike<std::remove_cvref_t<decltype(function)>>)
+      if (terms.maps) of.specular_map = plain(terms.maps->specular);
     if constexpr (!std::same_as<std::remove_cvref_t<decltype(function)>, UserFunction>)
       add_parts(function, at, arriving(within_range<T>(prepared_light(light)), at).direction, of);
     if (light.shadow != Shadow::none) {
@@ -244,7 +256,9 @@ void add_surface(const FrameContext& context, const Material& material, std::uin
       story.maps_of_normal = std::move(maps);
     }
     if (!material.has_fragment_maps()) return;
-    describe(material.specular_map, story.specular_map), describe(material.emissive_map, story.emissive_map);
+    describe(material.emissive_map, story.emissive_map);
+    if (!material.microfacets()) return describe(material.specular_map, story.specular_map);
+    describe(material.roughness_map, story.roughness_map), describe(material.metallic_map, story.metallic_map);
   });
 }
 
@@ -295,7 +309,8 @@ FragmentStory fragment_story(const FrameContext& context, std::uint32_t number, 
     add_lights({context, number, centre(x), centre(y)}, terms, function, story);
   });
   story.ambient = plain(terms.ambient);
-  if (terms.maps && material.specular_map.texture) story.specular_colour = plain(terms.maps->specular);
+  if (terms.maps && material.specular_map.texture && !material.microfacets())
+    story.specular_colour = plain(terms.maps->specular);
   if (terms.maps && material.emissive != Double3(0)) story.emission = plain(terms.maps->emission);
   story.radiance = plain(terms.radiance);
   story.undefined = terms.undefined;

@@ -4,8 +4,8 @@
 
 #include "raster/shade/sample_data.h"
 #include "raster/shade/shade_packet.h"
-#include "raster/shade/user_shading.h"
 #include "raster/shade/shadow/tile_shadows.h"
+#include "raster/shade/user_shading.h"
 #include "shading/fragment_functions.h"
 
 #include <array>

@@ -93,6 +93,8 @@ std::string textures_text(const FragmentStory& f) {
   if (f.maps_of_normal && f.maps_of_normal->bump_map) text += reading_text("BUMP MAP", *f.maps_of_normal->bump_map);
   if (f.specular_map) text += reading_text("SPECULAR MAP", *f.specular_map);
   if (f.specular_colour) text += row("colour that multiplies ks", *f.specular_colour);
+  if (f.roughness_map) text += reading_text("ROUGHNESS MAP", *f.roughness_map);
+  if (f.metallic_map) text += reading_text("METALLIC MAP", *f.metallic_map);
   if (f.emissive_map) text += reading_text("EMISSIVE MAP", *f.emissive_map);
   if (f.emission) text += row("light of its own", *f.emission);
   return text;
@@ -144,6 +146,17 @@ std::string merl_text(const LightStory& light, const MerlStory& m) {
   return text + row(term, light.reflected);
 }
 
+std::string microfacet_text(const LightStory& light, const MicrofacetStory& m) {
+  std::string text = row("alpha, the square of roughness", std::vector<double>{m.alpha});
+  text += row("density D(h), 1/sr", std::vector<double>{m.density});
+  text += row("G2 <n.l> / (4 n.l n.v)", std::vector<double>{m.cosine_over_divisor});
+  text += row("Fresnel F(h.l)", m.fresnel);
+  const std::string why = m.lit ? "" : light.n_l > 0 ? ", 0 since n.v <= 0" : ", 0 since n.l <= 0";
+  text += row("diffuse" + why, *light.diffuse);
+  text += row("specular  D G2 F / (4 n.v)" + why, *light.specular);
+  return text + row("(diffuse + specular) C", light.reflected);
+}
+
 std::string shadow_text(const ShadowStory& shadow) {
   std::string text = row("visibility", std::vector<double>{shadow.visibility});
   if (shadow.between)
@@ -167,6 +180,7 @@ std::string light_block(const LightStory& light) {
               light.arriving);
   text += row("n.l", std::vector<double>{light.n_l});
   if (light.merl) return text + merl_text(light, *light.merl);
+  if (light.microfacet) return text + microfacet_text(light, *light.microfacet);
   if (!light.diffuse || !light.specular) return text + row("reflected", light.reflected);
   std::string lobe_name = "highlight";
   if (light.lobe) {

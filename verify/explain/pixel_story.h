@@ -110,6 +110,15 @@ struct MerlStory {
   bool lit = false;        // n.l > 0 and n.v > 0, else nothing is reflected
 };
 
+/// What microfacets make of one light: docs/microfacet.md.
+struct MicrofacetStory {
+  double alpha = 0;               // the width of the density
+  double density = 0;             // D(h), per steradian
+  double cosine_over_divisor = 0; // G2 n.l / (4 n.l n.v)
+  Double3 fresnel{0};             // F(h.l)
+  bool lit = false;               // n.l > 0 and n.v > 0, else nothing is reflected
+};
+
 /// The highlight of Phong or Blinn-Phong for one light.
 struct LobeStory {
   std::string_view vector_name, cosine_name; // "r" and "r.v", or "h" and "n.h"
@@ -142,10 +151,12 @@ struct LightStory {
   Double3 arriving{0};                         // C: radiance times attenuation times visibility
   std::optional<double> distance, attenuation; // of a light that has a place
   std::optional<LobeStory> lobe;
-  /// Of a function with kd and ks, per unit of C: kd t <n.l> and ks <r.v>^s. (diffuse + specular) C is `reflected`.
+  /// Of a function with kd and ks, per unit of C: kd t <n.l> and ks <r.v>^s; of microfacets their two lobes.
+  /// (diffuse + specular) C is `reflected`.
   std::optional<Double3> diffuse, specular;
   Double3 specular_map{1}; // what multiplies ks in it
   std::optional<MerlStory> merl;
+  std::optional<MicrofacetStory> microfacet;
   Double3 reflected{0};              // toward the eye: what is added to the sum
   std::optional<ShadowStory> shadow; // of a light that has one
   UndefinedCounts undefined;
@@ -183,7 +194,7 @@ struct FragmentStory {
   std::optional<TextureStory> texture;
   std::optional<Double3> vertex_colour; // of the mesh, interpolated
   Double3 texture_colour{1};            // t: the texture's times the vertices'; white without
-  std::optional<TextureStory> specular_map, emissive_map;
+  std::optional<TextureStory> specular_map, emissive_map, roughness_map, metallic_map;
   std::optional<Double3> specular_colour; // of specular_map, which multiplies ks
   std::optional<Double3> emission;        // light of its own, where the material has any
   std::string material;                   // its name, where a file has one

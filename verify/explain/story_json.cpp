@@ -144,6 +144,16 @@ private:
     });
   }
 
+  void write(const MicrofacetStory& m) {
+    json_.object([&] {
+      json_.member("alpha", m.alpha);
+      json_.member("density", m.density);
+      json_.member("cosine_over_divisor", m.cosine_over_divisor);
+      json_.member("fresnel", listed(m.fresnel));
+      json_.member("lit", m.lit);
+    });
+  }
+
   void write(const LightStory& light, const Double3& exact) {
     const auto colour = [&](std::string_view name, const std::optional<Double3>& rgb) {
       json_.optional(name, rgb, [&](const Double3& value) { json_.value(listed(value)); });
@@ -176,6 +186,7 @@ private:
       colour("diffuse", light.diffuse);
       colour("specular", light.specular);
       json_.optional("merl", light.merl, [&](const MerlStory& merl) { write(merl); });
+      if (light.microfacet) json_.optional("microfacet", light.microfacet, [&](const MicrofacetStory& m) { write(m); });
       json_.member("reflected", listed(light.reflected));
       json_.member("reflected_exact", listed(exact));
       write_undefined(light.undefined);
@@ -212,6 +223,7 @@ private:
         if (texture) json_.optional(name, texture, [&](const TextureStory& t) { write(t); });
       };
       further("specular_map", f.specular_map), further("emissive_map", f.emissive_map);
+      further("roughness_map", f.roughness_map), further("metallic_map", f.metallic_map);
       if (f.specular_colour) json_.member("specular_colour", listed(*f.specular_colour));
       if (f.emission) json_.member("emission", listed(*f.emission));
       json_.object("material", [&] {

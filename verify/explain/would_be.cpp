@@ -185,7 +185,8 @@ private:
     else try_factor("all" + of_light + ", times", 1, all, {0, infinity_});
     if (light.diffuse) {
       try_factor("the diffuse term" + of_light + ", times", 1, matt, {0, infinity_});
-      if (group.is_one()) try_channels("the diffuse term kd t <n.l>" + of_light, *light.diffuse, incident, infinity_);
+      const std::string term = light.microfacet ? "the diffuse term" : "the diffuse term kd t <n.l>";
+      if (group.is_one()) try_channels(term + of_light, *light.diffuse, incident, infinity_);
     }
     if (light.specular) {
       try_factor("the specular term" + of_light + ", times", 1, shining, {0, infinity_});
@@ -195,7 +196,7 @@ private:
       try_factor("n.l" + of_light, light.n_l, all, {0, 1},
                  [](Span r) { return r.contains(1) ? "as if the cosine were left out" : ""; });
       if (group.is_one()) try_channels("the value f" + of_light, light.merl->f, incident * light.n_l, infinity_);
-    } else if (light.diffuse && light.n_l > 0) {
+    } else if (light.diffuse && !light.microfacet && light.n_l > 0) {
       try_factor("n.l" + of_light, light.n_l, matt, {0, 1});
     }
   }

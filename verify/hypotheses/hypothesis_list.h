@@ -17,6 +17,7 @@ enum class Concerns {
   any,
   plastics,
   measured,
+  microfacets,
   textures,
   srgb_textures,
   linear_textures,

@@ -158,6 +158,30 @@ Rgb<double> plastic_colour(const Scene& scene, const Function& material, const F
   return sum;
 }
 
+/// What microfacets reflect of a light, by the product's own pieces of the formula.
+Rgb<double> reflected_with(const Microfacet& function, const Fragment<double>& at, const Incident<double>& light,
+                           Microfacets microfacets) {
+  Microfacet changed = function;
+  Fragment<double> there = at;
+  FragmentMaps<double> maps = at.maps ? *at.maps : FragmentMaps<double>{Rgb<double>(1), Rgb<double>(0)};
+  if (microfacets == Microfacets::roughness_not_squared) {
+    changed.roughness = std::sqrt(changed.roughness), maps.specular.y = std::sqrt(maps.specular.y);
+    if (at.maps) there.maps = &maps;
+  }
+  MicrofacetTerms<double> terms = microfacet_terms(changed, there, light.direction);
+  const double n_v = dot(at.normal, at.to_eye);
+  const bool lit = dot(at.normal, light.direction) > 0 && n_v > 0;
+  if (microfacets == Microfacets::masking_missing && lit) terms.specular = terms.fresnel * (terms.density / (4 * n_v));
+  if (microfacets == Microfacets::fresnel_not_clamped && lit && function.fresnel == MicrofacetFresnel::schlick) {
+    // What is less than 0 has a sign in its fifth power.
+    const double away = 1 - dot(light.direction + at.to_eye, at.to_eye), weight = away * away * away * away * away;
+    const MicrofacetSurface<double> surface = microfacet_surface(changed, there);
+    const Rgb<double> f0 = Rgb<double>((1 - surface.metallic) * surface.ior_f0) + surface.base * surface.metallic;
+    terms.specular = schlick_reflectance(f0, weight) * (terms.density * terms.cosine_over_divisor);
+  }
+  return (terms.diffuse + terms.specular) * light.radiance;
+}
+
 /// A fragment function of the user's is asked as a frame asks it: a batch of one. Its formula is its own; what comes
 /// before it may be changed.
 Rgb<double> user_colour(const Scene& scene, const UserFunction& function, const Fragment<double>& at,
@@ -199,6 +223,12 @@ Rgb<double> colour_of(const Scene& scene, const Material& material, const Prepar
     return exchanged ? plastic_colour(scene, Phong{*blinn}, at, surface, steps, nudge)
                      : plastic_colour(scene, *blinn, at, surface, steps, nudge);
   Rgb<double> sum(0);
+  if (const Microfacet* const function = material.microfacets()) {
+    if (at.maps) sum = at.maps->emission;
+    for_each_light(scene, steps, [&](const auto& light) {
+      sum += reflected_with(*function, at, incident(light, at, steps), steps.microfacets);
+    });
+  }
   if (const Merl* const merl = material.measured())
     for_each_light(scene, steps, [&](const auto& light) {
       sum += reflected_with(*merl, at, incident(light, at, steps), prepared, steps, nudge);

@@ -75,6 +75,9 @@ enum class Lobe { right, exchanged, reflect_reversed, half_not_normalised, missi
 enum class Gate { right, other };
 enum class Glossiness { right, times_2, times_4, by_2, by_4 };
 
+/// Of microfacets.
+enum class Microfacets { right, roughness_not_squared, fresnel_not_clamped, masking_missing };
+
 enum class TexturePlace { right, v_turned_over, u_turned_over, exchanged, half_texel_more, half_texel_less };
 enum class TextureWrap { right, clamped, mirrored };
 enum class TextureUse { right, missing, on_highlight };
@@ -133,6 +136,7 @@ struct Steps {
   Lobe lobe = Lobe::right;
   Gate gate = Gate::right;
   Glossiness glossiness = Glossiness::right;
+  Microfacets microfacets = Microfacets::right;
   TexturePlace texture_place = TexturePlace::right;
   TextureWrap texture_wrap = TextureWrap::right;
   TextureUse texture_use = TextureUse::right;
@@ -180,6 +184,7 @@ void for_each_step(auto&& visit) {
   visit(&Steps::lobe);
   visit(&Steps::gate);
   visit(&Steps::glossiness);
+  visit(&Steps::microfacets);
   visit(&Steps::texture_place);
   visit(&Steps::texture_wrap);
   visit(&Steps::texture_use);

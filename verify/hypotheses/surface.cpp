@@ -1,7 +1,7 @@
 #include "verify/hypotheses/surface.h"
 
-#include "raster/shade/shade_packet.h"
 #include "math/half_of.h"
+#include "raster/shade/shade_packet.h"
 
 #include <array>
 #include <cmath>
@@ -259,9 +259,9 @@ Surface surface_at(const FrameContext& context, const SampleData<double>& data, 
   if (material.has_fragment_maps()) {
     UndefinedCounts uncounted;
     surface.maps = fragment_maps(material, data, UndefinedTally<double>(uncounted, true));
-    if (material.specular_map.texture) surface.maps->specular += nudge.texel;
+    if (material.specular_map.texture && !material.microfacets()) surface.maps->specular += nudge.texel;
     if (material.emissive_map.texture) surface.maps->emission += material.emissive * nudge.texel;
-    if (steps.specular_map == SpecularMap::missing) surface.maps->specular = Rgb<double>(1);
+    if (steps.specular_map == SpecularMap::missing && !material.microfacets()) surface.maps->specular = Rgb<double>(1);
     if (steps.emission == Emission::missing) surface.maps->emission = Rgb<double>(0);
   }
   return surface;

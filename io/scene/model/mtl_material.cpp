@@ -3,6 +3,7 @@
 #include "io/file/text.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace refraster {
@@ -40,6 +41,23 @@ PhongParameters phong_parameters(const MeshMaterial& material) {
   return result;
 }
 
+Microfacet microfacet_parameters(const MeshMaterial& material) {
+  const PhongParameters phong = phong_parameters(material);
+  const auto fraction = [](const std::optional<double>& given, const MeshTexture& map, double otherwise) {
+    return std::clamp(given.value_or(map.path.empty() ? otherwise : 1), 0.0, 1.0);
+  };
+  Microfacet result;
+  const Double3& colour = material.illumination == 0 ? phong.ka : phong.kd;
+  // More than 1 would reflect more light than arrives.
+  for (int c = 0; c < 3; ++c) result.base_color[c] = std::min(colour[c], 1.0);
+  // alpha^2 = 2 / (s + 2) gives a density of the same slope at its middle as a power s of n.h: Walter et al.,
+  // "Microfacet models for refraction through rough surfaces", 2007, section 5.2. alpha is roughness^2.
+  const double of_exponent = std::sqrt(std::sqrt(2 / (std::max(phong.glossiness, 0.0) + 2)));
+  result.roughness = fraction(material.roughness, material.roughness_map, of_exponent);
+  result.metallic = fraction(material.metallic, material.metallic_map, 0);
+  return result;
+}
+
 Double3 emissive_colour(const MeshMaterial& material) {
   return material.emissive.value_or(Double3(material.emissive_map.path.empty() ? 0 : 1));
 }
@@ -61,7 +79,7 @@ ScalarChannel scalar_channel(const MeshTexture& map, ScalarChannel otherwise) {
   }
 }
 
-void note_what_is_not_shown(const MeshMaterial& material, NoteList& notes) {
+void note_what_is_not_shown(const MeshMaterial& material, FileFunction function, NoteList& notes) {
   const auto note = [&](const std::string& what, const char* consequence) {
     notes.add({material.file, material.line, "material " + in_quotes(material.name) + " with " + what, consequence});
   };
@@ -72,9 +90,13 @@ void note_what_is_not_shown(const MeshMaterial& material, NoteList& notes) {
     note("illum " + std::to_string(*material.illumination), "read as illum 2: nothing is mirrored or seen through");
   if (material.exponent == 0.0 && material.specular.value_or(Double3(0)) != Double3(0) && material.illumination != 1)
     note("Ns 0", "drawn without a highlight");
-  if (material.roughness || material.metallic || !material.roughness_map.path.empty() ||
-      !material.metallic_map.path.empty())
-    note("Pr or Pm", "drawn by Kd, Ks and Ns: roughness and metalness are read, but no fragment function uses them");
+  if (function == FileFunction::microfacet) {
+    if (material.specular.value_or(Double3(0)) != Double3(0) || !material.specular_map.path.empty())
+      note("Ks", "drawn without it: microfacets reflect by Kd, Pr and Pm");
+  } else if (material.roughness || material.metallic || !material.roughness_map.path.empty() ||
+             !material.metallic_map.path.empty()) {
+    note("Pr or Pm", "drawn by Kd, Ks and Ns: roughness and metalness are for the fragment function microfacet");
+  }
   if (!material.ambient_map.path.empty() && material.ambient_map.path != material.diffuse_map.path)
     note("map_Ka", "read without map_Ka: ambient light is coloured by map_Kd");
   for (const MeshTexture* const map :

@@ -126,7 +126,7 @@ void add_scenes(List& list) {
   add("an unknown key", "\"glossiness\"", "\"shininess\": 1, \"glossiness\"",
       "s.json:9:69: /scene/objects/0/material/shininess: found an unknown key, expected one of " + parameter_names() +
           ", brdf_file_path, texture_file_path, texture_filter, diffuse_map, specular_map, emissive_map, opacity_map, "
-          "normal_map, bump_map, emissive, opacity_threshold, normal_scale, bump_scale");
+          "normal_map, bump_map, roughness_map, metallic_map, emissive, opacity_threshold, normal_scale, bump_scale");
   add("a missing key", "\"ka\": \"0 0 0\", ", "",
       "s.json:9:17: /scene/objects/0/material/ka: found nothing, expected three numbers >= 0");
   add("a key twice", "\"rotate_y\": 0", "\"rotate_x\": 1, \"rotate_y\": 0",

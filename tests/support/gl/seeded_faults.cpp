@@ -219,6 +219,14 @@ std::vector<SeededFault> glsl_faults() {
        {"merl_trilinear_edge"},
        {{fragment, "#define MERL_LOOKUP LOOKUP_TRILINEAR\n", "#define MERL_LOOKUP LOOKUP_TRILINEAR_EDGE\n"}}},
       {"a measured surface with a tenth of white in it", {}, {{fragment, brdf_value, "    return f + 0.02;\n"}}},
+      // Microfacets.
+      {"roughness not squared", {"roughness_not_squared"}, {{fragment, "alpha = rough * rough;", "alpha = rough;"}}},
+      {"a Fresnel factor without a clamp",
+       {"fresnel_not_clamped"},
+       {{fragment, "min(0.5 * sqrt(squared_sum), 1.0), 0.25 * dot(d, d)", "dot(s, v), 1.0 - dot(s, v) * dot(s, v)"}}},
+      {"masking of microfacets missing",
+       {"masking_missing"},
+       {{fragment, "max(min(0.5 * n_l / smith_divisor(n_l, n_v, a), 0.5 / alpha), 0.0)", "0.25 / n_v"}}},
       // What comes out.
       {"gamma at the end",
        {"gamma_encoded", "srgb_curve_added"},

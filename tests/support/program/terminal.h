@@ -60,12 +60,14 @@ struct OnTerminal {
 };
 
 /// Ends both as soon as the first has shown `text`: the command must take long.
-inline OnTerminal interrupt_on_terminal(const std::filesystem::path& folder, std::vector<std::string> command,
+inline OnTerminal interrupt_on_terminal(const std::filesystem::path& folder, const std::vector<std::string>& command,
                                         const std::string& text) {
   const Terminal terminal, quiet_terminal;
+  // The quiet one first: that it is quiet it must have read before it is ended.
+  std::vector<std::string> quietly = command;
+  quietly.push_back("-q");
+  Running quiet(folder, quietly, quiet_terminal.path());
   Running run(folder, command, terminal.path());
-  command.push_back("-q");
-  Running quiet(folder, command, quiet_terminal.path());
   OnTerminal result;
   while (result.shown.find(text) == std::string::npos) result.shown += terminal.some();
   for (const Running* one : {&run, &quiet}) one->send(SIGINT);

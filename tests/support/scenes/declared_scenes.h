@@ -70,6 +70,12 @@ inline std::vector<DeclaredEntry> declared_entries() {
       change_mesh(*scene, [](Mesh& mesh) {
         for (std::size_t v = 0; v < mesh.uvs.size(); ++v) mesh.uvs[v] = Float2(mesh.positions[v]);
       });
+    for (Scene* const scene : {&entry.with, &entry.without})
+      if (Material& material = scene->objects[0].material; !shows(material, slot)) {
+        Microfacet function;
+        function.base_color = {0.8, 0.6, 0.5}, function.metallic = function.roughness = 0.7;
+        material.fragment_function = function;
+      }
     if (slot.use == SlotUse::surface)
       for (Scene* const scene : {&entry.with, &entry.without})
         change_mesh(*scene, [](Mesh& mesh) { add_tangents(mesh); });

@@ -172,13 +172,36 @@ Scene mapped() {
   return scene;
 }
 
+/// Half metal, and none of it: rough and less rough, with maps.
+Scene microfacets() {
+  Scene scene;
+  scene.camera = {{0.4, 1.3, 4.8}, {0, 0, 0}, {0, 1, 0}, 42, 0.3, 30};
+  scene.background = {0.06, 0.07, 0.09};
+  scene.point_lights = {{{-2.5, 3, 3.5}, {1.6, 1.5, 1.4}, 1, 0, 0}, {{3, 1.5, 3}, {0.7, 0.8, 1}, 1, 0, 0}};
+  const auto surface = [](const Double3& base, double metallic, double roughness) {
+    Microfacet function;
+    function.base_color = base, function.metallic = metallic, function.roughness = roughness;
+    return function;
+  };
+  Object ball =
+      thing("ball", sphere_mesh(48, 24), {-1.15, 0.2, 0}, {10, 25, 0}, Double3(1.05), surface({0.9, 0.6, 0.3}, 1, 0.6));
+  Object torus = thing("torus", torus_mesh(40, 20, 0.4), {1.2, 0.1, 0}, {60, 10, 0}, {0.9, 0.8, 1.1},
+                       surface({0.3, 0.5, 0.8}, 0.3, 0.75));
+  Object ground = thing("ground", plane_mesh(2), {0, -1.1, -1}, {0, 10, 0}, {4, 1, 4}, surface({0.8, 0.8, 0.7}, 0, 1));
+  show(ground, 32, 24, TextureFilter::bilinear);
+  ground.material.roughness_map = {patches(16, 12, TextureFilter::bilinear), TextureFilter::bilinear};
+  scene.objects = {ball, torus, ground};
+  return scene;
+}
+
 } // namespace
 
 const std::vector<FaultScene>& fault_scenes() {
   static const std::vector<FaultScene> all = {{"plastics", plastics(SpecularGate::open)},
                                               {"gated plastics", plastics(SpecularGate::cut_below_horizon)},
                                               {"measured", measured()},
-                                              {"mapped", mapped()}};
+                                              {"mapped", mapped()},
+                                              {"microfacets", microfacets()}};
   return all;
 }
 

@@ -200,6 +200,15 @@ std::vector<HashedScene> hashed_scenes() {
                                                      {MerlLookup::tricubic_log, MerlAngles::closed}})});
   scenes.push_back({"merl-angles", measured(table, {{MerlLookup::trilinear, MerlAngles::rotation},
                                                     {MerlLookup::trilinear, MerlAngles::frame}})});
+  Microfacet gold, clay;
+  gold.roughness = 0.2, gold.fresnel = MicrofacetFresnel::conductor;
+  clay.roughness = 0.7, clay.metallic = 0.25, clay.base_color = {0.7, 0.4, 0.3};
+  clay.fresnel = MicrofacetFresnel::dielectric;
+  Microfacet coated = clay;
+  coated.roughness = 1e-3, coated.fresnel = MicrofacetFresnel::schlick;
+  scenes.push_back({"microfacets", with(lit(), {object(knot, {-0.8, 0, 0}, {70, 0, 20}, Double3(0.6), gold),
+                                                object(knot, {0.8, 0, 0}, {70, 0, 20}, Double3(0.6), clay),
+                                                object(knot, {0, 0.9, 0}, {20, 0, 70}, Double3(0.5), coated)})});
   scenes.push_back({"texture-nearest", textured(TextureFilter::nearest)});
   scenes.push_back({"texture-bilinear", textured(TextureFilter::bilinear)});
   scenes.push_back({"texture-trilinear", textured(TextureFilter::trilinear)});

@@ -129,7 +129,7 @@ void add_further_textures(const Random& random, Material& material) {
   Random peek = random, own(static_cast<std::uint64_t>(peek.below(1 << 30)));
   for (const TextureSlot& slot : texture_slots) {
     TextureMap& map = material.*slot.map;
-    if (slot.map == &Material::opacity_map) continue; // add_opacity
+    if (slot.map == &Material::opacity_map || is_of_microfacets(slot)) continue; // add_opacity, add_microfacets
     if (slot.map != &Material::diffuse_map && one_in(own, 4)) {
       constexpr TextureFilter filters[] = {TextureFilter::nearest, TextureFilter::bilinear, TextureFilter::trilinear};
       map.filter = filters[own.below(3)];
@@ -165,6 +165,32 @@ void add_opacity(const Random& random, Material& material) {
   map.scale = {own.uniform(-4, 4), own.log_uniform(1e-3, 1e3)}, map.offset = {own.uniform(-1, 1), own.uniform(-1, 1)};
 }
 
+template <class Enum>
+Enum any_of(Random& random) {
+  return EnumNames<Enum>::names[random.below(static_cast<int>(std::size(EnumNames<Enum>::names)))].first;
+}
+
+/// Of one material in five, from a generator of its own, which the other only seeds: any parameters in their ranges,
+/// and maps.
+void add_microfacets(const Random& random, Material& material) {
+  constexpr std::uint64_t microfacet_seed = 0x6d6963726f;
+  Random peek = random, own(microfacet_seed + static_cast<std::uint64_t>(peek.below(1 << 30)));
+  if (!one_in(own, 5)) return;
+  const auto fraction = [&] { return one_in(own, 4) ? own.below(2) : own.uniform(0, 1); };
+  const auto index = [&] { return one_in(own, 4) ? own.log_uniform(1e-30, 99) : own.uniform(0.1, 5); };
+  Microfacet function;
+  for (int c = 0; c < 3; ++c) function.base_color[c] = fraction(), function.eta[c] = index(), function.k[c] = index();
+  function.metallic = fraction(), function.roughness = fraction(),
+  function.ior = std::max(1.0, std::min(index(), 10.0));
+  function.fresnel = any_of<MicrofacetFresnel>(own);
+  material.fragment_function = function;
+  for (TextureMap* const map : {&material.roughness_map, &material.metallic_map})
+    if (one_in(own, 3)) {
+      map->filter = any_of<TextureFilter>(own);
+      map->texture = random_texture(own, map->filter);
+    }
+}
+
 /// One for all scenes: it has 105 MB. A third of it was never measured.
 std::shared_ptr<const MerlTable> ragged_table() {
   static const auto table = [] {
@@ -177,11 +203,6 @@ std::shared_ptr<const MerlTable> ragged_table() {
     return std::make_shared<const MerlTable>(std::move(rgb));
   }();
   return table;
-}
-
-template <class Enum>
-Enum any_of(Random& random) {
-  return EnumNames<Enum>::names[random.below(static_cast<int>(std::size(EnumNames<Enum>::names)))].first;
 }
 
 /// x if it may be that, and a number near the least otherwise.
@@ -208,7 +229,8 @@ struct RandomParameter {
 };
 
 FragmentFunction random_function(Random& random) {
-  const std::vector<FragmentFunction> all = each_fragment_function();
+  std::vector<FragmentFunction> all = each_fragment_function();
+  std::erase_if(all, [](const FragmentFunction& function) { return std::holds_alternative<Microfacet>(function); });
   FragmentFunction chosen = all[static_cast<std::size_t>(random.below(static_cast<int>(all.size())))];
   std::visit(
       [&]<class Function>(Function& function) {
@@ -242,6 +264,7 @@ Object random_object(Random& random) {
     object.material.diffuse_map.texture = random_texture(random, object.material.diffuse_map.filter);
   add_further_textures(random, object.material);
   add_opacity(random, object.material);
+  add_microfacets(random, object.material);
   return object;
 }
 

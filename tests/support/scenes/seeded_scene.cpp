@@ -203,7 +203,8 @@ struct RandomParameter {
 };
 
 FragmentFunction random_function(Random& random) {
-  const std::vector<FragmentFunction> all = each_fragment_function();
+  std::vector<FragmentFunction> all = each_fragment_function();
+  std::erase_if(all, [](const FragmentFunction& function) { return std::holds_alternative<Microfacet>(function); });
   FragmentFunction chosen = all[static_cast<std::size_t>(random.below(static_cast<int>(all.size())))];
   std::visit(
       [&]<class Function>(Function& function) {
@@ -226,6 +227,24 @@ void add_opacity(const Random& random, Material& material) {
   material.opacity_threshold = own.uniform(0.2, 0.8);
 }
 
+/// Of one material in five microfacets, with maps of their own; from a generator of its own, which the other only
+/// seeds.
+void add_microfacets(const Random& random, Material& material) {
+  constexpr std::uint64_t microfacet_seed = 0x6d6963726f;
+  Random peek = random, own(microfacet_seed + static_cast<std::uint64_t>(peek.below(1 << 30)));
+  if (!one_in(own, 5)) return;
+  Microfacet function;
+  function.base_color = vector(own, 0, 1);
+  function.metallic = own.below(3) / 2.0, function.roughness = own.uniform(0.15, 1);
+  function.ior = own.uniform(1.1, 2.5), function.fresnel = any_of<MicrofacetFresnel>(own);
+  material.fragment_function = function;
+  for (TextureMap* const map : {&material.roughness_map, &material.metallic_map})
+    if (one_in(own, 3)) {
+      map->filter = any_of<TextureFilter>(own);
+      map->texture = random_texture(own, map->filter);
+    }
+}
+
 Material random_material(Random& random) {
   Material material;
   material.fragment_function = random_function(random);
@@ -235,7 +254,7 @@ Material random_material(Random& random) {
   Random peek = random, own(static_cast<std::uint64_t>(peek.below(1 << 30)));
   for (const TextureSlot& slot : texture_slots) {
     TextureMap& map = material.*slot.map;
-    if (slot.map == &Material::opacity_map) continue;
+    if (slot.map == &Material::opacity_map || is_of_microfacets(slot)) continue;
     const bool is_base = slot.map == &Material::diffuse_map;
     if (!is_base && one_in(own, 3)) {
       map.filter = any_of<TextureFilter>(own);
@@ -247,6 +266,7 @@ Material random_material(Random& random) {
     map.scale = {own.uniform(-3, 3), own.uniform(-3, 3)}, map.offset = {own.uniform(-1, 1), own.uniform(-1, 1)};
   }
   add_opacity(random, material);
+  add_microfacets(random, material);
   material.normal_scale = own.uniform(-1.5, 1.5), material.bump_scale = own.uniform(-2, 2);
   return material;
 }

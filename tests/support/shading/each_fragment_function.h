@@ -19,6 +19,11 @@ inline std::vector<FragmentFunction> each_fragment_function() {
   (std::make_index_sequence<std::variant_size_v<FragmentFunction>>{});
 }
 
+/// Whether a texture belongs to microfacets alone.
+inline bool is_of_microfacets(const TextureSlot& slot) {
+  return slot.map == &Material::roughness_map || slot.map == &Material::metallic_map;
+}
+
 /// The word of a scene file.
 inline std::string_view name_of(const FragmentFunction& function) {
   return std::visit([](const auto& one) { return std::string_view(one.name); }, function);

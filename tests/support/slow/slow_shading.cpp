@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <concepts>
 #include <numbers>
 #include <stdexcept>
@@ -274,6 +275,68 @@ std::optional<Shaded> shaded_by(const Merl& merl, const Lit& at) {
   return result;
 }
 
+Real fifth(Real x) {
+  return x * x * x * x * x;
+}
+
+/// Fresnel's equations with the angle inside by Snell's law.
+Real dielectric(Real cosine, Real ior) {
+  const Real inside = std::sqrt(std::max(1 - (1 - cosine * cosine) / (ior * ior), Real(0)));
+  const Real s = (cosine - ior * inside) / (cosine + ior * inside),
+             p = (ior * cosine - inside) / (ior * cosine + inside);
+  return (s * s + p * p) / 2;
+}
+
+/// The same with a complex refractive index.
+Real conductor(Real cosine, Real eta, Real k) {
+  using Complex = std::complex<Real>;
+  const Complex index(eta, k), squared = index * index;
+  const Complex inside = std::sqrt(squared - (1 - cosine * cosine));
+  const Complex s = (cosine - inside) / (cosine + inside),
+                p = (squared * cosine - inside) / (squared * cosine + inside);
+  return (std::norm(s) + std::norm(p)) / 2;
+}
+
+/// With Smith's function of tangents, and the density's of the angle between normal and half vector.
+std::optional<Shaded> shaded_by(const Microfacet& m, const Lit& at) {
+  Shaded result{at.emission, at.emission};
+  const Real n_v = dot(at.normal, at.to_eye), roughness = std::max(real(m.roughness) * at.roughness, Real(1e-4L));
+  const Real alpha = roughness * roughness, metallic = real(m.metallic) * at.metallic, ior = real(m.ior);
+  const Vec base = vec(m.base_color) * at.texture;
+  const bool is_schlick = m.fresnel == MicrofacetFresnel::schlick;
+  const Real f0 = (ior - 1) * (ior - 1) / ((ior + 1) * (ior + 1));
+  const auto lambda = [&](Real cosine) {
+    const Real tangent = std::tan(std::acos(std::min(cosine, Real(1))));
+    return (std::sqrt(1 + alpha * alpha * tangent * tangent) - 1) / 2;
+  };
+  const auto into_the_ground = [&](Real cosine) {
+    return 1 - (is_schlick ? f0 + (1 - f0) * fifth(1 - cosine) : dielectric(cosine, ior));
+  };
+  for (const Arriving& light : at.lights) {
+    const Real n_l = dot(at.normal, light.direction);
+    if (n_l <= 0 || n_v <= 0) continue;
+    const Vec h = unit(light.direction + at.to_eye), across = cross(at.normal, h);
+    const Real n_h = dot(at.normal, h), l_h = std::min(dot(light.direction, h), Real(1)), sine_2 = dot(across, across);
+    const Real peak = 1 / (pi * alpha * alpha), spread = n_h * n_h + sine_2 / (alpha * alpha);
+    const Real lobe = peak / (spread * spread) / (1 + lambda(n_l) + lambda(n_v)) / (4 * n_v);
+    const auto fresnel = [&](Real of_base, double eta, double k) {
+      const Real schlick = of_base + (1 - of_base) * fifth(1 - l_h);
+      if (is_schlick) {
+        const Real mixed = f0 * (1 - metallic) + of_base * metallic;
+        return mixed + (1 - mixed) * fifth(1 - l_h);
+      }
+      const Real metal = m.fresnel == MicrofacetFresnel::conductor ? conductor(l_h, real(eta), real(k)) : schlick;
+      return dielectric(l_h, ior) * (1 - metallic) + metal * metallic;
+    };
+    const Vec f{fresnel(base.x, m.eta.x, m.k.x), fresnel(base.y, m.eta.y, m.k.y), fresnel(base.z, m.eta.z, m.k.z)};
+    const Vec diffuse = base * ((1 - metallic) / pi * into_the_ground(n_l) * into_the_ground(n_v) * n_l);
+    result.radiance = result.radiance + (diffuse + f * lobe) * light.radiance;
+    // A highlight is as uncertain as its middle: what is lost of the angle is lost of the density there.
+    result.magnitude = result.magnitude + (diffuse + f * (lobe * (1 + 1 / alpha))) * light.radiance;
+  }
+  return result;
+}
+
 template <class Function>
 concept HasFormula = requires(const Function& function, const Lit& at) {
   shaded_by(function, at);
@@ -290,7 +353,9 @@ Lit lit(const Scene& scene, const Seen& seen) {
           std::move(lights),
           texture_colour(seen.material->specular_map, seen),
           vec(seen.material->emissive) * texture_colour(seen.material->emissive_map, seen),
-          doubtful};
+          doubtful,
+          texture_colour(seen.material->roughness_map, seen).x,
+          texture_colour(seen.material->metallic_map, seen).x};
 }
 
 std::optional<bool> is_there(const Seen& seen) {

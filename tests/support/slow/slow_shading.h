@@ -15,8 +15,9 @@ struct Arriving {
 struct Lit {
   Vec normal, to_eye, texture;              // unit vectors; the texture's colour, times the vertices'
   std::vector<Arriving> lights;             // all of the scene
-  Vec specular{1, 1, 1}, emission{0, 0, 0}; // what multiplies ks; light of its own, of Phong and Blinn-Phong
+  Vec specular{1, 1, 1}, emission{0, 0, 0}; // what multiplies ks; light of its own, of all but tables
   bool doubtful = false;                    // whether a light is seen is not for us to say
+  Real roughness = 1, metallic = 1;         // what multiplies those of microfacets
 };
 Lit lit(const Scene& scene, const Seen& seen); // seen.object is not null
 

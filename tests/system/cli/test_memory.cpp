@@ -143,7 +143,7 @@ TEST_CASE("a hostile file takes no more memory than the documented multiple of i
   check("empty objects", "s.json",
         R"({"scene": {"camera": )" + camera + R"(, "point_lights": [], "direction_lights": [], "objects": [)" +
             objects + "]}}",
-        75, 3072 * limit::objects.value);
+        75, 4096 * limit::objects.value);
   check("unknown keys", "s.json", "{" + repeated("\"\":0,", size) + "\"\":0}", 75);
 
   save_text(folder / "s.json", ball_from_file());

@@ -172,7 +172,7 @@ TEST_CASE("a wrong value of an option that changes a scene: one line") {
   CHECK_MESSAGE(run.err.ends_with("; did you mean fov_y?\n"), run.err);
   refused(3, {"--fragment-function", "merl"},
           "--fragment-function: /scene/objects/0/fragment_function: found a function that files describe no materials "
-          "for, expected phong or blinn_phong, or no material \"from_file\"");
+          "for, expected phong, blinn_phong or microfacet, or no material \"from_file\"");
 }
 
 TEST_CASE("a model is explained, compared with and measured as it is rendered") {

@@ -113,7 +113,7 @@ TEST_CASE("every option and command with a letter twice is told with the one tha
   const Command program = refraster_command();
   for (const CommandPath& path : all_commands(program)) {
     for (const Option* const option : all_options(*path.back())) {
-      if (option->is_argument()) continue;
+      if (option->is_argument() || option->name.size() == 3) continue; // of "--k" all two letters are as near
       const std::string slip = option->name.substr(0, 3) + option->name.substr(2);
       INFO(full_name(path) << " " << slip);
       CHECK(is_in("found \"" + slip + "\", ", said_of(path, {slip})));
@@ -191,7 +191,7 @@ TEST_CASE("a command line in the documentation names commands and options that t
     if (entry.path().extension() == ".md") pages.push_back(entry.path());
   // From the program's name to the end of the line, or of the `code`; a line of options alone belongs to it.
   const std::regex command_line(R"(\brefraster ((?:[a-z][a-z-]*\b ?)+)([^`\n]*(?:\n {8,}\[[^`\n]*)*))"),
-      name(R"(--[a-z][a-z-]*)");
+      name(R"(--[a-z][a-z0-9-]*)");
   int found = 0;
   for (const std::filesystem::path& page : pages) {
     std::ifstream file(page);

@@ -57,7 +57,25 @@ double worst_parameter(const BrdfFit& found, const BrdfModel& truth) {
   return worst;
 }
 
+/// What is not fitted is compared as well. Of metal alone, the index of what is not metal is not seen.
+double worst_parameter(const BrdfFit& found, const Microfacet& truth) {
+  REQUIRE(found.lobes.size() == 1);
+  const auto& here = std::get<Microfacet>(found.lobes.front());
+  CAPTURE(model_text(found.lobes));
+  double worst = std::max(std::abs(here.metallic - truth.metallic), std::abs(here.roughness / truth.roughness - 1));
+  if (truth.metallic < 1) worst = std::max(worst, std::abs(here.ior / truth.ior - 1));
+  for (int c = 0; c < 3; ++c) worst = std::max(worst, std::abs(here.base_color[c] / truth.base_color[c] - 1));
+  CHECK(worst < 0.05);
+  return worst;
+}
+
 constexpr double roughnesses[] = {0.02, 0.05, 0.1, 0.2, 0.35, 0.5, 0.7, 0.9};
+
+Microfacet microfacet(double roughness, double metallic, double ior = 1.5) {
+  Microfacet block;
+  block.base_color = {0.8, 0.5, 0.2}, block.metallic = metallic, block.roughness = roughness, block.ior = ior;
+  return block;
+}
 
 /// Blinn-Phong's exponent for a highlight as wide as that of GGX: Walter et al. 2007, section 5.2, 2 / alpha^2 - 2.
 BlinnPhong blinn_phong(double alpha) {
@@ -82,17 +100,37 @@ TEST_CASE("a least-squares problem with a known answer: Rosenbrock's") {
 }
 
 TEST_CASE("parameters keep their values with and without bounds") {
-  for (const FittedModel& model : fitted_models) {
-    const std::vector<BrdfModel> start = model.start({{0.1, 0.2, 0.3}, {5, 6, 7}, 0.1, 0.9}, 2, 1);
-    REQUIRE(start.size() == 2);
-    const std::vector<FitParameter> parameters = fit_parameters(start);
-    const std::vector<FitParameter> back = fit_parameters(with_unbounded(start, unbounded(parameters)));
-    for (std::size_t k = 0; k < parameters.size(); ++k) {
-      INFO(model.name << " " << parameters[k].name);
-      CHECK(back[k].value == doctest::Approx(parameters[k].value).epsilon(1e-5));
-      CHECK(parameters[k].range.contains(back[k].value));
+  for (const FittedModel& model : fitted_models)
+    for (const FitStart& start_of : model.starts) {
+      const std::vector<BrdfModel> start = start_of({{0.1, 0.2, 0.3}, {5, 6, 7}, 0.1, 0.9}, 2, 1);
+      REQUIRE(start.size() == 2);
+      const std::vector<FitParameter> parameters = fit_parameters(start);
+      const std::vector<FitParameter> back = fit_parameters(with_unbounded(start, unbounded(parameters)));
+      REQUIRE(back.size() == parameters.size());
+      for (std::size_t k = 0; k < parameters.size(); ++k) {
+        INFO(model.name << " " << parameters[k].name);
+        CHECK(back[k].name == parameters[k].name);
+        CHECK(back[k].value == doctest::Approx(parameters[k].value).epsilon(1e-5));
+        CHECK(parameters[k].range.contains(back[k].value));
+      }
     }
-  }
+}
+
+TEST_CASE("of a Microfacet the index is fitted or the metal, as the start has none of it or some") {
+  const auto has = [](const Microfacet& block, std::string_view name) {
+    return std::ranges::any_of(fit_parameters({block}), [&](const FitParameter& p) { return p.name == name; });
+  };
+  Microfacet ground, metal;
+  ground.metallic = 0, metal.metallic = 0.5;
+  CHECK(has(ground, "ior"));
+  CHECK_FALSE(has(ground, "metallic"));
+  CHECK(has(metal, "metallic"));
+  CHECK_FALSE(has(metal, "ior"));
+  CHECK_FALSE(has(metal, "eta.r")); // by Schlick's law nothing depends on it
+  metal.fresnel = MicrofacetFresnel::conductor;
+  CHECK(has(metal, "eta.r"));
+  // All metal is no end that a fit wants more than.
+  for (const FitParameter& p : fit_parameters({Microfacet{}})) CHECK(p.is_at_end() == (p.name != "metallic"));
 }
 
 TEST_SUITE_BEGIN("slow");
@@ -112,8 +150,17 @@ TEST_CASE("known parameters of synthesised tables are recovered to 1 %") {
     const GgxConductor metal{roughness * roughness, {0.9, 0.7, 0.4}}; // as glTF has it: alpha from 4e-4 to 0.81
     CHECK(worst_parameter(fit(exact_table(metal), "ggx-conductor"), metal) < 0.01);
   }
+  for (const double roughness : roughnesses)
+    for (const double metallic : {0.0, 1.0}) {
+      CAPTURE(roughness);
+      CAPTURE(metallic);
+      const Microfacet block = microfacet(roughness, metallic);
+      CHECK(worst_parameter(fit(exact_table(block), "microfacet"), block) < 0.01);
+    }
   for (const double roughness : {0.02, 0.2, 0.9}) {
     CAPTURE(roughness);
+    for (const Microfacet& block : {microfacet(roughness, 0.5), microfacet(roughness, 0, 1.33)})
+      CHECK(worst_parameter(fit(exact_table(block), "microfacet"), block) < 0.01);
     const GgxDielectric plastic{roughness * roughness, 1.5, {0.6, 0.3, 0.1}};
     CHECK(worst_parameter(fit(exact_table(plastic), "ggx-dielectric"), plastic) < 0.01);
     const BlinnPhong blinn = blinn_phong(roughness);
@@ -134,6 +181,15 @@ TEST_CASE("with 1 % of noise they are recovered to 5 %") {
     CHECK(worst_parameter(fit(noisy_table(plastic), "ggx-dielectric"), plastic) < 0.05);
     const BlinnPhong blinn = blinn_phong(roughness);
     CHECK(worst_parameter(fit(noisy_table(blinn), "blinn_phong"), blinn) < 0.05);
+    for (const double metallic : {0.0, 0.5, 1.0}) {
+      CAPTURE(metallic);
+      const Microfacet block = microfacet(roughness, metallic);
+      CHECK(worst_parameter(fit(noisy_table(block), "microfacet"), block) < 0.05);
+    }
+    Phong phong;
+    static_cast<PhongParameters&>(phong) = blinn;
+    phong.glossiness /= 4;
+    CHECK(worst_parameter(fit(noisy_table(phong), "phong"), phong) < 0.05);
   }
 }
 
@@ -161,6 +217,9 @@ TEST_CASE("what is written for a scene is a fragment function, or a table") {
   CHECK(is_fragment_function(blinn));
   CHECK(material_json(blinn, "t.binary").find("\"fragment_function\": \"blinn_phong\"") != std::string::npos);
   CHECK(material_json(blinn, "t.binary").find("\"glossiness\": 126") != std::string::npos);
+  const BrdfFit steel{.model = "microfacet", .lobes = {microfacet(0.5, 1)}};
+  CHECK(material_json(steel, "t.binary").find("\"roughness\": 0.5") != std::string::npos);
+  CHECK(material_json(steel, "t.binary").find("\"eta\"") == std::string::npos);
   const BrdfFit metal{.model = "ggx-conductor", .lobes = {GgxConductor{}}};
   CHECK_FALSE(is_fragment_function(metal));
   CHECK(material_json(metal, "t.binary").find("\"brdf_file_path\": \"t.binary\"") != std::string::npos);
@@ -185,7 +244,8 @@ TEST_CASE("no start of an exhaustive search comes nearer than the closed forms, 
         for (const double height : {0.3, 3.0})
           for (const double diffuse : {0.01, 0.1}) {
             const HighlightShape shape{Rgb<double>(diffuse), Rgb<double>(height), half_width, 0.92};
-            best = std::min(best, fit_brdf_from(brdf, std::string(model.name), model.start(shape, 1, 1))->log_rms);
+            for (const FitStart& start : model.starts)
+              best = std::min(best, fit_brdf_from(brdf, std::string(model.name), start(shape, 1, 1))->log_rms);
           }
       // Where the sum changes by less than 1.5e-8 of itself the search is at rest, some such steps from the minimum.
       CHECK(ours <= best * (1 + 1e-5));

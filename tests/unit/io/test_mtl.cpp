@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -41,7 +42,7 @@ PhongParameters shown(const std::string& text) {
 std::string not_shown(const std::string& text) {
   Read result = statements(text);
   CHECK(result.notes.empty());
-  note_what_is_not_shown(result.one(), result.notes);
+  note_what_is_not_shown(result.one(), FileFunction::blinn_phong, result.notes);
   return result.noted();
 }
 
@@ -105,8 +106,24 @@ TEST_CASE("Pr, Pm and their maps are kept, with a note") {
   CHECK(of.roughness_map.path == "r.png");
   CHECK(of.metallic_map.path == "m.png");
   for (const char* const key : {"Pr 0.5\n", "Pm 0.5\n", "map_Pr a.png\n", "map_Pm a.png\n"})
-    CHECK(not_shown(key).find("roughness and metalness are read, but no fragment function uses them") !=
-          std::string::npos);
+    CHECK(not_shown(key).find("roughness and metalness are for the fragment function microfacet") != std::string::npos);
+}
+
+TEST_CASE("of microfacets Kd is the base colour, Pr and Pm are roughness and metallic") {
+  const auto of = [](const std::string& text) { return microfacet_parameters(statements(text).one()); };
+  const Microfacet full = of("Kd 0.5 0.25 2\nPr 0.3\nPm 0.75\nKs 1 1 1\nNs 1000\n");
+  CHECK(full.base_color == Double3(0.5, 0.25, 1));
+  CHECK(full.roughness == 0.3);
+  CHECK(full.metallic == 0.75);
+  CHECK(of("Pr 3\n").roughness == 1);
+  CHECK(of("map_Pr a.png\n").roughness == 1);
+  CHECK(of("map_Pm a.png\n").metallic == 1);
+  CHECK(of("map_Pm a.png\nPm 0.5\n").metallic == 0.5);
+  CHECK(of("").metallic == 0);
+  CHECK(of("").base_color == Double3(0.8));
+  CHECK(of("Ns 6\n").roughness == doctest::Approx(std::sqrt(0.5))); // alpha^2 = 2 / 8
+  CHECK(of("Ns 0\n").roughness == 1);
+  CHECK(of("illum 0\nKd 0.5 0.5 0.5\n").base_color == Double3(0.5));
 }
 
 TEST_CASE("each map is kept under its key") {

@@ -148,6 +148,40 @@ TEST_CASE("a fragment function is chosen by its name, else by the stem of the sh
           .material.fragment_function));
 }
 
+TEST_CASE("of microfacets some parameters may be left out, and their maps are read in green and blue") {
+  const TemporaryFolder folder;
+  const auto read = [&](const std::string& material) {
+    std::string text = scene_with("\"phong\"", "\"microfacet\"");
+    const std::size_t at = text.find("{\"ka\"");
+    text.replace(at, text.find('}', at) + 1 - at, "{" + material + "}");
+    write_files(folder.path, {{"s.json", text}, {"orm.png", png_bytes(1, 1, 3, 8, {10, 20, 30})}});
+    return read_scene(folder / "s.json").objects[0].material;
+  };
+  const std::string needed = R"("base_color": "1 0.5 0", "metallic": 0.5, "roughness": 0.25)";
+  const Material plain = read(needed);
+  const Microfacet& function = std::get<Microfacet>(plain.fragment_function);
+  CHECK(function.base_color == Double3(1, 0.5, 0));
+  CHECK(function.metallic == 0.5);
+  CHECK(function.roughness == 0.25);
+  CHECK(function.ior == 1.5);
+  CHECK(function.fresnel == MicrofacetFresnel::schlick);
+  const Material full = read(needed + R"(, "ior": 1.33, "fresnel": "conductor", "eta": "1 2 3", "k": "0 1 2",
+    "roughness_map": "orm.png", "metallic_map": {"path": "orm.png"})");
+  CHECK(full.microfacets()->ior == 1.33);
+  CHECK(full.microfacets()->eta == Double3(1, 2, 3));
+  CHECK(full.microfacets()->k == Double3(0, 1, 2));
+  CHECK(full.microfacets()->fresnel == MicrofacetFresnel::conductor);
+  CHECK(full.roughness_map.texture->levels[0].rgb[0] == 20);
+  CHECK(full.metallic_map.texture->levels[0].rgb[0] == 30);
+  const std::string at = "/scene/objects/0/material/";
+  CHECK(first_fault([&] { read(R"("base_color": "1 1 1", "metallic": 1)"); }) ==
+        at + "roughness: nothing, a number from 0 to 1");
+  CHECK(first_fault([&] { read(needed + R"(, "ior": 0.9)"); }) == at + "ior: 0.9, a number from 1 to 10");
+  CHECK(first_fault([&] { read(R"("base_color": "2 1 1", "metallic": 1, "roughness": 1)"); }) ==
+        at + "base_color: \"2 1 1\", three numbers from 0 to 1");
+  CHECK(first_fault([&] { read(needed + R"(, "eta": "0 1 1")"); }).starts_with(at + "eta: "));
+}
+
 TEST_CASE("choices are read by their names") {
   const Object object =
       scene("\"glossiness\": 8}", "\"glossiness\": 8, \"specular_gate\": true, \"texture_filter\": \"nearest\"}, "

@@ -89,12 +89,23 @@ TEST_CASE("without a material each triangle has that of the file, in Blinn-Phong
   }
 }
 
-TEST_CASE("the function of the object shades what the file describes: Phong or Blinn-Phong, and no other") {
+TEST_CASE("the function of the object shades what the file describes: a measured one does not") {
   ModelFolder folder(", \"fragment_function\": \"phong\"");
   CHECK(std::holds_alternative<Phong>(material_of(folder.object(), 4).fragment_function));
+  ModelFolder microfacets(", \"fragment_function\": \"microfacet\"",
+                          "newmtl red\nKd 1 0 0\nPr 0.5\nnewmtl green\nKd 0 1 0\nmap_Pr t.png\nmap_Ks t.png\n");
+  const Object object = microfacets.object();
+  const Material& green_one = material_of(object, 4);
+  REQUIRE(green_one.microfacets());
+  CHECK(green_one.microfacets()->base_color == Double3(0, 1, 0));
+  CHECK(green_one.microfacets()->roughness == 1);
+  CHECK(green_one.roughness_map.texture);
+  CHECK_FALSE(green_one.specular_map.texture);
+  CHECK(microfacets.noted().find("with Ks, drawn without it: microfacets reflect by Kd, Pr and Pm") !=
+        std::string::npos);
   CHECK(ModelFolder(", \"fragment_function\": \"merl\", \"material\": \"from_file\"").refused() ==
         "s.json:3:78: /scene/objects/0/fragment_function: found a function that files describe no materials for, "
-        "expected phong or blinn_phong, or no material \"from_file\"");
+        "expected phong, blinn_phong or microfacet, or no material \"from_file\"");
 }
 
 TEST_CASE("a material of the scene is that of all triangles, and a note says that the file's are not used") {

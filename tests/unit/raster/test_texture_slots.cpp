@@ -112,6 +112,35 @@ TEST_CASE("a specular map multiplies ks, and nothing else") {
   }
 }
 
+TEST_CASE("maps of roughness and metalness multiply these, and nothing else") {
+  Scene scene = poster();
+  scene.direction_lights = {{{0.1, 0.2, -1}, {1, 2, 3}}};
+  const auto one_texel = [](float value) {
+    Texture texture;
+    texture.full_scale = 1;
+    texture.levels.push_back({1, 1, {value, value, value}});
+    return nearest(texture);
+  };
+  Material& material = scene.objects[0].material;
+  Microfacet function;
+  function.base_color = {0.5, 0.25, 1};
+  for (const Precision precision : {Precision::double_, Precision::float_, Precision::exact}) {
+    function.roughness = 0.5, function.metallic = 0.25;
+    material.fragment_function = function, material.roughness_map = material.metallic_map = {};
+    const Frame by_parameters = drawn(scene, precision);
+    function.roughness = function.metallic = 1;
+    material.fragment_function = function;
+    material.roughness_map = one_texel(0.5f), material.metallic_map = one_texel(0.25f);
+    CHECK(drawn(scene, precision).radiance.values == by_parameters.radiance.values);
+    material.metallic_map = {};
+    CHECK(drawn(scene, precision).radiance.values != by_parameters.radiance.values);
+    material.specular_map = one_texel(0.5f); // is none of this function's
+    const Frame other = drawn(scene, precision);
+    material.specular_map = {};
+    CHECK(drawn(scene, precision).radiance.values == other.radiance.values);
+  }
+}
+
 TEST_CASE("a clamped texture does not repeat, however far it is from the origin") {
   Scene scene = poster(2);
   TextureMap map = nearest(numbered(8));

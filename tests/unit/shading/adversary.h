@@ -214,8 +214,11 @@ inline std::vector<NamedFunction> tried_functions() {
     list.push_back({"phong " + std::to_string(glossiness), Phong{parameters}});
     list.push_back({"blinn_phong " + std::to_string(glossiness), BlinnPhong{parameters}});
   }
-  for (const NamedFunction& f : all_fragment_functions())
+  for (const NamedFunction& f : all_fragment_functions()) {
     if (std::holds_alternative<Merl>(f.function)) list.push_back(f);
+    // A highlight that is far narrower than a place is found by no search: nothing would be known of the spread there.
+    if (const auto* const m = std::get_if<Microfacet>(&f.function); m && m->roughness > 0.01) list.push_back(f);
+  }
   return list;
 }
 

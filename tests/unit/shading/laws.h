@@ -29,6 +29,14 @@ inline const std::vector<NamedFunction>& all_fragment_functions() {
         list.push_back({"blinn_phong" + name, BlinnPhong{parameters}});
       }
     list.push_back({"phong, no highlight", Phong{{{0, 0, 0}, {1, 1, 1}, {0, 0, 0}, 8, SpecularGate::open}}});
+    for (const auto& [fresnel, fresnel_name] : EnumNames<MicrofacetFresnel>::names)
+      for (const double roughness : {1e-3, 0.3, 1.0}) {
+        if (fresnel != MicrofacetFresnel::schlick && roughness != 0.3) continue; // how rough is nothing to these
+        Microfacet function;
+        function.base_color = {0.9, 0.5, 0}, function.metallic = 0.6;
+        function.roughness = roughness, function.fresnel = fresnel;
+        list.push_back({"microfacet " + std::string(fresnel_name) + " " + std::to_string(roughness), function});
+      }
     const std::shared_ptr<const MerlTable> table(new MerlTable(merl_table_from(GgxConductor{0.1, {0.91, 0.78, 0.42}})));
     for (const auto& [lookup, lookup_name] : EnumNames<MerlLookup>::names)
       for (const auto& [angles, angles_name] : EnumNames<MerlAngles>::names)

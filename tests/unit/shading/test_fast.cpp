@@ -72,6 +72,12 @@ PhongParameters some_parameters(std::mt19937_64& random) {
 TEST_CASE("fast is as near to double as promised") {
   check_bound("phong", [](std::mt19937_64& random) { return Phong{some_parameters(random)}; });
   check_bound("blinn_phong", [](std::mt19937_64& random) { return BlinnPhong{some_parameters(random)}; });
+  check_bound("microfacet", [](std::mt19937_64& random) {
+    Microfacet function;
+    function.base_color = {uniform(random, 0, 1), 0.5, 0.5}, function.metallic = uniform(random, 0, 1);
+    function.roughness = uniform(random, 0.2, 1);
+    return function;
+  });
   const std::shared_ptr<const MerlTable> table(new MerlTable(merl_table_from(find_brdf_preset("nylon-like")->brdf)));
   for (const MerlLookup lookup : {MerlLookup::trilinear, MerlLookup::trilinear_log, MerlLookup::tricubic_log})
     check_bound("merl " + std::string(name_of(lookup)), [&](std::mt19937_64&) {

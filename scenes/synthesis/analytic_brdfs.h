@@ -5,7 +5,8 @@
 
 #include <refraster/fields.h>
 
-#include "math/vec.h"
+#include "shading/microfacet/fresnel.h"
+#include "shading/microfacet/ggx.h"
 
 #include <numbers>
 #include <string_view>
@@ -30,22 +31,18 @@ struct Lambert {
   }
 };
 
-/// The density of microfacet normals, D(h) = alpha^2 / (pi (alpha^2 cos^2 theta_h + sin^2 theta_h)^2).
-/// The sine comes from the cross product: 1 - cos^2 would leave few digits of it where D is largest.
-/// Walter et al., "Microfacet models for refraction through rough surfaces", 2007, equation 33.
+/// D(h), of unit vectors. The sine comes from the cross product: 1 - cos^2 would leave few digits of it where D is
+/// largest.
 template <Number T>
 T ggx_density(const Vec3<T>& n, const Vec3<T>& h, double alpha) {
-  const T spread = as<T>(alpha * alpha) * square(dot(n, h)) + squared_length(cross(n, h));
-  return as<T>(alpha * alpha / std::numbers::pi) / square(spread);
+  const GgxWidth<T> width = ggx_width<T>(alpha);
+  return ggx_density(ggx_spread(square(dot(n, h)), squared_length(cross(n, h)), width), width);
 }
 
-/// Masking and shadowing over 4 (n.i) (n.o), with both heights correlated. Walter's G1 has Lambda(x) such that this is
-///     1 / (2 (n_o sqrt(a + (1 - a) n_i^2) + n_i sqrt(a + (1 - a) n_o^2))),     a = alpha^2.
-/// Heitz, "Understanding the masking-shadowing function in microfacet-based BRDFs", 2014, equation 99.
+/// Masking and shadowing over 4 (n.i) (n.o).
 template <Number T>
 T ggx_visibility(const T& n_i, const T& n_o, double alpha) {
-  const T a = as<T>(alpha * alpha), rest = as<T>(1 - alpha * alpha);
-  return as<T>(0.5) / (n_o * sqrt(a + rest * square(n_i)) + n_i * sqrt(a + rest * square(n_o)));
+  return as<T>(0.5) / smith_divisor(n_i, n_o, ggx_width<T>(alpha));
 }
 
 /// i.h = o.h = |i + o| / 2: written so, exchanging i and o changes no bit.
@@ -58,8 +55,7 @@ T cosine_to_half(const Vec3<T>& i, const Vec3<T>& o) {
 /// it.
 inline constexpr Range ggx_alpha_range{0.0001, 1};
 
-/// Rough metal: D G F / (4 n.i n.o), F = f0 + (1 - f0) (1 - i.h)^5.
-/// Schlick, "An inexpensive BRDF model for physically-based rendering", 1994, for the Fresnel factor F.
+/// Rough metal: D G F / (4 n.i n.o), F = f0 + (1 - f0) (1 - i.h)^5, Schlick's.
 struct GgxConductor {
   static constexpr std::string_view name = "ggx-conductor";
   static constexpr std::string_view meaning = "rough metal";
@@ -83,12 +79,10 @@ struct GgxConductor {
   }
 };
 
-/// The fraction of unpolarised light that a smooth dielectric reflects, at cosine c of the angle of incidence; ior > 1.
-/// Walter et al. 2007, equation 22.
+/// At cosine c of the angle of incidence; ior > 1.
 template <Number T>
 T dielectric_fresnel(const T& c, double ior) {
-  const T g = sqrt(as<T>(ior * ior - 1) + square(c));
-  return as<T>(0.5) * square((g - c) / (g + c)) * (T(1) + square((c * (g + c) - T(1)) / (c * (g - c) + T(1))));
+  return dielectric_reflectance(c, as<T>(ior * ior - 1));
 }
 
 /// Rough dielectric over a diffuse ground: D G F / (4 n.i n.o) + (1 - F(n.i)) (1 - F(n.o)) albedo / pi. Light that
