@@ -57,10 +57,10 @@ Command refraster_command() {
   return {.name = "refraster",
           .meaning = "A reference for images of triangles: renders, compares and explains them, without a GPU",
           .notes = {"Exit codes: 0 done or equal, 1 images differ, 2 wrong usage, 3 bad input or not enough memory, "
-                    "4 cannot write, 5 no OpenGL, 70 a mistake of refraster's own, 130 interrupted.",
+                    "4 cannot write, 5 no OpenGL or display, 70 a mistake of refraster's own, 130 interrupted.",
                     "`refraster COMMAND --help` says more."},
           .commands = {render_command(), turntable_command(), verify_command(), explain_command(), compare_command(),
-                       gl_command(), bench_command(), scene_command(), mesh_command(), brdf_command(),
+                       gl_command(), view_command(), bench_command(), scene_command(), mesh_command(), brdf_command(),
                        list_command()}};
 }
 

@@ -17,7 +17,7 @@ enum class ExitCode {
   usage = 2,        // wrong arguments
   bad_input = 3,    // a file that cannot be read, is not what it should be, or needs more memory than there may be
   cannot_write = 4, // an output file, or standard output
-  no_opengl = 5,    // no OpenGL on this machine
+  no_opengl = 5,    // no OpenGL, or no display, on this machine
   internal = 70,    // our own mistake
   interrupted = 130 // by SIGINT, as a shell counts it; or by SIGTERM, SIGHUP
 };
@@ -64,6 +64,7 @@ Command verify_command();    // verify_command.cpp
 Command explain_command();   // explain_command.cpp
 Command gl_command();        // gl_command.cpp
 Command bench_command();     // bench_command.cpp
+Command view_command();      // view_command.cpp
 Command scene_command();     // scene_command.cpp
 Command mesh_command();      // mesh_command.cpp
 Command brdf_command();      // brdf/brdf_command.cpp

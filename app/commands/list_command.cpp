@@ -9,6 +9,7 @@
 #include "app/options/parse.h"
 #include "app/options/unknown_words.h"
 #include "app/usage_error.h"
+#include "app/view/keys.h"
 #include "io/file/limits.h"
 #include "io/scene/scene_markdown.h"
 #include "math/precisions.h"
@@ -181,6 +182,7 @@ Command list_command() {
           printing_command("limits", "How large anything may be, as Markdown", [] { std::cout << limits_markdown(); }),
           printing_command("scene-format", "Every key of a scene file, as Markdown",
                            [] { std::cout << scene_format_markdown(); }),
+          printing_command("keys", "Keys of the window of view, as Markdown", [] { std::cout << keys_markdown(); }),
           completions_command(), man_page_command()}};
 }
 

@@ -107,12 +107,10 @@ std::vector<std::string> function_names(const std::variant<Function...>*) {
 }
 
 Option fragment_function_option(SceneChanges& changes) {
-  const std::vector<std::string> names = function_names(static_cast<const FragmentFunction*>(nullptr));
+  const std::vector<std::string> names = fragment_function_names();
   return word_option(
       "--fragment-function", names,
-      [&changes, names](std::size_t i) {
-        changes.values.push_back({"/scene/objects/*/fragment_function", json_string(names[i]), "--fragment-function"});
-      },
+      [&changes, names](std::size_t i) { changes.values.push_back(fragment_function_edit(names[i])); },
       "which function shades all objects");
 }
 
@@ -141,6 +139,14 @@ std::vector<SceneEdit> SceneChanges::edits() const {
   all.insert(all.end(), values.begin(), values.end());
   all.insert(all.end(), set.begin(), set.end());
   return all;
+}
+
+std::vector<std::string> fragment_function_names() {
+  return function_names(static_cast<const FragmentFunction*>(nullptr));
+}
+
+SceneEdit fragment_function_edit(const std::string& name) {
+  return {"/scene/objects/*/fragment_function", json_string(name), "--fragment-function"};
 }
 
 OptionGroup scene_change_options(SceneChanges& changes) {

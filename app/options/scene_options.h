@@ -4,6 +4,7 @@
 #include "app/options/option.h"
 #include "io/scene/scene_edits.h"
 
+#include <string>
 #include <vector>
 
 namespace refraster {
@@ -17,6 +18,11 @@ struct SceneChanges {
   /// All of them, in an order in which each has its effect: a camera with a fit first, --set last.
   std::vector<SceneEdit> edits() const;
 };
+
+/// The names of the library's fragment functions.
+std::vector<std::string> fragment_function_names();
+/// What --fragment-function changes.
+SceneEdit fragment_function_edit(const std::string& name);
 
 /// --camera, --look-at, --fov, --up, --background, --fragment-function, --set: for every command that reads scenes.
 OptionGroup scene_change_options(SceneChanges& changes);

@@ -7,16 +7,17 @@
 
 namespace refraster {
 
-std::vector<Camera> orbit(const Camera& start, int frames) {
-  const Double3 axis = normalize(start.up), arm = start.position - start.target;
+Double3 rotated(const Double3& point, const Double3& centre, const Double3& axis, double degrees) {
+  const Double3 arm = point - centre;
   const Double3 along = axis * dot(axis, arm), across = arm - along, side = cross(axis, arm);
+  return centre + along + across * cos_degrees(degrees) + side * sin_degrees(degrees); // Rodrigues' rotation
+}
+
+std::vector<Camera> orbit(const Camera& start, int frames) {
+  const Double3 axis = normalize(start.up);
   std::vector<Camera> cameras(static_cast<std::size_t>(frames), start); // the first as it is, bit for bit
-  for (int i = 1; i < frames; ++i) {
-    const double degrees = 360.0 * i / frames;
-    // Rodrigues' rotation of the arm about the axis.
-    cameras[static_cast<std::size_t>(i)].position =
-        start.target + along + across * cos_degrees(degrees) + side * sin_degrees(degrees);
-  }
+  for (int i = 1; i < frames; ++i)
+    cameras[static_cast<std::size_t>(i)].position = rotated(start.position, start.target, axis, 360.0 * i / frames);
   return cameras;
 }
 

@@ -9,6 +9,10 @@
 
 namespace refraster {
 
+/// A point turned about the line through `centre` along `axis`, of length 1, counter-clockwise seen from its tip. The
+/// same bits on every machine.
+Double3 rotated(const Double3& point, const Double3& centre, const Double3& axis, double degrees);
+
 /// `frames` cameras, the first of which is `start`, the others turned about start.target around start.up by equal parts
 /// of a whole turn: counter-clockwise seen from the tip of `up`, so that the thing seems to turn clockwise. frames
 /// >= 1. The same bits on every machine.

@@ -28,6 +28,8 @@
 #include "raster/vertex/scene_view.h"
 
 #include <array>
+#include <cmath>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -206,11 +208,6 @@ constexpr bool is_required(const Range& range) {
   return !NamedEnum<Value> && range.need == Need::required;
 }
 
-/// Keys of the lecture's framework that mean nothing to a still image.
-struct Ignored {
-  double value = 0;
-};
-
 /// A number of samples a pixel: not every whole number is one.
 struct SampleCount {
   int& count;
@@ -243,10 +240,17 @@ void camera_keys(auto& camera, SceneView& view, auto&& keys) {
        "distance of the near plane; with `fit` before the nearest vertex", defaulted);
   keys("far", camera.far, Range{.ends = Ends::excluded},
        "distance of the far plane: beyond the near one; with `fit` behind the farthest vertex", defaulted);
-  keys("movement_speed", Ignored{}, any_number, "for the lecture's interactive framework; not used",
-       otherwise("nothing"));
-  keys("mouse_sensitivity", Ignored{}, any_number, "for the lecture's interactive framework; not used",
-       otherwise("nothing"));
+  const auto handling = [&](std::string_view key, std::optional<double>& member, std::string_view meaning,
+                            std::string_view without) {
+    double value = std::numeric_limits<double>::quiet_NaN(); // which no file can say
+    keys(key, value, any_number, meaning, otherwise(without));
+    if (!std::isnan(value)) member = value;
+  };
+  handling("movement_speed", view.handling.movement_speed,
+           "of `refraster view`, as of the lecture's framework: world units a second; no image depends on it",
+           "half of the way to the middle of the scene");
+  handling("mouse_sensitivity", view.handling.mouse_sensitivity,
+           "likewise: degrees that the view turns for a pixel that the mouse moves", "`0.1`");
   keys.check(camera, view);
 }
 

@@ -37,9 +37,6 @@ std::string text_of(const FragmentFunctionName&) {
 std::string text_of(const SampleCount& samples) {
   return text_of(samples.count);
 }
-std::string text_of(const Ignored&) {
-  return "nothing";
-}
 template <NamedEnum Enum>
 std::string text_of(Enum value) {
   return json_word(name_of(value));

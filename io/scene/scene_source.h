@@ -33,8 +33,10 @@ struct SceneSource {
   }
 };
 
-/// As read_scene of <refraster/files.h>, with changes to the text before it is read.
+/// As read_scene of <refraster/files.h>, with changes to the text before it is read. `files`, if not null, gets the paths
+/// of all files that the scene depends on, as far as reading comes: also where it throws, and of those that are not
+/// there.
 SceneSource read_scene_source(const std::string& path, const SceneOptions& options,
-                              const std::vector<SceneEdit>& edits = {});
+                              const std::vector<SceneEdit>& edits = {}, std::vector<std::string>* files = nullptr);
 
 } // namespace refraster

@@ -72,9 +72,6 @@ std::string json_word(std::string_view word) {
 std::string expected_value(const double&, const Range& range) {
   return "a number" + range_text(range);
 }
-std::string expected_value(const Ignored&, const Range& range) {
-  return "a number" + range_text(range);
-}
 std::string expected_value(const int&, const Range& range) {
   return "a whole number" + range_text(range);
 }
@@ -117,10 +114,6 @@ bool read_value(const JsonDocument&, const JsonNode& node, const Range& range, d
   if (node.kind != JsonKind::number || !range.contains(node.number)) return false;
   value = node.number;
   return true;
-}
-
-bool read_value(const JsonDocument& document, const JsonNode& node, const Range& range, Ignored& value) {
-  return read_value(document, node, range, value.value);
 }
 
 bool read_value(const JsonDocument&, const JsonNode& node, const Range& range, int& value) {

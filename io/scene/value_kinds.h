@@ -11,7 +11,6 @@ namespace refraster {
 
 /// "a number >= 0", "three numbers", "a whole number from 3 to 4096".
 std::string expected_value(const double&, const Range& range);
-std::string expected_value(const Ignored&, const Range& range);
 std::string expected_value(const int&, const Range& range);
 std::string expected_value(const SampleCount&, const Range&);
 std::string expected_value(const Double2&, const Range& range);
@@ -39,7 +38,6 @@ std::string expected_value(const Enum&, const Range&) {
 
 /// Reads the value. False if the JSON is not what expected_value says; then `value` is left as it was.
 bool read_value(const JsonDocument&, const JsonNode& node, const Range& range, double& value);
-bool read_value(const JsonDocument&, const JsonNode& node, const Range& range, Ignored& value);
 bool read_value(const JsonDocument&, const JsonNode& node, const Range& range, int& value);
 bool read_value(const JsonDocument&, const JsonNode& node, const Range&, SampleCount& value);
 bool read_value(const JsonDocument&, const JsonNode& node, const Range& range, Double2& value);

@@ -40,6 +40,7 @@ struct CameraFit {
   std::optional<Double3> target = {};  // in the middle of the image; by default the middle of what is seen
   std::optional<double> near = {};     // in place of a plane before the nearest vertex; > 0
   std::optional<double> far = {};      // in place of a plane behind the farthest vertex; > near
+  bool operator==(const CameraFit&) const = default;
 };
 
 /// The image that a scene is meant to be made into: what commands take where no option says otherwise.
@@ -50,9 +51,16 @@ struct Picture {
   bool operator==(const Picture&) const = default;
 };
 
+/// How fast a camera is moved by hand, as the lecture's framework reads it; nothing where the scene does not say it.
+struct CameraHandling {
+  std::optional<double> movement_speed;    // world units a second
+  std::optional<double> mouse_sensitivity; // degrees a pixel
+};
+
 /// What is left to be done.
 struct SceneView {
-  std::optional<CameraFit> fit;                                          // gives the camera its place; none: it has one
+  std::optional<CameraFit> fit; // gives the camera its place; none: it has one
+  CameraHandling handling = {};
   std::vector<std::size_t> moving_point_lights, moving_direction_lights; // those of camera space, by their number
   Picture picture;
 
