@@ -7,6 +7,7 @@ The events are those of a real X server, by xdotool, and what is judged are the 
 is tested, with SDL, and nothing in it is there for the test. Exit 1 where the window does not do what it should. Exit
 77, with a word, where the program has no window, or Xvfb, xdotool or ImageMagick are missing."""
 
+import ctypes
 import json
 import os
 import pathlib
@@ -133,6 +134,24 @@ class Viewer:
 
     def camera(self, stem):
         return json.loads((self.folder / f"{stem}.camera.json").read_text())
+
+    def press_close(self):
+        """What a window manager sends when its button is pressed (ICCCM, 4.2.8): there is none here, and xdotool sends no
+        such message."""
+
+        class ClientMessage(ctypes.Structure):
+            _fields_ = [("type", ctypes.c_int), ("serial", ctypes.c_ulong), ("send_event", ctypes.c_int),
+                        ("display", ctypes.c_void_p), ("window", ctypes.c_ulong), ("message_type", ctypes.c_ulong),
+                        ("format", ctypes.c_int), ("data", ctypes.c_long * 5), ("rest", ctypes.c_long * 24)]
+
+        x11 = ctypes.CDLL("libX11.so.6")
+        x11.XOpenDisplay.restype, x11.XInternAtom.restype = ctypes.c_void_p, ctypes.c_ulong
+        display = ctypes.c_void_p(x11.XOpenDisplay(None))
+        protocols, close = (x11.XInternAtom(display, name, 0) for name in (b"WM_PROTOCOLS", b"WM_DELETE_WINDOW"))
+        message = ClientMessage(type=33, window=int(self.window), message_type=protocols, format=32)
+        message.data[0] = close
+        x11.XSendEvent(display, ctypes.c_ulong(int(self.window)), 0, ctypes.c_long(0), ctypes.byref(message))
+        x11.XCloseDisplay(display)  # after what was sent has arrived
 
     def cpu_ticks(self):
         fields = pathlib.Path(f"/proc/{self.process.pid}/stat").read_text().rpartition(")")[2].split()
@@ -354,6 +373,9 @@ def main(program, shots):
         viewer = Viewer(program, folder, ["ball.json"], shots)
         viewer.process.send_signal(signal.SIGINT)
         viewer.ends(130, "SIGINT")
+        viewer = Viewer(program, folder, ["ball.json"], shots)
+        viewer.press_close()
+        viewer.ends(0, "the window's own button")
     finally:
         if server:
             server.terminate()

@@ -29,7 +29,8 @@ TEST_CASE("the scale is the finest at which thirty frames a second are made") {
 
 TEST_CASE("what does not depend on the pixels is not made less by fewer of them") {
   CHECK(settled_scale(0.020, 0.004) == 1);
-  CHECK(settled_scale(0.025, 0.02) == 0.25); // 33 ms at half are too many for a finer one, and 26 ms are not
+  CHECK(settled_scale(0.025, 0.02) == 0.5);     // 30 ms
+  CHECK(settled_scale(0.030, 0.02) == 3.0 / 8); // 32.8 ms, and at half 35 ms
   CHECK(settled_scale(1, 0.001) == moving_scales.back());
 }
 

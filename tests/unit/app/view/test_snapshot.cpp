@@ -111,11 +111,12 @@ TEST_CASE("the words are those of `refraster render`, with what the run was give
   run.changes.set = {{"/scene/cameras", "1", "--set"}};
   const std::vector<std::string> words =
       render_words("refraster", run, {{"/scene/point_lights/0/radiance", "[0, 0, 0]", "--set"}}, Camera{});
-  CHECK(shell_line(words) ==
-        "refraster render 'a scene.json' --size 64x48 --samples 4 --srgb --precision float --allow-outside --exposure "
-        "0.1 --aov depth --set '/scene/background=[1, 1, 1]' --set '/scene/cameras=1' --set "
-        "'/scene/point_lights/0/radiance=[0, 0, 0]' --set '/scene/camera={\"position\": [0, 0, 0], \"target\": [0, 0, "
-        "-1], \"up\": [0, 1, 0], \"fov_y\": 45, \"near\": 0.1, \"far\": 100}' --output a-001.png");
+  CHECK(
+      shell_line(words) ==
+      "refraster render 'a scene.json' --size 64x48 --samples 4 --srgb --precision float --allow-outside --exposure "
+      "0.1 --aov depth --set '/scene/background=[1, 1, 1]' --set '/scene/cameras=1' --set "
+      "'/scene/point_lights/0/radiance=[0, 0, 0]' --set '/scene/camera={\"position\": [0.0, 0.0, 0.0], \"target\": "
+      "[0.0, 0.0, -1.0], \"up\": [0.0, 1.0, 0.0], \"fov_y\": 45.0, \"near\": 0.1, \"far\": 100.0}' --output a-001.png");
   const Command program = refraster_command();
   CHECK_NOTHROW(action_of(named_command(program, {words.begin() + 1, words.end()})));
 }
