@@ -18,9 +18,7 @@ class JobThread {
 public:
   using Work = std::function<Result(const std::atomic<bool>& cancel)>;
 
-  /// done: called from the thread when a result is there to take.
-  explicit JobThread(std::function<void()> done)
-      : done_(std::move(done)), thread_([this](const std::stop_token& end) { run(end); }) {}
+  JobThread() : thread_([this](const std::stop_token& end) { run(end); }) {}
   ~JobThread() {
     cancel();
     thread_.request_stop();
@@ -45,6 +43,7 @@ public:
   }
   /// What is begun may end early; its result is still to be taken.
   void cancel() { cancel_ = true; }
+  /// What has come of it; nothing while there is none.
   std::optional<Result> take() {
     const std::lock_guard lock(mutex_);
     if (!result_) return std::nullopt;
@@ -67,11 +66,9 @@ private:
         const std::lock_guard lock(mutex_);
         result_ = std::move(result);
       }
-      done_();
     }
   }
 
-  std::function<void()> done_;
   std::mutex mutex_;
   std::condition_variable changed_;
   Work work_;

@@ -16,7 +16,8 @@ inline constexpr std::array moving_scales{1.0, 3.0 / 4, 1.0 / 2, 3.0 / 8, 1.0 / 
 
 /// Chooses the finest scale at which frames take no longer than a thirtieth of a second, from what the last ones took.
 /// Of a frame's time, that of its tiles grows with the number of pixels; all else, vertices and bins, and showing it,
-/// is the same at every scale.
+/// is the same at every scale. Where that alone takes nearly all of the time, or more, pixels may add a quarter to it:
+/// fewer would hardly help.
 class Pacing {
 public:
   double scale() const { return moving_scales[step_]; }
@@ -24,8 +25,6 @@ public:
   void add(const StageSeconds& frame, double showing_seconds);
 
 private:
-  double predicted_seconds(std::size_t step) const;
-
   std::size_t step_ = 2; // half: what is not known yet is neither slow nor coarse
   bool any_ = false;
   double fixed_seconds_ = 0, pixel_seconds_ = 0; // the latter for a frame of scale 1

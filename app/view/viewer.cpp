@@ -30,6 +30,9 @@ constexpr double settle_seconds = 0.12;
 constexpr double felt_seconds = 0.1;
 /// Displays show no more.
 constexpr double shortest_frame_seconds = 1.0 / 60;
+/// How often results are looked for while there is work: much less than a frame. An event of SDL's that another thread
+/// sends would do, but of one that meets a window just closed, X11 makes the end of the program.
+constexpr double result_seconds = 0.002, loading_seconds = 0.02;
 /// How often files are looked at, and the interrupt.
 constexpr double look_seconds = 0.2;
 struct Point {
@@ -40,8 +43,7 @@ class Viewer {
 public:
   Viewer(Window& window, const PictureRun& run, LoadedScene first)
       : window_(window), run_(run), names_(FrameNames::of(run.output).value()),
-        loaded_(std::make_shared<LoadedScene>(std::move(first))), frames_([this] { window_.wake(); }),
-        loader_([this] { window_.wake(); }) {
+        loaded_(std::make_shared<LoadedScene>(std::move(first))) {
     camera_.motion = loaded_->source.view.fit ? Motion::orbit : Motion::walk; // which those of models have
     settings_.precision = value_named<Precision>(run_.precision).value();
     watch_.set(loaded_->files);
@@ -56,6 +58,7 @@ public:
       look_at_files();
       begin_work();
       screen_.forget(now());
+      if (is_long() && now() - shown_ > felt_seconds) screen_.changed = true; // how far it is
       if (screen_.changed) show();
       const int wait = milliseconds_to_wait();
       for (auto event = window_.wait(wait); event; event = window_.wait(0)) handle(*event);
@@ -100,8 +103,6 @@ private:
     case Kind::resized:
       screen_.changed = true;
       if (window_.size() != size_) resize();
-      break;
-    case Kind::woken:
       break;
     }
   }
@@ -357,17 +358,17 @@ private:
       screen_.draw(canvas);
       if (is_long()) draw_progress(canvas, frame_jobs_.fraction_done());
     });
-    showing_seconds_ = watch.seconds();
+    showing_seconds_ = watch.seconds(), shown_ = now();
     screen_.changed = false;
   }
 
   int milliseconds_to_wait() {
     double until = look_seconds;
-    if (frames_.busy()) {
-      if (running_ == JobResult::Kind::still) until = felt_seconds, screen_.changed = screen_.changed || is_long();
-    } else if (is_moving()) {
-      until = camera_.is_pushed() || shown_revision_ != revision_ ? next_frame_ - now()
-                                                                  : last_motion_ + settle_seconds - now();
+    if (loader_.busy()) until = loading_seconds;
+    if (frames_.busy()) until = result_seconds;
+    else if (is_moving()) {
+      const bool next = camera_.is_pushed() || shown_revision_ != revision_;
+      until = std::min(until, (next ? next_frame_ : last_motion_ + settle_seconds) - now());
     }
     until = std::min(until, screen_.next_change() - now());
     return std::max(1, static_cast<int>(std::ceil(1e3 * until)));
@@ -395,7 +396,7 @@ private:
   std::optional<Point> story_wanted_;
   JobResult::Kind running_ = JobResult::Kind::still;
   Pacing pacing_;
-  double last_motion_ = 0, next_frame_ = 0, next_look_ = 0, begun_ = 0; // clock_'s seconds
+  double last_motion_ = 0, next_frame_ = 0, next_look_ = 0, begun_ = 0, shown_ = 0; // clock_'s seconds
   double showing_seconds_ = 0, last_still_seconds_ = 2 * felt_seconds;
 
   FrameJobs frame_jobs_;

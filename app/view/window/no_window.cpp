@@ -20,6 +20,5 @@ void Window::show(const Image<std::uint8_t>&, const std::function<void(const Can
 std::optional<WindowEvent> Window::wait(int) {
   return std::nullopt;
 }
-void Window::wake() {}
 
 } // namespace refraster

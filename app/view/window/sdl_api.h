@@ -21,9 +21,7 @@ namespace refraster {
   F(GetWindowSize, SDL_GetWindowSize)                                                                                  \
   F(GetWindowSurface, SDL_GetWindowSurface)                                                                            \
   F(Init, SDL_Init)                                                                                                    \
-  F(PushEvent, SDL_PushEvent)                                                                                          \
   F(Quit, SDL_Quit)                                                                                                    \
-  F(RegisterEvents, SDL_RegisterEvents)                                                                                \
   F(SetHint, SDL_SetHint)                                                                                              \
   F(SetWindowTitle, SDL_SetWindowTitle)                                                                                \
   F(SoftStretchLinear, SDL_SoftStretchLinear)                                                                          \

@@ -24,13 +24,45 @@ bool names_a_display() {
   return is_set("DISPLAY") || is_set("WAYLAND_DISPLAY") || is_set("SDL_VIDEODRIVER");
 }
 
+/// What of it is of interest here.
+std::optional<WindowEvent> read(const SDL_Event& event) {
+  using Kind = WindowEvent::Kind;
+  switch (event.type) {
+  case SDL_QUIT:
+    return WindowEvent{Kind::close};
+  case SDL_KEYDOWN:
+  case SDL_KEYUP:
+    if (event.key.repeat != 0) return std::nullopt;
+    return WindowEvent{event.type == SDL_KEYDOWN ? Kind::key_down : Kind::key_up,
+                       sdl().GetKeyName(event.key.keysym.sym)};
+  case SDL_MOUSEBUTTONDOWN:
+  case SDL_MOUSEBUTTONUP:
+    if (event.button.button != SDL_BUTTON_LEFT) return std::nullopt;
+    return WindowEvent{
+        event.type == SDL_MOUSEBUTTONDOWN ? Kind::button_down : Kind::button_up, {}, event.button.x, event.button.y};
+  case SDL_MOUSEMOTION:
+    return WindowEvent{Kind::mouse, {}, event.motion.x, event.motion.y};
+  case SDL_MOUSEWHEEL: {
+    WindowEvent wheel{Kind::wheel};
+    sdl().GetMouseState(&wheel.x, &wheel.y);
+    wheel.notches = static_cast<double>(event.wheel.preciseY);
+    if (event.wheel.direction == SDL_MOUSEWHEEL_FLIPPED) wheel.notches = -wheel.notches;
+    return wheel;
+  }
+  case SDL_WINDOWEVENT:
+    if (event.window.event == SDL_WINDOWEVENT_SIZE_CHANGED || event.window.event == SDL_WINDOWEVENT_EXPOSED)
+      return WindowEvent{Kind::resized};
+    if (event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) return WindowEvent{Kind::focus_lost};
+    return std::nullopt;
+  default:
+    return std::nullopt;
+  }
+}
+
 } // namespace
 
 struct Window::Display {
   SDL_Window* window = nullptr;
-  Uint32 wake_event = 0;
-
-  std::optional<WindowEvent> read(const SDL_Event& event) const;
 };
 
 Window::Window() : display_(std::make_unique<Display>()) {
@@ -43,7 +75,6 @@ Window::Window() : display_(std::make_unique<Display>()) {
   // A compositor goes on for the other windows.
   api.SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
   if (api.Init(SDL_INIT_VIDEO) != 0) throw NoWindow(std::string("no display: ") + api.GetError());
-  display_->wake_event = api.RegisterEvents(1);
 }
 
 Window::~Window() {
@@ -104,54 +135,13 @@ void Window::show(const Image<std::uint8_t>& picture, const std::function<void(c
   api.UpdateWindowSurface(display_->window);
 }
 
-std::optional<WindowEvent> Window::Display::read(const SDL_Event& event) const {
-  using Kind = WindowEvent::Kind;
-  switch (event.type) {
-  case SDL_QUIT:
-    return WindowEvent{Kind::close};
-  case SDL_KEYDOWN:
-  case SDL_KEYUP:
-    if (event.key.repeat != 0) return std::nullopt;
-    return WindowEvent{event.type == SDL_KEYDOWN ? Kind::key_down : Kind::key_up,
-                       sdl().GetKeyName(event.key.keysym.sym)};
-  case SDL_MOUSEBUTTONDOWN:
-  case SDL_MOUSEBUTTONUP:
-    if (event.button.button != SDL_BUTTON_LEFT) return std::nullopt;
-    return WindowEvent{
-        event.type == SDL_MOUSEBUTTONDOWN ? Kind::button_down : Kind::button_up, {}, event.button.x, event.button.y};
-  case SDL_MOUSEMOTION:
-    return WindowEvent{Kind::mouse, {}, event.motion.x, event.motion.y};
-  case SDL_MOUSEWHEEL: {
-    WindowEvent wheel{Kind::wheel};
-    sdl().GetMouseState(&wheel.x, &wheel.y);
-    wheel.notches = static_cast<double>(event.wheel.preciseY);
-    if (event.wheel.direction == SDL_MOUSEWHEEL_FLIPPED) wheel.notches = -wheel.notches;
-    return wheel;
-  }
-  case SDL_WINDOWEVENT:
-    if (event.window.event == SDL_WINDOWEVENT_SIZE_CHANGED || event.window.event == SDL_WINDOWEVENT_EXPOSED)
-      return WindowEvent{Kind::resized};
-    if (event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) return WindowEvent{Kind::focus_lost};
-    return std::nullopt;
-  default:
-    if (event.type == wake_event) return WindowEvent{Kind::woken};
-    return std::nullopt;
-  }
-}
-
 std::optional<WindowEvent> Window::wait(int milliseconds) {
   SDL_Event event;
   while (sdl().WaitEventTimeout(&event, milliseconds) == 1) {
-    if (const auto read = display_->read(event)) return read;
+    if (const auto of_interest = read(event)) return of_interest;
     milliseconds = 0; // what is of no interest here has ended the wait
   }
   return std::nullopt;
-}
-
-void Window::wake() {
-  SDL_Event event = {};
-  event.type = display_->wake_event;
-  sdl().PushEvent(&event);
 }
 
 } // namespace refraster

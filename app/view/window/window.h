@@ -21,7 +21,7 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/// What the user did, or another thread.
+/// What the user did.
 struct WindowEvent {
   enum class Kind {
     close,       // the window's own button
@@ -32,10 +32,9 @@ struct WindowEvent {
     mouse,       // moved to x, y
     wheel,       // `notches` away from the user, at x, y
     resized,     // or uncovered: what it shows is to be shown again
-    focus_lost,  // keys that are held are let up without a word
-    woken        // by wake()
+    focus_lost   // keys that are held are let up without a word
   };
-  Kind kind = Kind::woken;
+  Kind kind = Kind::close;
   std::string key = {}; // by SDL's name: app/view/keys.h
   int x = 0, y = 0;     // pixels from the top left
   double notches = 0;
@@ -62,8 +61,6 @@ public:
 
   /// The next event; none if there is none within so many milliseconds.
   std::optional<WindowEvent> wait(int milliseconds);
-  /// Ends a wait(). From any thread.
-  void wake();
 
 private:
   struct Display;

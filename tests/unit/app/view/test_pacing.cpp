@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 
+#include <utility>
+
 using namespace refraster;
 
 namespace {
@@ -29,9 +31,11 @@ TEST_CASE("the scale is the finest at which thirty frames a second are made") {
 
 TEST_CASE("what does not depend on the pixels is not made less by fewer of them") {
   CHECK(settled_scale(0.020, 0.004) == 1);
-  CHECK(settled_scale(0.025, 0.02) == 0.5);     // 30 ms
-  CHECK(settled_scale(0.030, 0.02) == 3.0 / 8); // 32.8 ms, and at half 35 ms
-  CHECK(settled_scale(1, 0.001) == moving_scales.back());
+  CHECK(settled_scale(0.025, 0.02) == 0.5); // 30 ms
+  CHECK(settled_scale(0.030, 0.02) == 0.5); // 35 ms, of which pixels are 5
+  CHECK(settled_scale(1, 0.001) == 1);      // coarser ones would be as slow
+  CHECK(settled_scale(0.04, 0.04) == 0.5);  // 10 ms for pixels
+  CHECK(settled_scale(1, 100) == moving_scales.back());
 }
 
 TEST_CASE("the scale does not go to and fro") {
@@ -56,7 +60,12 @@ TEST_CASE("a scene that becomes lighter is drawn finer again, and showing counts
   for (int i = 0; i < 100; ++i) pacing.add({.tiles = 1, .total = 1}, 0);
   CHECK(pacing.scale() == moving_scales.back());
   CHECK(settled_scale(0, 0.001, pacing) == 1);
-  Pacing slow_display;
-  for (int i = 0; i < 100; ++i) slow_display.add({.tiles = 0.001, .total = 0.001}, 1);
-  CHECK(slow_display.scale() == moving_scales.back());
+  Pacing quick_display, slow_display;
+  for (int i = 0; i < 100; ++i)
+    for (auto [of_display, showing_seconds] : {std::pair{&quick_display, 0.0}, std::pair{&slow_display, 0.02}}) {
+      const double tiles = 0.04 * of_display->scale() * of_display->scale();
+      of_display->add({.tiles = tiles, .total = tiles}, showing_seconds);
+    }
+  CHECK(quick_display.scale() == 0.75); // 22.5 ms
+  CHECK(slow_display.scale() == 0.5);   // 10 ms and 20 ms
 }
