@@ -43,7 +43,7 @@ JobResult FrameJobs::draw(const FrameJob& job, const std::atomic<bool>& cancel) 
     options.cancel = &cancel;
     options.progress = [this](double fraction) { fraction_done_.store(fraction, std::memory_order_relaxed); };
     options.want_rgb8 = !job.aov;
-    if (job.aov || job.edges == Edges::shown) options.aovs = {Aov::object, Aov::triangle};
+    if (job.aov || job.edges == TriangleEdges::shown) options.aovs = {Aov::object, Aov::triangle};
     if (job.aov) options.aovs.push_back(*job.aov);
     renderer_.render(*job.scene, options, frame_);
     result.cancelled = frame_.cancelled || cancel;
@@ -57,7 +57,7 @@ JobResult FrameJobs::draw(const FrameJob& job, const std::atomic<bool>& cancel) 
       if (job.kind == JobResult::Kind::still)
         result.note = explain_dark_image(*job.scene, options, {frame_.rgb8, {}}, frame_.counts.shaded);
     }
-    if (job.edges == Edges::shown) draw_edges(result.picture, frame_.aovs[0], frame_.aovs[1]);
+    if (job.edges == TriangleEdges::shown) draw_edges(result.picture, frame_.aovs[0], frame_.aovs[1]);
   });
 }
 

@@ -37,7 +37,7 @@ struct FrameJob {
   std::shared_ptr<const Scene> scene;
   RenderOptions options; // without images, which follow from these:
   std::optional<Aov> aov;
-  Edges edges = Edges::hidden;
+  TriangleEdges edges = TriangleEdges::hidden;
 };
 
 /// Renders frames one after the other, in the memory of the ones before.

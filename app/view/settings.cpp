@@ -67,7 +67,7 @@ std::optional<std::string> change(ViewSettings& settings, KeyAction action, std:
     if (settings.shadows == ShadowsShown::of_scene) return "shadows: as the scene says";
     return settings.shadows == ShadowsShown::all ? "shadows: of all lights" : "shadows: none";
   case KeyAction::edges:
-    settings.edges = settings.edges == Edges::shown ? Edges::hidden : Edges::shown;
+    settings.edges = settings.edges == TriangleEdges::shown ? TriangleEdges::hidden : TriangleEdges::shown;
     return "";
   case KeyAction::aov:
     settings.aov = next_aov(settings.aov);

@@ -17,14 +17,14 @@
 namespace refraster {
 
 enum class ShadowsShown { of_scene, all, none };
-enum class Edges { hidden, shown };
+enum class TriangleEdges { hidden, shown };
 
 struct ViewSettings {
   Precision precision = Precision::double_; // of the still picture
   std::set<std::size_t> dark_lights;        // that are off: numbers from 0, in the order of light_lists
   ShadowsShown shadows = ShadowsShown::of_scene;
   std::optional<Aov> aov; // in the place of the colour
-  Edges edges = Edges::hidden;
+  TriangleEdges edges = TriangleEdges::hidden;
   bool operator==(const ViewSettings&) const = default;
 };
 
