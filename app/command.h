@@ -67,6 +67,7 @@ Command bench_command();     // bench_command.cpp
 Command view_command();      // view_command.cpp
 Command scene_command();     // scene_command.cpp
 Command mesh_command();      // mesh_command.cpp
+Command suite_command();     // suite/suite_command.cpp
 Command brdf_command();      // brdf/brdf_command.cpp
 Command list_command();      // list_command.cpp
 

@@ -5,7 +5,6 @@
 
 #include "app/arguments.h"
 #include "app/command.h"
-#include "app/commands/fewer_samples.h"
 #include "app/commands/probe_run.h"
 #include "app/diagnostics.h"
 #include "app/memory_limit.h"
@@ -19,7 +18,9 @@
 #include "gl/gl_report.h"
 #include "gl/render_gl.h"
 #include "io/scene/scene_source.h"
+#include "io/scene/triangle_numbers.h"
 #include "raster/explain/explain_dark.h"
+#include "suite/judging/fewer_samples.h"
 
 #include <iostream>
 #include <memory>

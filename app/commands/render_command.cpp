@@ -14,6 +14,7 @@
 #include "app/progress_line.h"
 #include "app/run_report.h"
 #include "app/usage_error.h"
+#include "io/scene/triangle_numbers.h"
 #include "raster/explain/explain_dark.h"
 #include "raster/stopwatch.h"
 

@@ -6,7 +6,6 @@
 
 #include "app/arguments.h"
 #include "app/command.h"
-#include "app/commands/fewer_samples.h"
 #include "app/diagnostics.h"
 #include "app/memory_limit.h"
 #include "app/options/picture_options.h"
@@ -15,41 +14,24 @@
 #include "app/output.h"
 #include "app/progress_line.h"
 #include "app/usage_error.h"
-#include "gl/context/driver_environment.h"
-#include "gl/drawn_by_gl.h"
-#include "gl/render_gl.h"
-#include "io/file/sha256.h"
-#include "io/scene/scene_source.h"
-#include "raster/samples.h"
-#include "verify/device/read_profile.h"
-#include "verify/images/read_device_image.h"
-#include "verify/verdict/verdict_page.h"
+#include "suite/judging/verify_scene.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iostream>
 #include <memory>
 
 namespace refraster {
 namespace {
 
-/// What is assumed of a device of which nothing is known.
-constexpr const char* widest_device = "gl-generic";
-
-/// What draws the image that is judged.
-enum class Source { file, opengl_rgb8, opengl_float };
-
 struct VerifyArguments {
   std::string scene, actual, json, html, device;
   DeviceImageRequest image;
   SceneOptions reading;
   SceneChanges changes;
-  JudgeOptions judging;
   std::optional<ShaderMatrices> matrices;
   std::optional<GlRenderer> renderer;
   PictureArguments asked; // the size is for OpenGL
-  Picture picture;        // once the scene is read
-  Source source = Source::file;
+  JudgedSource source = JudgedSource::file;
   std::vector<ClassLimit> limits;
   std::uint64_t max_memory = 0;
   Diagnostics diagnostics;
@@ -76,159 +58,70 @@ std::optional<ValueFault> add_limit(std::string_view text, std::vector<ClassLimi
   return std::nullopt;
 }
 
-DeviceImage image_from_file(const VerifyArguments& a, VerdictReport& report) {
-  DeviceImageRequest request = a.image;
-  request.colour = a.actual;
-  // Floats hold linear values, unless they are said not to.
-  const bool is_float = format_to_write(a.actual, {float_rgb_image, float_grey_image}) != nullptr;
-  request.transfer = a.asked.transfer.value_or(is_float ? Transfer::linear : a.picture.transfer);
-  request.memory = a.reading.memory;
-  report.provenance.emplace_back("image sha256", file_sha256(a.actual));
-  return read_device_image(request, report.notes);
-}
-
-/// Of the shipped profiles the one that a driver of this name has; else what every device may do.
-DeviceProfile profile_of_driver(const std::string& renderer) {
-  for (const std::string_view name : device_profile_names())
-    if (name != widest_device && renderer.find(name) != std::string::npos) return device_profile(std::string(name));
-  if (renderer.find("SwiftShader") != std::string::npos) return device_profile("swiftshader");
-  return device_profile(widest_device);
-}
-
-/// Driven as the profile says: by its renderer, in its environment; with the samples that it has.
-DeviceImage image_from_opengl(VerifyArguments& a, const Scene& scene, VerdictReport& report) {
-  const DeviceProfile& profile = report.profile;
-  enter_environment(profile.environment);
-  GlOptions options;
-  options.width = a.picture.width, options.height = a.picture.height;
-  options.renderer = a.renderer.value_or(profile.renderer);
-  const bool is_float = a.source == Source::opengl_float;
-  options.want_rgb8 = !is_float, options.want_radiance = is_float;
-  if (!is_float) options.transfer = a.picture.transfer;
-  std::string fewer;
-  GlFrame frame = draw_with_samples(a.judging.samples, a.asked.samples, fewer, [&](int samples) {
-    options.samples = samples;
-    options.want_ids = options.want_depth = samples == 1;
-    return render_gl(scene, options);
-  });
-  if (!fewer.empty()) report.notes.add(Note{"", 0, "", fewer});
-  if (a.diagnostics.verbosity == Verbosity::normal)
-    for (const std::string& line : frame.warnings) std::cerr << "warning: " << line << "\n";
-  if (a.device.empty()) report.profile = profile_of_driver(frame.driver.renderer);
-  report.provenance.emplace_back("driver", frame.driver.renderer);
-  report.provenance.emplace_back("OpenGL", frame.driver.version);
-  DeviceImage image;
-  if (is_float) {
-    image.colour = std::move(frame.radiance);
-    image.full_scale = 1;
-    image.precision = StoredPrecision::floats(0x1p-24);
-  } else {
-    image.colour = Image<float>(frame.rgb8.width, frame.rgb8.height, 3);
-    std::copy(frame.rgb8.values.begin(), frame.rgb8.values.end(), image.colour.values.begin());
-    image.precision = StoredPrecision::integers(255);
-    image.transfer = options.transfer;
-  }
-  image.ids = std::move(frame.ids), image.depth = std::move(frame.depth);
-  if (a.judging.samples > 1)
-    for (const GlSamplePosition& at : frame.sample_positions)
-      image.samples.push_back({static_cast<std::int32_t>(std::lround(at.x * subpixels)),
-                               static_cast<std::int32_t>(std::lround(at.y * subpixels))});
-  return image;
-}
-
-/// The standard positions of samples, counted from the lower left corner, as in OpenGL's window.
-std::vector<SamplePosition> positions_y_up(int samples) {
-  std::vector<SamplePosition> positions;
-  for (const SamplePosition& at : sample_pattern(samples)) positions.push_back({at.x, subpixels - at.y});
-  return positions;
-}
-
-/// Whether the GLSL of an object is not ours: then nothing is known of how it multiplies its matrices.
-bool has_own_vertex_shader(const Scene& scene) {
-  return std::any_of(scene.objects.begin(), scene.objects.end(),
-                     [](const Object& object) { return !object.vertex_shader_path.empty(); });
-}
-
-void write_page(const VerifyArguments& a, const VerdictReport& report, const Scene& scene, const DeviceImage& image,
-                const MemoryBudget& memory) {
-  constexpr std::uint64_t bytes_a_pixel = 96; // of images, maps and the text that they become
-  const auto line = progress_line(a.diagnostics, "writing " + a.html);
-  memory.need(bytes_a_pixel * report.verdict.classes.values.size(), a.html);
-  write_text(a.html, report_html(verdict_page(report, scene, image)));
+/// What is done with the scene that was read.
+VerifyTask task_of(const VerifyArguments& a, const Picture& of_scene, const MemoryBudget& memory) {
+  const bool is_told = a.diagnostics.verbosity == Verbosity::normal || !a.json.empty() || !a.html.empty();
+  return {.scene = a.scene,
+          .actual = a.actual,
+          .source = a.source,
+          .image = a.image,
+          .device = a.device,
+          .renderer = a.renderer,
+          .matrices = a.matrices,
+          .picture = a.asked.over(of_scene),
+          .asked_samples = a.asked.samples,
+          .asked_transfer = a.asked.transfer,
+          .limits = a.limits,
+          .causes = is_told ? CauseSearch::done : CauseSearch::left_out,
+          .memory = memory};
 }
 
 ExitCode run(VerifyArguments& a) {
   const MemoryBudget memory = set_memory_limit(a.max_memory, 1);
-  if (a.source != Source::file) clear_memory_limit(); // drivers do not bear it
+  if (a.source != JudgedSource::file) clear_memory_limit(); // drivers do not bear it
   a.reading.memory = memory;
   check_different({a.json, a.html}, {a.scene, a.actual, a.image.ids, a.image.depth});
   for (const std::string& path : {a.json, a.html})
     if (!path.empty()) check_writable(path);
   prepare_cache(a.reading.mesh_cache);
-  VerdictReport report;
-  report.scene = a.scene, report.actual = a.source == Source::file ? a.actual : "drawn by OpenGL";
-  report.profile = device_profile(a.device.empty() ? widest_device : a.device);
-  report.limits = a.limits;
+  NoteList notes;
   SceneOptions reading = a.reading;
-  reading.notes = &report.notes;
+  reading.notes = &notes;
+  if (!a.device.empty()) device_profile(a.device); // what is wrong with it is said before a scene is read
   auto line = progress_line(a.diagnostics, "reading " + a.scene);
   SceneSource source = read_scene_source(a.scene, reading, a.changes.edits());
-  Scene& scene = source.scene;
-  a.picture = a.asked.over(source.view.picture);
-  a.judging.samples = a.picture.samples;
-  if (a.source != Source::file) check_drawn_by_gl(a.scene, scene);
-  if (has_shadows(scene))
-    report.notes.add(Note{a.scene, 0, "shadow", "not judged: a light that has one may reach a surface or not"});
-  check_triangle_numbers(a.scene, scene, "verify");
-  report.provenance.emplace_back("scene sha256", file_sha256(a.scene));
-  DeviceImage image;
+  VerifySteps steps;
+  steps.begin = [&](const std::string& what) { line = progress_line(a.diagnostics, what); };
+  steps.progress = [&](double fraction) {
+    if (line) line->show(fraction);
+  };
+  steps.warning = [&](const std::string& text) {
+    if (a.diagnostics.verbosity == Verbosity::normal) std::cerr << "warning: " << text << "\n";
+  };
+  steps.check_size = check_frame_samples;
+  VerifiedScene verified;
   try {
-    if (a.source == Source::file) {
-      image = image_from_file(a, report);
-      place(scene, source.view, image.colour.width, image.colour.height);
-    } else {
-      line = progress_line(a.diagnostics, "drawing " + a.scene);
-      place(scene, source.view, a.picture.width, a.picture.height);
-      image = image_from_opengl(a, scene, report);
-    }
+    verified = verify_scene(task_of(a, source.view.picture, memory), source, std::move(notes), steps);
   } catch (const NoOpenGl& error) {
     line.reset();
     std::cerr << "refraster: " << error.what() << "\n";
     return ExitCode::no_opengl;
   }
-  check_frame_samples(image.colour.width, image.colour.height, a.judging.samples);
-  line = progress_line(a.diagnostics, "judging " + report.actual);
-  report.options = a.judging;
-  report.options.memory = memory;
-  report.options.matrices = a.matrices.value_or(
-      a.source == Source::file || has_own_vertex_shader(scene) ? ShaderMatrices::three : ShaderMatrices::one);
-  if (line) report.options.progress = [&line](double done) { line->show(done); };
-  report.transfer = image.transfer;
-  report.verdict = judge(scene, image, report.profile, report.options);
-  // A file does not say which way its samples were counted: the better of both for the whole image.
-  if (a.source == Source::file && a.judging.samples > 1 && !report.verdict.is_explained()) {
-    image.samples = positions_y_up(a.judging.samples);
-    Verdict other = judge(scene, image, report.profile, report.options);
-    if (other.count(PixelClass::unexplained) < report.verdict.count(PixelClass::unexplained)) {
-      report.verdict = std::move(other);
-      report.provenance.emplace_back("samples", "at the standard positions counted upward, as in OpenGL's window");
-    }
-  }
-  const bool is_told = a.diagnostics.verbosity == Verbosity::normal || !a.json.empty() || !a.html.empty();
-  if (is_told && !report.verdict.is_explained()) {
-    line = progress_line(a.diagnostics, "looking for the cause");
-    rank_causes(report, scene, image);
-  }
+  const VerdictReport& report = verified.report;
   line.reset(); // before anything is printed
   print_file_notes(report.notes, a.diagnostics);
   if (!a.json.empty()) write_text(a.json, verdict_json(report));
-  if (!a.html.empty()) write_page(a, report, scene, image, memory);
+  if (!a.html.empty()) {
+    line = progress_line(a.diagnostics, "writing " + a.html);
+    write_text(a.html, verified_html(verified, source.scene, a.html, memory));
+    line.reset();
+  }
   if (a.json != standard_output && a.diagnostics.verbosity == Verbosity::normal) std::cout << verdict_text(report);
   return report.passes() ? ExitCode::ok : ExitCode::differ;
 }
 
 void check_together(const VerifyArguments& a) {
-  const bool from_file = a.source == Source::file;
+  const bool from_file = a.source == JudgedSource::file;
   if (from_file && a.actual.empty()) throw UsageError("ACTUAL", "found no image to judge, expected one, or --gl");
   if (!from_file && !a.actual.empty())
     throw UsageError("ACTUAL", "found an image and --gl, which draws one: expected one of them");
@@ -254,10 +147,10 @@ Command verify_command() {
           {{"Scene and image",
             {scene_argument(a.scene), actual,
              flag(
-                 "--gl", [&a] { a.source = std::max(a.source, Source::opengl_rgb8); },
+                 "--gl", [&a] { a.source = std::max(a.source, JudgedSource::opengl_rgb8); },
                  "judge the 8-bit image that OpenGL draws here, with what it shows in each pixel and how deep"),
              flag(
-                 "--gl-float", [&a] { a.source = Source::opengl_float; }, "the same of its float image"),
+                 "--gl-float", [&a] { a.source = JudgedSource::opengl_float; }, "the same of its float image"),
              word_option(
                  "--renderer", renderers, [&a](std::size_t i) { a.renderer = EnumNames<GlRenderer>::names[i].first; },
                  "who draws for --gl; by default the device's"),

@@ -5,6 +5,7 @@
 #include "gl/glsl/own_glsl.h"
 #include "io/file/input_file.h"
 #include "io/file/limits.h"
+#include "io/trace/file_trace.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -64,6 +65,7 @@ std::pair<ShaderText, std::string> choose(const std::string& path, std::string o
                                           int newest_version) {
   std::error_code ignored;
   if (path.empty()) return {{own_name, std::move(own_text)}, "ours (the scene names none)"};
+  trace_file(path); // also where it is not there yet
   if (!std::filesystem::exists(path, ignored))
     return {{own_name, std::move(own_text)}, "ours (there is no " + path + ")"};
   std::string text = read_file(path, "a GLSL file", limit::glsl_bytes.value);

@@ -1,6 +1,7 @@
 #include "io/file/find_file.h"
 
 #include "io/file/input_file.h"
+#include "io/trace/file_trace.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -51,6 +52,7 @@ FoundFile find_file(const std::string& folder, const std::string& beside, std::s
       outside = true;
       return false;
     }
+    trace_file(path);
     std::error_code none; // what cannot be asked is not there
     return fs::is_regular_file(path, none);
   };

@@ -1,6 +1,7 @@
 #include "io/file/input_file.h"
 
 #include "io/parallel/pages.h"
+#include "io/trace/file_trace.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -60,6 +61,7 @@ std::optional<std::size_t> read_at(int descriptor, std::uint64_t position, void*
 } // namespace
 
 std::optional<InputFault> file_fault(const std::string& path, std::string_view expected, std::uint64_t limit_bytes) {
+  trace_file(path);
   struct stat status {};
   if (stat(path.c_str(), &status) != 0) return system_fault(path, expected);
   if (auto fault = fault_in(path, status, expected, limit_bytes)) return fault;

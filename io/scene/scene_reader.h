@@ -120,6 +120,18 @@ public:
   /// Every key that was not called is a fault.
   void finish();
 
+  // For readings of other files' keys.
+
+  /// The value of a key, which is from now on known; 0 if it is not there, or there twice. Missing and double keys are
+  /// faults.
+  JsonIndex claim(std::string_view key, Presence presence, const std::string& expected);
+  void not_expected(JsonIndex found, std::string_view key, const std::string& expected);
+  void not_expected_at(JsonIndex found, std::string path, const std::string& expected);
+  std::string path_of(std::string_view key) const;
+  const JsonDocument& document() const { return document_; }
+  JsonIndex object_node() const { return object_; }
+  const std::string& path() const { return path_; }
+
 private:
   static constexpr std::string_view expected_material = "an object, or \"from_file\"";
   bool is_from_file(JsonIndex node) const;
@@ -141,20 +153,14 @@ private:
     inner.finish();
   }
 
-  /// The value of a key, which is from now on known; 0 if it is not there, or there twice. Missing and double keys are
-  /// faults.
-  JsonIndex claim(std::string_view key, Presence presence, const std::string& expected);
-  /// The same without a fault: 0 if it is not there.
+  /// As claim(), without a fault: 0 if it is not there.
   JsonIndex find(std::string_view key) const;
-  std::string path_of(std::string_view key) const;
 
   /// Of a camera that stands where its fit says; hands over to it what the camera says otherwise.
   void check_fit(const Camera& camera, CameraFit& fit);
   void check_direction(std::string_view key, const Double3& value, const Range& range);
 
   void missing(std::string_view key, const std::string& expected);
-  void not_expected(JsonIndex found, std::string_view key, const std::string& expected);
-  void not_expected_at(JsonIndex found, std::string path, const std::string& expected);
   /// A fault of the value of a key that is there; of its object, if it is not.
   void fault(std::string_view key, const std::string& found, const std::string& expected);
 

@@ -1,12 +1,12 @@
 #include "verify/page/report_page.h"
 
 #include "io/html/base_style.h"
+#include "io/html/filled.h"
 #include "io/html/markup.h"
 #include "verify/page/page_parts.h"
 
 #include <algorithm>
 #include <stdexcept>
-#include <string_view>
 
 namespace refraster {
 namespace {
@@ -43,21 +43,6 @@ void check(const ReportPage& page) {
   for (const PageTable& table : page.tables)
     for (const std::vector<std::string>& row : table.rows)
       need(row.size() == table.columns.size(), "a row that does not fit its table");
-}
-
-/// The template with each {{name}} replaced; what replaces it is not looked into.
-std::string filled(std::string_view html, const std::vector<std::pair<std::string_view, std::string>>& parts) {
-  std::string text;
-  while (true) {
-    const std::size_t begin = html.find("{{"), end = html.find("}}", begin);
-    text += html.substr(0, begin);
-    if (begin == std::string_view::npos) return text;
-    const std::string_view name = html.substr(begin + 2, end - begin - 2);
-    const auto part = std::find_if(parts.begin(), parts.end(), [&](const auto& one) { return one.first == name; });
-    need(part != parts.end(), "a template with an unknown part");
-    text += part->second;
-    html.remove_prefix(end + 2);
-  }
 }
 
 } // namespace

@@ -11,6 +11,9 @@
 #include "tests/support/files/png_bytes.h"
 #include "verify/device/read_profile.h"
 #include "verify/device/shipped_profiles.h"
+#include "suite/references/references.h"
+#include "suite/results/journal.h"
+#include "suite/results/results_folder.h"
 #include "verify/device/write_profile.h"
 
 #include <bit>
@@ -189,6 +192,26 @@ void add_tables(Seeds& seeds) {
   seeds.add("merl", "header", header);
 }
 
+void add_suites(Seeds& seeds) {
+  using namespace suite;
+  seeds.add("suite", "all", R"({"references": "refs", "defaults": {"size": [64, 36], "tags": ["a"], "srgb": true},
+    "entries": [{"scene": ["a.json", "*.obj"], "name": "n", "action": ["compare", "verify"], "device": "softpipe",
+      "size": [[4, 4], [8, 8]], "samples": [1, 16], "precision": ["double", "exact"], "reference": "digest",
+      "limits": {"max_abs": 1, "max_rms": 0.5, "max_count": 3, "frame_ms": 2, "fail_on": {"edge": 1}},
+      "timeout_seconds": 1.5, "max_memory_mib": 64, "allow_outside": false, "image": "x.png"}]})");
+  const Reference reference{ReferenceKind::image, std::string(64, 'a'), 64, 36, "0.1.0", "double", "why", "when", 1.5};
+  seeds.add("references", "one", references_json({{"ball", reference}}));
+  const test::TemporaryFolder folder;
+  prepare_results(folder.path);
+  Journal journal(folder.path, {"s.json", {"a", "b"}});
+  EntryResult result;
+  result.name = "a", result.inputs = {{"x", "y"}}, result.details = {"line"};
+  journal.add(result);
+  journal.finish();
+  std::ifstream file(journal.path(), std::ios::binary);
+  seeds.add("journal", "one", {std::istreambuf_iterator<char>(file), {}});
+}
+
 } // namespace
 
 int main(int count, char** words) {
@@ -197,6 +220,7 @@ int main(int count, char** words) {
     return 2;
   }
   Seeds seeds(words[1]);
+  add_suites(seeds);
   for (const auto add : {add_malformed, add_scenes, add_devices, add_meshes, add_libraries, add_images, add_measurements,
                          add_tables})
     add(seeds);

@@ -20,6 +20,9 @@ void read_mtl_bytes(Bytes bytes);         // material libraries
 void read_merl_bytes(Bytes bytes);        // MERL .binary; a whole table is made of few bytes
 void read_image_bytes(Bytes bytes);       // what textures are read from: PNG, JPEG, TGA, BMP
 void read_float_image_bytes(Bytes bytes); // HDR, PFM, EXR
+void read_suite_bytes(Bytes bytes);       // suite files: JSON
+void read_references_bytes(Bytes bytes);  // refs.json of a suite
+void read_journal_bytes(Bytes bytes);     // the journal of a suite's results
 
 struct Target {
   std::string_view name;
@@ -36,6 +39,9 @@ inline constexpr Target targets[] = {
     {"merl", read_merl_bytes},
     {"image", read_image_bytes},
     {"float_image", read_float_image_bytes},
+    {"suite", read_suite_bytes},
+    {"references", read_references_bytes},
+    {"journal", read_journal_bytes},
 };
 
 /// Ends the process, with the law that was broken, unless `holds`.

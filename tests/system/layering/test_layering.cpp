@@ -17,14 +17,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view layers[] = {"math",   "shading", "scene", "raster", "io", "gl",
-                                       "verify", "scenes",  "brdf",  "bench",  "app"}; // from the ground up
+constexpr std::string_view layers[] = {"math",   "shading", "scene", "raster", "io",    "gl",
+                                       "verify", "scenes",  "brdf",  "bench",  "suite", "app"}; // from the ground up
 // The halves of a frame, in this order; what lies beside them is below them all, but for the frame itself.
 constexpr std::string_view halves[] = {"raster/vertex/", "raster/visibility/", "raster/shadow/", "raster/shade/",
                                        "raster/explain/"};
 // Programs beside the measuring library: on top of everything, as tests are.
-constexpr std::string_view programs[] = {"bench/guard/",      "bench/merl_ladder/", "bench/micro/",
-                                         "bench/obj_reader/", "bench/precision/",   "bench/shadows/"};
+constexpr std::string_view programs[] = {"bench/guard/",     "bench/merl_ladder/", "bench/micro/", "bench/obj_reader/",
+                                         "bench/precision/", "bench/shadows/",     "bench/suite/"};
 constexpr std::string_view shared_by_tests[] = {"tests/support/"};
 constexpr int max_lines = 450, max_files = 24;
 
