@@ -1,7 +1,6 @@
 // one_process REFERENCES WIDTH HEIGHT SCENE…: the work of a suite's entries in this process, one after the other,
-// without workers, journal, cache, pages. Prints the seconds that they took.
+// without workers, journal, cache, pages.
 
-#include "raster/stopwatch.h"
 #include "suite/actions/run_entry.h"
 #include "suite/file/suite_reader.h"
 
@@ -17,11 +16,9 @@ int main(int argc, char** argv) {
   const References references(argv[1]);
   Workplace workplace;
   workplace.references = &references;
-  const refraster::Stopwatch stopwatch;
   for (const Entry& entry : suite.entries)
     if (const EntryResult result = run_entry(entry, workplace); result.state != State::equal) {
       std::fprintf(stderr, "%s: %s\n", entry.name.c_str(), result.message.c_str());
       return 1;
     }
-  std::printf("%.6f\n", stopwatch.seconds());
 }

@@ -30,9 +30,9 @@ void time_frame(Task& task) {
   };
   bench::Repetitions repetitions;
   repetitions.seconds = 0; // as few as have quartiles: many entries are to be timed
+  const std::vector<std::vector<bench::FrameTimes>> times = bench::interleaved({&candidate, 1}, repetitions);
   std::vector<double> walls;
-  for (const bench::FrameTimes& one : bench::interleaved({&candidate, 1}, repetitions).front())
-    walls.push_back(one.wall_ms);
+  for (const bench::FrameTimes& one : times.front()) walls.push_back(one.wall_ms);
   const bench::Spread spread = bench::spread_of(walls);
   result.frame_ms = spread.median;
   result.width = options.width, result.height = options.height;

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace refraster::suite {
@@ -81,10 +82,15 @@ public:
     if (node.kind != JsonKind::array || node.children == 0) return refuse<Item>(found, reader_.path_of(key), expected);
     if (node.children > max_listed.value) return reader_.not_expected(found, key, at_most(max_listed));
     items.clear();
+    std::vector<std::pair<JsonIndex, int>> wrong;
     int number = 0;
     for (JsonIndex i = node.first_child; i; i = reader_.document()[i].next, ++number)
       if (read_item(reader_.document(), reader_.document()[i], one)) items.push_back(one);
-      else refuse<Item>(i, reader_.path_of(key) + '/' + std::to_string(number), expected_item(Item{}));
+      else wrong.emplace_back(i, number);
+    // Where none is right, the list itself is what is wrong: [0, 4] is no list of sizes.
+    if (items.empty() && wrong.size() > 1) return refuse<Item>(found, reader_.path_of(key), expected);
+    for (const auto& [index, place] : wrong)
+      refuse<Item>(index, reader_.path_of(key) + '/' + std::to_string(place), expected_item(Item{}));
   }
 
   template <NamedEnum Enum>
