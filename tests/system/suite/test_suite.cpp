@@ -98,6 +98,15 @@ TEST_CASE("a mesh that a scene names, one that appears, and a reference that cha
   CHECK(folder.states()["s1"] == "different");
 }
 
+TEST_CASE("an image that somebody puts where there was no reference is one") {
+  const SuiteFolder folder(1);
+  REQUIRE(folder.run().exit_code == 1);
+  CHECK(known_from_before(folder.run()) == 1);
+  fs::create_directories(folder / "refs");
+  REQUIRE(run_program(folder.path, {"render", "s0.json", "--size", "40x30", "-o", "refs/s0.png"}).exit_code == 0);
+  CHECK(folder.run().exit_code == 0);
+}
+
 TEST_CASE("a scene that is missing, one that is wrong, and a truncated reference stop no other entry") {
   const SuiteFolder folder(5);
   REQUIRE(folder.update().exit_code == 0);
