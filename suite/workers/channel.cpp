@@ -51,13 +51,13 @@ std::optional<std::string> receive_message(int socket) {
   return bytes;
 }
 
-MessageReader::Line MessageReader::read_from(int socket) {
+MessageReader::Channel MessageReader::read_from(int socket) {
   std::array<char, 1 << 16> piece;
   while (true) {
     const ssize_t got = recv(socket, piece.data(), piece.size(), MSG_DONTWAIT);
     if (got < 0 && errno == EINTR) continue;
-    if (got < 0) return errno == EAGAIN || errno == EWOULDBLOCK ? Line::open : Line::closed;
-    if (got == 0) return Line::closed;
+    if (got < 0) return errno == EAGAIN || errno == EWOULDBLOCK ? Channel::open : Channel::closed;
+    if (got == 0) return Channel::closed;
     bytes_.append(piece.data(), static_cast<std::size_t>(got));
   }
 }

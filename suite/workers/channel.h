@@ -17,9 +17,9 @@ std::optional<std::string> receive_message(int socket);
 /// Takes what has come, without waiting, and gives a message once all of it is there: for one who listens to many.
 class MessageReader {
 public:
-  enum class Line { open, closed };
+  enum class Channel { open, closed };
   /// Reads what is there.
-  Line read_from(int socket);
+  Channel read_from(int socket);
   std::optional<std::string> next();
 
 private:

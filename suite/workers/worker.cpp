@@ -97,7 +97,7 @@ bool Worker::begin(std::size_t entry, const Entry& what) {
 }
 
 std::optional<std::string> Worker::result(bool& closed) {
-  closed = reader_.read_from(socket_) == MessageReader::Line::closed;
+  closed = reader_.read_from(socket_) == MessageReader::Channel::closed;
   std::optional<std::string> message = reader_.next();
   if (message) entry_.reset();
   return message;

@@ -58,13 +58,13 @@ TEST_CASE("a message arrives whole, in whatever pieces it is sent") {
   for (std::size_t at = 0; at < bytes.size(); at += 3001) {
     const std::string piece = bytes.substr(at, 3001);
     REQUIRE(write(pair[1], piece.data(), piece.size()) == static_cast<ssize_t>(piece.size()));
-    CHECK(reader.read_from(pair[0]) == MessageReader::Line::open);
+    CHECK(reader.read_from(pair[0]) == MessageReader::Channel::open);
     if (at + 3001 < bytes.size()) CHECK_FALSE(reader.next());
   }
   CHECK(reader.next() == text);
   CHECK_FALSE(reader.next());
   close(pair[1]);
-  CHECK(reader.read_from(pair[0]) == MessageReader::Line::closed);
+  CHECK(reader.read_from(pair[0]) == MessageReader::Channel::closed);
   close(pair[0]);
 }
 
