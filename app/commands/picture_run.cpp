@@ -40,13 +40,12 @@ void set_limits(PictureRun& run) {
   run.reading.threads = run.threads;
 }
 
-SceneSource read_source(PictureRun& run, PictureFile file, std::vector<std::string>* said,
-                        std::vector<std::string>* files) {
+SceneSource read_source(PictureRun& run, PictureFile file, std::vector<std::string>* said) {
   NoteList notes;
   auto line = progress_line(run.diagnostics, "reading " + run.scene);
   SceneOptions reading = run.reading;
   reading.notes = &notes;
-  SceneSource source = read_scene_source(run.scene, reading, run.changes.edits(), files);
+  SceneSource source = read_scene_source(run.scene, reading, run.changes.edits());
   line.reset(); // before anything is printed
   print_file_notes(notes, run.diagnostics);
   if (said)

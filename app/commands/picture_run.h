@@ -51,9 +51,8 @@ enum class PictureFile { image, film };
 void set_limits(PictureRun& run);
 
 /// The scene; the image that it says where no option does is put into `run`. The notes on its files are printed, and
-/// added to `said` if it is not null; `files` is that of read_scene_source.
-SceneSource read_source(PictureRun& run, PictureFile file, std::vector<std::string>* said = nullptr,
-                        std::vector<std::string>* files = nullptr);
+/// added to `said` if it is not null.
+SceneSource read_source(PictureRun& run, PictureFile file, std::vector<std::string>* said = nullptr);
 
 /// What to render, once the size is known.
 RenderOptions render_options(const PictureRun& run, PictureFile file);

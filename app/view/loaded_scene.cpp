@@ -1,16 +1,41 @@
 #include "app/view/loaded_scene.h"
 
 #include "app/options/scene_options.h"
+#include "io/trace/file_trace.h"
 #include "math/vec.h"
 
 #include <algorithm>
 
 namespace refraster {
 
+namespace {
+
+/// Sets `files` to what is looked for while it lives, however it ends.
+class FilesOf {
+public:
+  explicit FilesOf(std::vector<std::string>& files) : files_(files) {}
+  ~FilesOf() { files_ = trace_.paths(); }
+  FilesOf(const FilesOf&) = delete;
+  FilesOf& operator=(const FilesOf&) = delete;
+
+private:
+  std::vector<std::string>& files_;
+  FileTrace trace_;
+};
+
+} // namespace
+
 void load(const PictureRun& run, std::optional<std::size_t> function, LoadedScene& loaded) {
   loaded.run = run, loaded.function = function;
   if (function) loaded.run.changes.values.push_back(fragment_function_edit(fragment_function_names()[*function]));
-  loaded.source = read_source(loaded.run, PictureFile::image, nullptr, &loaded.files);
+  {
+    const FilesOf reading(loaded.files);
+    loaded.source = read_source(loaded.run, PictureFile::image);
+  }
+  // What draws on a GPU reads these: here they are only named.
+  for (const Object& object : loaded.source.scene.objects)
+    for (const std::string& shader : {object.vertex_shader_path, object.fragment_shader_path})
+      if (!shader.empty()) loaded.files.push_back(shader);
   loaded.ball = ball_around(loaded.source.scene);
 }
 

@@ -21,7 +21,8 @@ struct LoadedScene {
   std::vector<std::string> files; // that all of this depends on
 };
 
-/// Reads the scene of a run. Throws what read_source() throws; `files` are set then, too.
+/// Reads the scene of a run. Throws what read_source() throws; `files` are set then, too, as far as reading came. For
+/// one thread at a time, as FileTrace is.
 void load(const PictureRun& run, std::optional<std::size_t> function, LoadedScene& loaded);
 
 /// For a picture of this size: from the scene's own camera, or from one that was moved, and with what the settings say

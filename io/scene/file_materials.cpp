@@ -73,7 +73,6 @@ Material FileMaterials::plain(FileFunction function) {
 const std::vector<MeshMaterial>& FileMaterials::library(const std::string& path) {
   const auto [entry, is_new] = libraries_.try_emplace(canonical_path(path));
   if (!is_new) return entry->second;
-  depends_on_(path);
   if (const std::uint64_t bytes = file_size_bytes(path); bytes > limit::mtl_bytes.value)
     throw InputError(InputFault{path, 0, 0, "", found_of(limit::mtl_bytes, bytes), at_most(limit::mtl_bytes)});
   NoteList notes;
@@ -144,7 +143,6 @@ TextureMap FileMaterials::map(const MeshTexture& described, const TextureReading
     note({material.file, described.line, "the texture " + in_quotes(described.path), what});
   if (found.path.empty()) return result;
   const auto [entry, is_new] = textures_.try_emplace({canonical_path(found.path), reading});
-  if (is_new) depends_on_(found.path);
   if (is_new) try {
       entry->second = material_texture(found.path, reading, MipLevels::all, memory_, notes_);
     } catch (const InputError& error) {

@@ -22,11 +22,9 @@ namespace refraster {
 /// is drawn with what there is, and each kind of remark is a note.
 class FileMaterials {
 public:
-  /// No file is looked for where is_outside(path). depends_on: called with each that is read. Notes go nowhere if
-  /// `notes` is null.
-  FileMaterials(std::function<bool(const std::string&)> is_outside, std::function<void(const std::string&)> depends_on,
-                const MemoryBudget& memory, NoteList* notes)
-      : is_outside_(std::move(is_outside)), depends_on_(std::move(depends_on)), memory_(memory), notes_(notes) {}
+  /// No file is looked for where is_outside(path). Notes go nowhere if `notes` is null.
+  FileMaterials(std::function<bool(const std::string&)> is_outside, const MemoryBudget& memory, NoteList* notes)
+      : is_outside_(std::move(is_outside)), memory_(memory), notes_(notes) {}
 
   /// Fills the materials that a mesh names from the libraries of its file. Throws InputError for one that is too large.
   void describe(const std::string& obj_path, Mesh& mesh);
@@ -50,7 +48,6 @@ private:
   }
 
   std::function<bool(const std::string&)> is_outside_;
-  std::function<void(const std::string&)> depends_on_;
   MemoryBudget memory_;
   NoteList* notes_;
   std::map<std::string, std::vector<MeshMaterial>> libraries_; // by identity

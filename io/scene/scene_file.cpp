@@ -19,7 +19,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <functional>
 #include <limits>
 #include <map>
 #include <set>
@@ -34,12 +33,11 @@ public:
   /// `model`: the identity of the file that the user named in the place of a scene, or empty; `faults`: of the scene
   /// file; `in_files`: of those that it names.
   Loader(const JsonDocument& document, std::string model, const SceneOptions& options, FaultList& faults,
-         FaultList& in_files, const std::function<void(const std::string&)>& depends_on)
-      : document_(document), options_(options), depends_on_(depends_on), model_(std::move(model)),
+         FaultList& in_files)
+      : document_(document), options_(options), model_(std::move(model)),
         folder_(fs::path(document.file()).parent_path()),
         real_folder_(canonical_path(folder_.empty() ? "." : folder_.string())), faults_(faults), in_files_(in_files),
-        file_materials_([this](const std::string& path) { return is_outside(path); }, depends_on, options.memory,
-                        options.notes) {}
+        file_materials_([this](const std::string& path) { return is_outside(path); }, options.memory, options.notes) {}
 
   /// To be called for every object before the first is loaded: a loaded texture never changes, so it must be known
   /// whether it needs a mip chain; and shapes that are too many are not made.
@@ -62,8 +60,6 @@ public:
       if (const auto fault = outside_fault(*shader)) faults_.add(*fault);
     result.vertex_shader_path = path_of(text.vertex_shader);
     result.fragment_shader_path = path_of(text.fragment_shader);
-    for (const std::string& shader : {result.vertex_shader_path, result.fragment_shader_path})
-      if (!shader.empty()) depends_on_(shader);
     result.mesh = text.shape ? shape(*text.shape) : mesh(text);
     if (!text.shape && result.mesh) add({result.mesh->positions.size(), result.mesh->triangles.size()});
     if (result.name.empty())
@@ -257,7 +253,6 @@ private:
     const std::string path = path_of(text), file = canonical_path(path);
     const auto [entry, is_new] = files.try_emplace({file, way});
     if (!is_new || faulty_.contains(file)) return entry->second;
-    depends_on_(path);
     if (const auto fault = outside_fault(text)) {
       faults_.add(*fault);
       faulty_.insert(file);
@@ -347,7 +342,6 @@ private:
 
   const JsonDocument& document_;
   const SceneOptions& options_;
-  const std::function<void(const std::string&)>& depends_on_;
   std::string model_;
   fs::path folder_;
   std::string real_folder_;
@@ -374,12 +368,8 @@ Scene read_scene(const std::string& path, const SceneOptions& options) {
   return std::move(source).placed(picture.width, picture.height);
 }
 
-SceneSource read_scene_source(const std::string& path, const SceneOptions& options, const std::vector<SceneEdit>& edits,
-                              std::vector<std::string>* files) {
-  const std::function<void(const std::string&)> depends_on = [files](const std::string& file) {
-    if (files) files->push_back(file);
-  };
-  depends_on(path);
+SceneSource read_scene_source(const std::string& path, const SceneOptions& options,
+                              const std::vector<SceneEdit>& edits) {
   const std::string model = is_model(path) ? canonical_path(path) : std::string();
   const JsonDocument document(path, edited_text(path, scene_text(path, options.memory), edits));
   FaultList faults;
@@ -397,7 +387,7 @@ SceneSource read_scene_source(const std::string& path, const SceneOptions& optio
   top.finish();
 
   FaultList in_files;
-  Loader loader(document, model, options, faults, in_files, depends_on);
+  Loader loader(document, model, options, faults, in_files);
   for (const ObjectText& text : objects) loader.note(text);
   for (const ObjectText& text : objects) scene.objects.push_back(loader.object(text));
   faults.sort_by_place();

@@ -33,10 +33,8 @@ struct SceneSource {
   }
 };
 
-/// As read_scene of <refraster/files.h>, with changes to the text before it is read. `files`, if not null, gets the paths
-/// of all files that the scene depends on, as far as reading comes: also where it throws, and of those that are not
-/// there.
+/// As read_scene of <refraster/files.h>, with changes to the text before it is read.
 SceneSource read_scene_source(const std::string& path, const SceneOptions& options,
-                              const std::vector<SceneEdit>& edits = {}, std::vector<std::string>* files = nullptr);
+                              const std::vector<SceneEdit>& edits = {});
 
 } // namespace refraster
