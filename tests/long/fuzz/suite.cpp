@@ -35,7 +35,8 @@ void read_references_bytes(Bytes bytes) {
   const fs::path path = file_of(suite::references_file, bytes);
   const PeakMemory peak;
   try {
-    for (const auto& [name, reference] : suite::References(path.parent_path()).all())
+    const suite::References references(path.parent_path());
+    for (const auto& [name, reference] : references.all())
       require(reference.sha256.size() == 64, "an accepted digest has 64 digits");
   } catch (const InputError& error) {
     require(!error.faults().empty(), "a refusal has faults");

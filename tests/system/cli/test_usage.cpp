@@ -224,7 +224,7 @@ TEST_CASE("what is wrong is named, with what was meant and what there is") {
     return err.substr(0, err.find('\n'));
   };
   CHECK(said_of({"rendr"}) == "refraster: found \"rendr\", expected one of render, turntable, verify, explain, "
-                              "compare, gl, view, bench, scene, mesh, brdf, list; did you mean render?");
+                              "compare, gl, view, bench, suite, scene, mesh, brdf, list; did you mean render?");
   CHECK(said_of({"brdf", "sinth"}) ==
         "refraster: brdf: found \"sinth\", expected one of info, synth, eval, compare, fit, plot, import; did you mean synth?");
   CHECK(said_of({"brdf"}) == "refraster: brdf: found nothing, expected one of info, synth, eval, compare, fit, plot, import");
@@ -240,7 +240,7 @@ TEST_CASE("what is wrong is named, with what was meant and what there is") {
   CHECK(said_of({"render", "ball.json", "-quiet"}).find("found \"-quiet\"") != std::string::npos);
   CHECK(said_of({"--quiet", "render", "ball.json"}) ==
         "refraster: found \"--quiet\", expected a command before it, "
-        "one of render, turntable, verify, explain, compare, gl, view, bench, scene, mesh, brdf, list");
+        "one of render, turntable, verify, explain, compare, gl, view, bench, suite, scene, mesh, brdf, list");
   CHECK(said_of({"render", "ball.json", "--precision", "flaot"}) ==
         "refraster: --precision: found \"flaot\", expected one of double, float, fast, exact; did you mean float?");
   CHECK(said_of({"render", "ball.json", "--aov", "depth,norml"}) ==
