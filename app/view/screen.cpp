@@ -98,9 +98,13 @@ bool Screen::scroll(int x, int y, double notches) {
 
 void Screen::draw(const Canvas& canvas) {
   if (marked) draw_cross(canvas, marked->first, marked->second);
-  if (story_) story_->area = draw_panel(canvas, story_->panel);
-  if (help_) help_->panel.lines = key_table(columns_of_window(canvas.width));
-  if (help_) help_->area = draw_panel(canvas, help_->panel);
+  if (help_) { // over a story, neither could be read
+    help_->panel.lines = key_table(columns_of_window(canvas.width));
+    help_->area = draw_panel(canvas, help_->panel);
+    if (story_) story_->area = {};
+  } else if (story_) {
+    story_->area = draw_panel(canvas, story_->panel);
+  }
   if (fault_) {
     Panel shown = fault_->panel;
     shown.lines = fitted(shown.lines, canvas.width);

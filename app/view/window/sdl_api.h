@@ -12,7 +12,6 @@ namespace refraster {
   F(CreateRGBSurfaceWithFormat, SDL_CreateRGBSurfaceWithFormat)                                                        \
   F(CreateRGBSurfaceWithFormatFrom, SDL_CreateRGBSurfaceWithFormatFrom)                                                \
   F(CreateWindow, SDL_CreateWindow)                                                                                    \
-  F(DestroyWindow, SDL_DestroyWindow)                                                                                  \
   F(FreeSurface, SDL_FreeSurface)                                                                                      \
   F(GetDisplayUsableBounds, SDL_GetDisplayUsableBounds)                                                                \
   F(GetError, SDL_GetError)                                                                                            \
@@ -20,8 +19,8 @@ namespace refraster {
   F(GetMouseState, SDL_GetMouseState)                                                                                  \
   F(GetWindowSize, SDL_GetWindowSize)                                                                                  \
   F(GetWindowSurface, SDL_GetWindowSurface)                                                                            \
+  F(HideWindow, SDL_HideWindow)                                                                                        \
   F(Init, SDL_Init)                                                                                                    \
-  F(Quit, SDL_Quit)                                                                                                    \
   F(SetHint, SDL_SetHint)                                                                                              \
   F(SetWindowTitle, SDL_SetWindowTitle)                                                                                \
   F(SoftStretchLinear, SDL_SoftStretchLinear)                                                                          \

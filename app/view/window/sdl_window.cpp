@@ -79,11 +79,13 @@ Window::Window() : display_(std::make_unique<Display>()) {
 
 Window::~Window() {
   close();
-  sdl().Quit();
 }
 
+// SDL 2.26 ends its own waiting by an event that it sends to the window over a second connection. Where that comes to
+// the X server after the window was destroyed, Xlib ends the program with exit code 1. So the window is hidden, and
+// goes when the program does.
 void Window::close() {
-  if (display_->window) sdl().DestroyWindow(display_->window);
+  if (display_->window) sdl().HideWindow(display_->window);
   display_->window = nullptr;
 }
 
