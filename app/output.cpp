@@ -2,7 +2,6 @@
 
 #include <refraster/files.h>
 #include <refraster/notes.h>
-#include <refraster/render.h>
 
 #include "app/interrupt.h"
 #include "app/usage_error.h"
@@ -83,14 +82,6 @@ void write_values(const std::string& path, const Image<float>& image, std::vecto
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x) std::copy_n(image.at(x, y), 2, padded.at(x, y));
   write_image(path, padded, {}, options);
-}
-
-void check_triangle_numbers(const std::string& path, const Scene& scene, const std::string& option) {
-  for (std::size_t i = 0; i < scene.objects.size(); ++i)
-    if (const std::size_t triangles = scene.objects[i].mesh->triangles.size(); triangles > max_exact_triangle_id)
-      throw InputError(InputFault{path, 0, 0, "/objects/" + std::to_string(i), std::to_string(triangles) + " triangles",
-                                  "at most " + std::to_string(max_exact_triangle_id) + ", which the floats of " +
-                                      option + " can number"});
 }
 
 std::string stem(const std::string& path) {

@@ -2,7 +2,6 @@
 // Where results go.
 
 #include <refraster/image.h>
-#include <refraster/scene.h>
 
 #include "io/image/image_formats.h"
 
@@ -41,10 +40,6 @@ void check_extension(const std::string& option, const std::string& path, std::in
 /// `channels` names those of a file that has names; by default as write_image does, and U V of two.
 void write_values(const std::string& path, const Image<float>& image, std::vector<std::string> channels = {},
                   const WriteOptions& options = {});
-
-/// Throws InputError for an object with more triangles than floats can number: where a number would stand for several
-/// triangles, none is written. `option` is what asked for the numbers.
-void check_triangle_numbers(const std::string& path, const Scene& scene, const std::string& option);
 
 /// "scenes/ball.json" gives "ball".
 std::string stem(const std::string& path);

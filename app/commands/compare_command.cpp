@@ -2,8 +2,6 @@
 
 #include <refraster/files.h>
 #include <refraster/notes.h>
-#include <refraster/render.h>
-#include <refraster/scene.h>
 
 #include "app/arguments.h"
 #include "app/command.h"
@@ -13,19 +11,11 @@
 #include "app/output.h"
 #include "app/progress_line.h"
 #include "app/usage_error.h"
-#include "io/file/text.h"
-#include "io/scene/scene_source.h"
-#include "verify/compare/cluster_objects.h"
-#include "verify/compare/compare.h"
+#include "verify/compare/compare_files.h"
 #include "verify/compare/compare_report.h"
-#include "verify/compare/flip.h"
 #include "verify/compare/heat_legend.h"
 #include "verify/compare/limits_file.h"
-#include "verify/images/image_pair.h"
-#include "verify/page/compare_page.h"
 
-#include <algorithm>
-#include <array>
 #include <iostream>
 #include <memory>
 
@@ -51,38 +41,6 @@ std::optional<double> heat_max_from(std::string_view text) {
   return levels && *levels > 0 ? levels : std::nullopt;
 }
 
-StoredImage stored_a(const ImagePair& images) {
-  return {images.a, images.full_scale, images.precision_a};
-}
-StoredImage stored_b(const ImagePair& images) {
-  return {images.b, images.full_scale, images.precision_b};
-}
-
-/// As a screen shows it, 0 to 255 in three channels.
-Image<float> as_shown(const Image<float>& image, double full_scale) {
-  Image<float> shown(image.width, image.height, 3);
-  for (int y = 0; y < image.height; ++y)
-    for (int x = 0; x < image.width; ++x)
-      for (int c = 0; c < 3; ++c)
-        shown.at(x, y)[c] = static_cast<float>(
-            std::min(static_cast<double>(image.at(x, y)[image.channels == 1 ? 0 : c]) / full_scale, 1.0) * 255);
-  return shown;
-}
-
-/// Throws InputError where FLIP is not defined: it takes what a screen shows, and nothing says how that follows from
-/// values without bounds, or from channels that are no colour.
-double flip_of(const ImagePair& images, const CompareArguments& arguments) {
-  const auto refuse = [](const std::string& file, const std::string& found) {
-    throw InputError(InputFault{file, 0, 0, "", found,
-                                "red, green and blue, or grey, of 8 or 16 bits: --flip compares what a screen shows"});
-  };
-  if (images.precision_a.relative > 0) refuse(arguments.a, "values of floating point");
-  if (images.precision_b.relative > 0) refuse(arguments.b, "values of floating point");
-  if (images.a.channels != 1 && images.a.channels != 3)
-    refuse(arguments.a, std::to_string(images.a.channels) + " channels to compare");
-  return mean_flip(as_shown(images.a, images.full_scale), as_shown(images.b, images.full_scale));
-}
-
 /// Those of the file, where the command line does not give them.
 CompareLimits all_limits(const CompareArguments& arguments) {
   CompareLimits limits = arguments.limits;
@@ -102,37 +60,6 @@ void note_on_limits(const CompareLimits& limits, const ImagePair& images, Compar
     print_note("no two images of 8 or 16 bits differ by more than --max-abs", diagnostics);
 }
 
-/// What the pixels of the images see, where a scene says it.
-std::optional<SeenObjects> objects_of_scene(const CompareArguments& arguments, const Comparison& found,
-                                            const MemoryBudget& memory, NoteList& notes) {
-  if (arguments.scene.empty()) return std::nullopt;
-  if (std::max(found.width, found.height) > largest_side)
-    throw InputError(
-        InputFault{arguments.a, 0, 0, "", format("%d x %d pixels", found.width, found.height),
-                   "at most " + std::to_string(largest_side) + " on a side, which --scene is rendered in"});
-  SceneOptions reading = arguments.reading;
-  reading.memory = memory;
-  reading.notes = &notes;
-  const Scene scene = read_scene_source(arguments.scene, reading).placed(found.width, found.height);
-  return seen_objects(scene, found.width, found.height, memory);
-}
-
-/// What is seen in each cluster of the report.
-void name_clusters(ComparisonReport& report, const ImagePair& images, const PixelScale& scale,
-                   const SeenObjects& seen) {
-  const Image<double> differences = pixel_differences(images.a, images.b, scale);
-  const Image<std::uint8_t> over = pixels_over(images.a, images.b, differences, scale, report.limits);
-  for (const Cluster& cluster : report.found.clusters) report.objects.push_back(cluster_objects(over, cluster, seen));
-}
-
-/// Some tens of bytes a pixel: the images once more, filtered, compressed and as text.
-void write_page(const CompareArguments& arguments, const ComparisonReport& report, const ImagePair& images,
-                const PixelScale& scale, const std::optional<SeenObjects>& seen, const MemoryBudget& memory) {
-  constexpr std::uint64_t bytes_a_pixel = 48;
-  memory.need(bytes_a_pixel * report.found.pixels(), arguments.html);
-  write_text(arguments.html, report_html(comparison_page(report, images, scale, seen)));
-}
-
 ExitCode run(const CompareArguments& arguments) {
   const MemoryBudget memory = set_memory_limit(arguments.max_memory, arguments.scene.empty() ? 1 : 0);
   const std::vector<std::string> outputs = {arguments.diff, arguments.html, arguments.json};
@@ -142,32 +69,30 @@ ExitCode run(const CompareArguments& arguments) {
   prepare_cache(arguments.reading.mesh_cache);
   const CompareUnit unit = arguments.compare_unit();
   const CompareLimits limits = all_limits(arguments);
-  const double limit_levels = converted(limits, unit, CompareUnit::levels).max_abs.value_or(0);
   const bool quiet = arguments.diagnostics.verbosity == Verbosity::quiet;
   std::unique_ptr<ProgressLine> line;
   if (!quiet) line = std::make_unique<ProgressLine>("comparing");
-  PairRequest request = arguments.pair;
-  request.limit_levels = limit_levels;
-  const ImagePair images = read_image_pair(arguments.a, arguments.b, request, memory);
-  const PixelScale scale(images.full_scale, unit);
-  ComparisonReport report{arguments.a, arguments.b, limits, compare(images.a, images.b, scale, limits)};
-  report.notes = images.notes;
-  if (arguments.flip == CompareArguments::Flip::yes) report.mean_flip = flip_of(images, arguments);
-  report.scene = arguments.scene;
-  const std::optional<SeenObjects> seen = objects_of_scene(arguments, report.found, memory, report.notes);
-  if (seen) name_clusters(report, images, scale, *seen);
-  if (!report.found.same) {
-    const StoredImage a = stored_a(images), b = stored_b(images);
-    report.transformation = find_transformation(a, b, images.alpha, limit_levels);
-    if (!report.transformation) report.compressed = find_block_compression(a, b);
-  }
+  CompareRequest request{.a = arguments.a,
+                         .b = arguments.b,
+                         .pair = arguments.pair,
+                         .limits = limits,
+                         .unit = unit,
+                         .scene = arguments.scene,
+                         .memory = memory};
+  SceneOptions reading = arguments.reading;
+  reading.memory = memory;
+  if (!arguments.scene.empty()) request.seen = objects_of_scene(arguments.scene, reading, arguments.a);
+  FileComparison compared = compare_files(request);
+  const ImagePair& images = compared.images;
+  ComparisonReport& report = compared.report;
+  if (arguments.flip == CompareArguments::Flip::yes) report.mean_flip = flip_of(compared);
   if (!arguments.diff.empty()) {
     std::optional<double> asked = arguments.heat_max;
     if (asked) *asked *= full_range(unit) / 255;
     const double end = heat_ramp_end(report.found, asked);
-    write_image(arguments.diff, with_legend(heat_image(images.a, images.b, scale, end), report.found, end));
+    write_image(arguments.diff, with_legend(heat_image(images.a, images.b, compared.scale, end), report.found, end));
   }
-  if (!arguments.html.empty()) write_page(arguments, report, images, scale, seen, memory);
+  if (!arguments.html.empty()) write_text(arguments.html, comparison_html(compared, arguments.html, memory));
   line.reset(); // before anything is printed
   print_file_notes(report.notes, arguments.diagnostics);
   note_on_limits(limits, images, unit, arguments.diagnostics);
@@ -190,7 +115,8 @@ Command compare_command() {
              argument("B", a.b, "image of the same size; differences are b - a"),
              alpha_option(a.pair.alpha, a.pair.background, ComparedAlpha::offered),
              premultiplied_option(a.pair.encoding),
-             text_option("--layer", "NAME", a.pair.layer, "of .exr files: the layer or the channel that is compared, as N or Z")}},
+             text_option("--layer", "NAME", a.pair.layer,
+                         "of .exr files: the layer or the channel that is compared, as N or Z")}},
            {"Limits",
             {parsed_option("--max-abs", "X", a.limits.max_abs, distance_from, "a number >= 0",
                            "largest difference of a value that is allowed, in --unit"),

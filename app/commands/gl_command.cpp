@@ -19,6 +19,7 @@
 #include "gl/gl_report.h"
 #include "gl/render_gl.h"
 #include "io/scene/scene_source.h"
+#include "io/scene/triangle_numbers.h"
 #include "raster/explain/explain_dark.h"
 
 #include <iostream>

@@ -12,8 +12,9 @@
 #include "app/options/shared_options.h"
 #include "app/output.h"
 #include "app/progress_line.h"
-#include "app/run_report.h"
 #include "app/usage_error.h"
+#include "io/json/run_report.h"
+#include "io/scene/triangle_numbers.h"
 #include "raster/explain/explain_dark.h"
 #include "raster/stopwatch.h"
 

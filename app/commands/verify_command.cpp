@@ -20,9 +20,10 @@
 #include "gl/render_gl.h"
 #include "io/file/sha256.h"
 #include "io/scene/scene_source.h"
-#include "raster/samples.h"
+#include "io/scene/triangle_numbers.h"
 #include "verify/device/read_profile.h"
 #include "verify/images/read_device_image.h"
+#include "verify/verdict/judge_image.h"
 #include "verify/verdict/verdict_page.h"
 
 #include <algorithm>
@@ -136,13 +137,6 @@ DeviceImage image_from_opengl(VerifyArguments& a, const Scene& scene, VerdictRep
   return image;
 }
 
-/// The standard positions of samples, counted from the lower left corner, as in OpenGL's window.
-std::vector<SamplePosition> positions_y_up(int samples) {
-  std::vector<SamplePosition> positions;
-  for (const SamplePosition& at : sample_pattern(samples)) positions.push_back({at.x, subpixels - at.y});
-  return positions;
-}
-
 /// Whether the GLSL of an object is not ours: then nothing is known of how it multiplies its matrices.
 bool has_own_vertex_shader(const Scene& scene) {
   return std::any_of(scene.objects.begin(), scene.objects.end(),
@@ -177,8 +171,7 @@ ExitCode run(VerifyArguments& a) {
   a.picture = a.asked.over(source.view.picture);
   a.judging.samples = a.picture.samples;
   if (a.source != Source::file) check_drawn_by_gl(a.scene, scene);
-  if (has_shadows(scene))
-    report.notes.add(Note{a.scene, 0, "shadow", "not judged: a light that has one may reach a surface or not"});
+  note_what_is_not_judged(report, scene);
   check_triangle_numbers(a.scene, scene, "verify");
   report.provenance.emplace_back("scene sha256", file_sha256(a.scene));
   DeviceImage image;
@@ -203,17 +196,7 @@ ExitCode run(VerifyArguments& a) {
   report.options.matrices = a.matrices.value_or(
       a.source == Source::file || has_own_vertex_shader(scene) ? ShaderMatrices::three : ShaderMatrices::one);
   if (line) report.options.progress = [&line](double done) { line->show(done); };
-  report.transfer = image.transfer;
-  report.verdict = judge(scene, image, report.profile, report.options);
-  // A file does not say which way its samples were counted: the better of both for the whole image.
-  if (a.source == Source::file && a.judging.samples > 1 && !report.verdict.is_explained()) {
-    image.samples = positions_y_up(a.judging.samples);
-    Verdict other = judge(scene, image, report.profile, report.options);
-    if (other.count(PixelClass::unexplained) < report.verdict.count(PixelClass::unexplained)) {
-      report.verdict = std::move(other);
-      report.provenance.emplace_back("samples", "at the standard positions counted upward, as in OpenGL's window");
-    }
-  }
+  judge_image(report, scene, image, a.source == Source::file ? SampleOrder::either : SampleOrder::known);
   const bool is_told = a.diagnostics.verbosity == Verbosity::normal || !a.json.empty() || !a.html.empty();
   if (is_told && !report.verdict.is_explained()) {
     line = progress_line(a.diagnostics, "looking for the cause");
