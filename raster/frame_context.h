@@ -3,6 +3,7 @@
 
 #include <refraster/render.h>
 #include <refraster/scene.h>
+#include <refraster/vector.h>
 
 #include "raster/samples.h"
 
@@ -33,6 +34,15 @@ struct SceneUses {
 /// Asked once a frame.
 SceneUses uses_of(const Scene& scene);
 
+/// From where a frame is seen: from the scene's camera, or from a light.
+struct Viewpoint {
+  Double4x4 clip_from_world{1};
+  double near = 1; // the least w at which anything is drawn; > 0
+};
+
+/// The scene's camera, with the image's aspect. Of the vertex stage.
+Viewpoint camera_viewpoint(const Scene& scene, const RenderOptions& options);
+
 /// What a frame is made from. Whoever makes one names scene and options, from which the rest follows.
 struct FrameInput {
   const Scene& scene;
@@ -41,6 +51,7 @@ struct FrameInput {
   std::span<const SamplePosition> samples = sample_pattern(options.samples); // of each pixel
   int threads = thread_count(options);
   SceneUses uses = uses_of(scene);
+  Viewpoint viewpoint = camera_viewpoint(scene, options);
 };
 
 /// Where there is no surface.

@@ -102,7 +102,17 @@ private:
   template <class Light>
   void check_light(const Light& light, const Where& at) {
     Light::fields(light, [&](const char* name, const auto& value, const Range& range, auto&&) {
-      if constexpr (requires { field(at, name, value, range); }) field(at, name, value, range);
+      if constexpr (std::is_same_v<decltype(value), const CastShadow&>) check(value, at);
+      else if constexpr (requires { field(at, name, value, range); }) field(at, name, value, range);
+    });
+  }
+
+  void check(const CastShadow& shadow, const Where& light) {
+    if (shadow != Shadow::map) return;
+    const Where at = [&] { return light() + "shadow/"; };
+    ShadowMap::fields(shadow.map, [&]<class Value>(const char* name, const Value& value, const Range& range, auto&&) {
+      if constexpr (std::is_same_v<Value, int>) need(value, range, (at() + name).c_str()); // memory is taken for it
+      else if constexpr (std::is_same_v<Value, double>) field(at, name, value, range);
     });
   }
 

@@ -145,7 +145,7 @@ Command gl_command() {
       .groups =
           {{"Scene",
             {scene, outside_option(a.reading.outside), exposure_option(a.reading.exposure_stops),
-             cache_option(a.reading.mesh_cache)}},
+             shadow_option(a.reading), cache_option(a.reading.mesh_cache)}},
            {"Image",
             {file_option("-o,--output", "FILE.png", a.output,
                          "8-bit image to write, read back from an RGBA8 target; by default, if no other file is asked "

@@ -12,7 +12,7 @@ namespace refraster {
 
 std::vector<Option> scene_options(PictureRun& run) {
   return {scene_argument(run.scene), outside_option(run.reading.outside), exposure_option(run.reading.exposure_stops),
-          cache_option(run.reading.mesh_cache)};
+          shadow_option(run.reading), cache_option(run.reading.mesh_cache)};
 }
 
 std::vector<Option> shading_options(PictureRun& run) {

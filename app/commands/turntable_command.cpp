@@ -95,6 +95,11 @@ std::string settings_digest(const TurntableArguments& a, const SceneSource& sour
       json.value("direction");
       for (const std::size_t i : source.view.moving_direction_lights) json.value(i);
     });
+    json.array("shadows", [&] { // --shadow
+      for_each_light_list(source.scene, [&](const auto& lights) {
+        for (const auto& light : lights) json.value(name_of(light.shadow.kind)), json.value(light.shadow.map.size);
+      });
+    });
     json.array("cameras", [&] {
       for (const Camera& camera : cameras) {
         const auto& [position, target, up, fov_y, near, far] = camera;

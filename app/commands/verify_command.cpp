@@ -155,7 +155,7 @@ Command verify_command() {
                  "--renderer", renderers, [&a](std::size_t i) { a.renderer = EnumNames<GlRenderer>::names[i].first; },
                  "who draws for --gl; by default the device's"),
              size_option(a.asked, "pixels that OpenGL draws; an image file has its own"),
-             outside_option(a.reading.outside), exposure_option(a.reading.exposure_stops),
+             outside_option(a.reading.outside), exposure_option(a.reading.exposure_stops), shadow_option(a.reading),
              cache_option(a.reading.mesh_cache)}},
            scene_change_options(a.changes),
            {"Image",

@@ -66,6 +66,27 @@ Option exposure_option(double& stops) {
                        "encoded, EV in stops; AOVs stay as they are");
 }
 
+Option shadow_option(SceneOptions& reading) {
+  const Range sizes = ShadowMap::sizes;
+  const std::string expected =
+      "none, exact, map or map:SIZE, " + number_text(sizes.min) + " to " + number_text(sizes.max) + " texels a side";
+  const auto read = [&reading, sizes, expected](const std::string& text) -> std::optional<ValueFault> {
+    const std::size_t colon = text.find(':');
+    const std::optional<Shadow> kind = value_named<Shadow>(std::string_view(text).substr(0, colon));
+    if (!kind) return ValueFault{expected};
+    reading.shadow = kind;
+    if (colon == std::string::npos) return std::nullopt;
+    const std::optional<int> size = number_from<int>(std::string_view(text).substr(colon + 1));
+    if (!size || !sizes.contains(*size) || kind != Shadow::map) return ValueFault{expected};
+    reading.shadow_map_size = size;
+    return std::nullopt;
+  };
+  return value_option("--shadow", "none|exact|map[:SIZE]",
+                      "draw every light that has a shadow with this one: without, exact, or by a shadow map, which has "
+                      "as many texels a side; maps of the scene keep what else they are",
+                      read);
+}
+
 Option cache_option(std::string& folder) {
   return folder_option("--cache", folder,
                        "folder, made if need be, where the triangles of large OBJ files are cached, so that they are "

@@ -22,6 +22,9 @@ Option outside_option(Outside& outside);
 /// --exposure EV, for the commands that make or judge a picture of a scene.
 Option exposure_option(double& stops);
 
+/// --shadow: what lights with a shadow have instead of theirs.
+Option shadow_option(SceneOptions& reading);
+
 /// --cache, for the commands that read scenes: a folder of large meshes that were read before. check_cache_folder.
 Option cache_option(std::string& folder);
 

@@ -15,6 +15,7 @@ namespace refraster {
   F(BINDBUFFERBASE, BindBufferBase)                                                                                    \
   F(BINDFRAMEBUFFER, BindFramebuffer)                                                                                  \
   F(BINDRENDERBUFFER, BindRenderbuffer)                                                                                \
+  F(BINDSAMPLER, BindSampler)                                                                                          \
   F(BINDTEXTURE, BindTexture)                                                                                          \
   F(BINDVERTEXARRAY, BindVertexArray)                                                                                  \
   F(BLITFRAMEBUFFER, BlitFramebuffer)                                                                                  \
@@ -37,6 +38,7 @@ namespace refraster {
   F(DEPTHFUNC, DepthFunc)                                                                                              \
   F(DISABLE, Disable)                                                                                                  \
   F(DRAWARRAYS, DrawArrays)                                                                                            \
+  F(DRAWBUFFER, DrawBuffer)                                                                                            \
   F(DRAWELEMENTS, DrawElements)                                                                                        \
   F(ENABLE, Enable)                                                                                                    \
   F(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray)                                                                  \
@@ -44,11 +46,13 @@ namespace refraster {
   F(FINISH, Finish)                                                                                                    \
   F(FRAMEBUFFERRENDERBUFFER, FramebufferRenderbuffer)                                                                  \
   F(FRAMEBUFFERTEXTURE, FramebufferTexture)                                                                            \
+  F(FRAMEBUFFERTEXTURELAYER, FramebufferTextureLayer)                                                                  \
   F(FRONTFACE, FrontFace)                                                                                              \
   F(GENBUFFERS, GenBuffers)                                                                                            \
   F(GENFRAMEBUFFERS, GenFramebuffers)                                                                                  \
   F(GENQUERIES, GenQueries)                                                                                            \
   F(GENRENDERBUFFERS, GenRenderbuffers)                                                                                \
+  F(GENSAMPLERS, GenSamplers)                                                                                          \
   F(GENTEXTURES, GenTextures)                                                                                          \
   F(GENVERTEXARRAYS, GenVertexArrays)                                                                                  \
   F(GETACTIVEATTRIB, GetActiveAttrib)                                                                                  \
@@ -74,6 +78,7 @@ namespace refraster {
   F(READBUFFER, ReadBuffer)                                                                                            \
   F(READPIXELS, ReadPixels)                                                                                            \
   F(RENDERBUFFERSTORAGE, RenderbufferStorage)                                                                          \
+  F(SAMPLERPARAMETERI, SamplerParameteri)                                                                              \
   F(SHADERSOURCE, ShaderSource)                                                                                        \
   F(TEXBUFFER, TexBuffer)                                                                                              \
   F(TEXIMAGE1D, TexImage1D)                                                                                            \

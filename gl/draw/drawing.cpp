@@ -70,7 +70,7 @@ const void* place_of(std::size_t triangle) {
 } // namespace
 
 GlDrawing::GlDrawing(const GlApi& gl, const Scene& scene, const GlOptions& options)
-    : gl_(gl), background_(scene.background), dummies_(gl, first_dummy_unit) {
+    : gl_(gl), background_(scene.background), shadow_views_(light_views(scene, 1)), dummies_(gl, first_dummy_unit) {
   check_drawn_by_gl({}, scene);
   for (std::size_t i = 0; i < texture_slots.size(); ++i) {
     const auto is_same = [&](const TextureSlot& slot) { return slot.blank == texture_slots[i].blank; };
@@ -88,6 +88,7 @@ GlDrawing::GlDrawing(const GlApi& gl, const Scene& scene, const GlOptions& optio
   gl.FrontFace(GL_CCW);
   gl.CullFace(GL_BACK);
   throw_if_error(gl, "uploading the scene");
+  if (!shadow_views_.empty()) draw_shadow_maps(gl, scene, shadow_views_);
 }
 
 void GlDrawing::upload_blocks(const MatricesBlock& matrices) {
@@ -213,7 +214,7 @@ GlDrawing::Surface GlDrawing::surface(const Scene& scene, const Object& object, 
   const ShaderChoice choice = choose_shaders(scene, object, options.merl_filter, newest_glsl(gl_));
   if (shaders_.empty() || shaders_.back() != choice.why) shaders_.push_back(choice.why); // said once for all materials
   item.has_shaders_of_its_own = choice.vertex_of_scene || choice.fragment_of_scene;
-  UniformValues values = scene_uniforms(scene);
+  UniformValues values = scene_uniforms(scene, shadow_views_);
   values.merge(object_uniforms(object, clip_from_world));
   const std::size_t colour = static_cast<std::size_t>(GlPass::colour), ids = static_cast<std::size_t>(GlPass::ids);
   surface.parts[colour] = part(object, choice.vertex, choice.fragment, values, warnings_);

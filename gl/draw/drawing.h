@@ -2,6 +2,7 @@
 // A scene, uploaded and ready to be drawn as often as one likes.
 
 #include "gl/draw/dummy_textures.h"
+#include "gl/draw/shadow_maps.h"
 #include "gl/draw/uniforms.h"
 #include "gl/program/program_use.h"
 #include "gl/render_gl.h"
@@ -105,6 +106,7 @@ private:
 
   const GlApi& gl_;
   Double3 background_;
+  std::vector<LightView> shadow_views_; // of the lights with maps
   std::vector<Item> items_;
   SlotTextures blank_{}; // what stands for each
   std::vector<std::string> shaders_;

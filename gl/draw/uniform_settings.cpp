@@ -40,6 +40,8 @@ struct Expected {
     for (const TextureSlot& slot : texture_slots)
       if (name == slot.sampler) return GL_SAMPLER_2D;
     if (name == "merlBrdf") return GL_SAMPLER_3D;
+    if (name == "shadowMaps") return GL_SAMPLER_2D_ARRAY;
+    if (name == "shadowMapsCompared") return GL_SAMPLER_2D_ARRAY_SHADOW;
     return name == "specularGate" ? GL_BOOL : GL_INT;
   }
 };

@@ -32,6 +32,27 @@ UniformValue uniform_of(Enum value, const Range&) {
   return static_cast<int>(value);
 }
 
+/// Of a light whose uniforms begin with `at`; null: it has no map. `layer`: the next that is free.
+void add_shadow(const LightView* view, const std::string& at, std::size_t& layer, UniformValues& values) {
+  const auto set = [&](const char* member, const UniformValue& value) { values[at + "shadow." + member] = value; };
+  const LightView of = view ? *view : LightView{};
+  set("layer", view ? static_cast<int>(layer) : -1);
+  set("size", of.map.size);
+  set("taps", taps_across(of.map.filter) * taps_across(of.map.filter));
+  const std::pair<const char*, double> numbers[] = {{"bias", of.map.bias},
+                                                    {"slopeBias", of.map.slope_bias},
+                                                    {"texel", of.constants.texel},
+                                                    {"scale", of.constants.texels},
+                                                    {"middle", of.constants.half_size},
+                                                    {"near", of.near},
+                                                    {"depthScale", of.constants.depth_scale},
+                                                    {"depthOffset", of.constants.depth_offset}};
+  for (const auto& [member, value] : numbers) set(member, static_cast<float>(value));
+  set("origin", Float3(of.origin)), set("right", Float3(of.axes.right));
+  set("up", Float3(of.axes.up)), set("ahead", Float3(of.axes.ahead));
+  if (view) layer += view->faces();
+}
+
 } // namespace
 
 std::string count_uniform(const LightNames& names) {
@@ -42,16 +63,19 @@ MatricesBlock matrices_block(const Camera& camera, double aspect) {
   return {Float4x4(view_from_world(camera)), Float4x4(clip_from_view(camera, aspect))};
 }
 
-UniformValues scene_uniforms(const Scene& scene) {
+UniformValues scene_uniforms(const Scene& scene, std::span<const LightView> views) {
   UniformValues values;
+  std::size_t next = 0, layer = 0;
+  if (!views.empty()) values["shadowMaps"] = shadow_unit, values["shadowMapsCompared"] = compared_shadow_unit;
   values["viewPos"] = Float3(scene.camera.position);
   for_each_light_list(scene, [&]<class Light>(const std::vector<Light>& lights) {
     values[count_uniform(Light::names)] = static_cast<int>(lights.size());
     for (std::size_t i = 0; i < lights.size(); ++i) {
       const std::string at = std::string(Light::names.glsl) + "[" + std::to_string(i) + "].";
+      if (!views.empty()) add_shadow(lights[i].shadow == Shadow::map ? &views[next++] : nullptr, at, layer, values);
       const Light light = textbook_light(lights[i]);
       Light::fields(light, [&]<class Value>(const std::string& name, const Value& value, const Range& range, auto&&) {
-        if constexpr (!std::is_same_v<Value, Shadow>) values[at + name] = uniform_of(value, range);
+        if constexpr (!std::is_same_v<Value, CastShadow>) values[at + name] = uniform_of(value, range);
       });
     }
   });

@@ -3,9 +3,11 @@
 
 #include "gl/context/gl_api.h"
 #include "gl/draw/dummy_textures.h"
+#include "raster/shadow/map/light_view.h"
 #include "raster/vertex/transform.h"
 
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -19,7 +21,8 @@ using UniformValue = std::variant<float, int, Float2, Float3, Float4, Float3x3, 
 using UniformValues = std::map<std::string, UniformValue>;
 
 /// The texture units that samplers are set to: those of texture_slots in their order, then these.
-inline constexpr int merl_unit = static_cast<int>(texture_slots.size()), first_dummy_unit = merl_unit + 1;
+inline constexpr int merl_unit = static_cast<int>(texture_slots.size()), shadow_unit = merl_unit + 1,
+                     compared_shadow_unit = merl_unit + 2, first_dummy_unit = merl_unit + 3;
 
 /// The std140 block Matrices.
 struct MatricesBlock {
@@ -32,8 +35,8 @@ MatricesBlock matrices_block(const Camera& camera, double aspect);
 /// "pointLightCount".
 std::string count_uniform(const LightNames& names);
 
-/// For every object alike: the camera's position and the lights.
-UniformValues scene_uniforms(const Scene& scene);
+/// For every object alike: the camera's position and the lights; `views`: light_views() of the scene.
+UniformValues scene_uniforms(const Scene& scene, std::span<const LightView> views);
 
 /// For one object: its matrices and its material.
 UniformValues object_uniforms(const Object& object, const Double4x4& clip_from_world);

@@ -9,9 +9,9 @@ namespace refraster {
 namespace {
 
 std::string_view version(GlslDialect dialect) {
-  return dialect == GlslDialect::core_330
-             ? "#version 330 core\n"
-             : "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler3D;\n";
+  return dialect == GlslDialect::core_330 ? "#version 330 core\n"
+                                          : "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision "
+                                            "highp sampler3D;\nprecision highp sampler2DArray;\n";
 }
 
 /// "trilinear-log" gives LOOKUP_TRILINEAR_LOG.
@@ -86,8 +86,14 @@ std::string light_sum(const Scene& scene) {
     if (lights.empty()) return;
     const std::string name(Light::names.glsl), count = std::to_string(lights.size());
     arrays += "uniform " + type_of(Light::names) + " " + name + "[" + count + "];\n";
-    loops += "    for (int i = 0; i < " + count + "; ++i) sum += reflected(n, v, t, arriving(" + name +
-             "[i], fs_in(FragPos)));\n";
+    const std::string begin = "    for (int i = 0; i < " + count + "; ++i) ",
+                      light = "arriving(" + name + "[i], fs_in(FragPos))";
+    if (std::ranges::none_of(lights, [](const Light& one) { return one.shadow == Shadow::map; })) {
+      loops += begin + "sum += reflected(n, v, t, " + light + ");\n";
+      return;
+    }
+    loops += begin + "{\n        Incident light = " + light + ";\n        light.radiance *= visibility(" + name +
+             "[i], fs_in(FragPos), fs_in(Normal));\n        sum += reflected(n, v, t, light);\n    }\n";
   });
   return arrays + "vec3 with_lights(vec3 sum, vec3 n, vec3 v, vec3 t) {\n" + loops + "    return sum;\n}\n";
 }
@@ -231,7 +237,10 @@ std::string own_fragment_glsl(const Scene& scene, const Mesh& mesh, const Materi
   for (const TextureSlot& slot : texture_slots)
     if (turns_normals && (slot.map == &Material::normal_map || slot.map == &Material::bump_map))
       define_texture(text, slot, material.*slot.map);
+  const bool has_maps = has_shadows(scene, Shadow::map);
+  define(text, "SHADOW_MAPS", has_maps);
   text << varyings(mesh, dialect, "in") << glsl_text.surface;
+  if (has_maps) text << glsl_text.shadow;
   if (turns_normals) text << glsl_text.normal_map;
   if (formulas.data() != glsl_text.merl.data()) text << glsl_text.colours; // a measured surface has none
   text << formulas << light_sum(scene) << glsl_text.opacity << glsl_text.main;

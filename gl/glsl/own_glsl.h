@@ -13,7 +13,7 @@ namespace refraster {
 
 /// The parts in gl/glsl, one string a file.
 struct GlslText {
-  std::string_view vertex, surface, normal_map, colours, phong, merl, microfacet, opacity, main, ids;
+  std::string_view vertex, surface, shadow, normal_map, colours, phong, merl, microfacet, opacity, main, ids;
 };
 extern const GlslText glsl_text;
 

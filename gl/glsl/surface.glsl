@@ -1,6 +1,21 @@
 // What every fragment function starts from: shading/fragment.h and shading/light.h.
 out vec4 FragColor;
 
+#ifdef SHADOW_MAPS
+// Of a light's shadow map; members that only one type of light has are 0 in the other.
+struct ShadowMap {
+    int layer;  // the first of shadowMaps; -1: the light has none
+    int size;   // texels a side
+    int taps;   // texels that are compared: 1, 4 by bilinear weights, or 9
+    float bias, slopeBias;          // in texels
+    float texel;                    // its width: at distance 1 for a point light
+    float scale, middle;            // texels = place * scale + middle
+    float near;                     // distance of the near plane
+    float depthScale, depthOffset;  // window depth from distance
+    vec3 origin, right, up, ahead;  // of a direction light, world space
+};
+#endif
+
 // Of each type of light a struct and a function arriving(). The arrays, and the sum over them, are made from the list.
 struct PointLight {
     vec3 position;
@@ -8,10 +23,16 @@ struct PointLight {
     float constant;
     float linear;
     float quadratic;
+#ifdef SHADOW_MAPS
+    ShadowMap shadow;
+#endif
 };
 struct DirectionLight {
     vec3 direction; // where the light travels to, unit
     vec3 radiance;
+#ifdef SHADOW_MAPS
+    ShadowMap shadow;
+#endif
 };
 
 uniform vec3 viewPos;

@@ -14,6 +14,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -36,6 +37,10 @@ struct SceneOptions {
   /// has a copy, with its parameters.
   std::vector<std::shared_ptr<UserFunction>> user_functions = {};
   std::string mesh_cache = {}; ///< a folder of large meshes that were read before ; none if empty
+  /// What keeps lights from surfaces, of those that have a shadow; each its own where nothing is said. A map is as the
+  /// scene has it, or as one is where nothing is said of it.
+  std::optional<Shadow> shadow = {};
+  std::optional<int> shadow_map_size = {}; ///< of all maps: ShadowMap::size; each its own where nothing is said
   double exposure_stops = 0;   ///< all that shines is multiplied by 2^stops: the picture is as many stops brighter
   int threads = 0; ///< that read a mesh; 0: as many as the machine has. The scene is the same for any number
 };

@@ -24,15 +24,68 @@ struct LightNames {
   Need need = Need::optional;  ///< whether a scene file must have the list
 };
 
-/// Whether surfaces keep a light from others.
+/// Whether surfaces keep a light from others, and how that is found out.
 enum class Shadow {
-  none, ///< the light shines through everything
-  exact ///< no light where a triangle of the scene lies between, decided without rounding: docs/shadows.md
+  none,  ///< the light shines through everything
+  exact, ///< no light where a triangle of the scene lies between, decided without rounding: docs/shadows.md
+  map    ///< the same by an image of depths that the light sees, as GPUs do: docs/shadow-maps.md
 };
 
 template <>
 struct EnumNames<Shadow> {
-  static constexpr std::pair<Shadow, std::string_view> names[] = {{Shadow::none, "none"}, {Shadow::exact, "exact"}};
+  static constexpr std::pair<Shadow, std::string_view> names[] = {
+      {Shadow::none, "none"}, {Shadow::exact, "exact"}, {Shadow::map, "map"}};
+};
+
+/// Which texels of a shadow map are compared with the depth of a surface, and how the answers become one.
+enum class ShadowFilter {
+  nearest,    ///< that of the texel it lies in: 0 or 1
+  two_by_two, ///< those of the four texels about it, by bilinear weights, as `sampler2DShadow` has with GL_LINEAR
+  pcf3        ///< the mean of nine: of its texel and the eight about that
+};
+
+template <>
+struct EnumNames<ShadowFilter> {
+  static constexpr std::pair<ShadowFilter, std::string_view> names[] = {
+      {ShadowFilter::nearest, "none"}, {ShadowFilter::two_by_two, "2x2"}, {ShadowFilter::pcf3, "pcf3"}};
+};
+
+/// What a shadow map is like. docs/shadow-maps.md has the formulas.
+struct ShadowMap {
+  /// Of `size`.
+  static constexpr Range sizes{16, 8192};
+  int size = 1024;                                ///< texels a side; of each of a point light's six faces
+  ShadowFilter filter = ShadowFilter::two_by_two; ///< of what is compared
+  double bias = 1;                                ///< how much nearer to the light a surface counts, in texels >= 0
+  double slope_bias = 2; ///< the same for each texel that the surface rises by across a texel; >= 0
+  double near = 0;       ///< of a point light's faces: the near plane's distance; 0: by the scene's bounds
+
+  /// Declares the parameters, as those of a light are.
+  static void fields(auto& self, auto&& field) {
+    field("map", self.size, sizes, "texels a side; a point light has six such faces");
+    field("filter", self.filter, Range{}, "which texels are compared: one, four by bilinear weights, or nine");
+    field("bias", self.bias, Range{}, "how much nearer to the light a surface counts than it is, in texels");
+    field("slope_bias", self.slope_bias, Range{},
+          "the same for each texel that the surface's depth changes by from texel to texel");
+    field("near", self.near, Range{}, "of a point light: what is nearer to it casts no shadow; 0: by the scene's size");
+  }
+  /// Whether they are the same.
+  bool operator==(const ShadowMap&) const = default;
+};
+
+/// What keeps a light from surfaces. Made from either of the two, and compared with a kind.
+struct CastShadow {
+  Shadow kind = Shadow::none; ///< how it is found out
+  ShadowMap map = {};         ///< for Shadow::map
+
+  /// None.
+  constexpr CastShadow() = default;
+  /// Of that kind; a map as it is where nothing is said of it.
+  constexpr CastShadow(Shadow its_kind) : kind(its_kind) {}
+  /// By this map.
+  constexpr CastShadow(const ShadowMap& its_map) : kind(Shadow::map), map(its_map) {}
+  /// Whether it is of that kind.
+  constexpr bool operator==(Shadow other) const { return kind == other; }
 };
 
 // A type of light declares its names and, as a fragment function does, its parameters: <refraster/fields.h>. What
@@ -40,17 +93,18 @@ struct EnumNames<Shadow> {
 
 /// Of the parameter, for the documentation.
 inline constexpr std::string_view shadow_meaning =
-    "`\"exact\"`: whatever triangle lies between it and a surface takes its light ([shadows.md](shadows.md))";
+    "`\"exact\"`: whatever triangle lies between it and a surface takes its light ([shadows.md](shadows.md)); "
+    "`\"map\"`, or an object: the same by a depth map, as GPUs do ([shadow-maps.md](shadow-maps.md))";
 
 /// A light that shines from one point in all directions: attenuated by 1 / (Kc + Kl d + Kq d^2), d in world units. All
 /// three 0 means no attenuation.
 struct PointLight {
-  Double3 position{0};          ///< world space
-  Double3 radiance{1};          ///< linear; each channel >= 0
-  double constant = 1;          ///< Kc >= 0
-  double linear = 0;            ///< Kl >= 0
-  double quadratic = 0;         ///< Kq >= 0
-  Shadow shadow = Shadow::none; ///< what keeps it from a surface: what crosses the segment to `position`
+  Double3 position{0};    ///< world space
+  Double3 radiance{1};    ///< linear; each channel >= 0
+  double constant = 1;    ///< Kc >= 0
+  double linear = 0;      ///< Kl >= 0
+  double quadratic = 0;   ///< Kq >= 0
+  CastShadow shadow = {}; ///< what keeps it from a surface: what crosses the segment to `position`
 
   /// Of the list.
   static constexpr LightNames names{"point_lights", "point lights", "pointLights", Need::required};
@@ -67,9 +121,9 @@ struct PointLight {
 
 /// A light infinitely far away. Not attenuated.
 struct DirectionLight {
-  Double3 direction{0, 0, -1};  ///< world space: where the light travels to; any length but 0
-  Double3 radiance{1};          ///< linear; each channel >= 0
-  Shadow shadow = Shadow::none; ///< what keeps it from a surface: what crosses the ray against `direction`
+  Double3 direction{0, 0, -1}; ///< world space: where the light travels to; any length but 0
+  Double3 radiance{1};         ///< linear; each channel >= 0
+  CastShadow shadow = {};      ///< what keeps it from a surface: what crosses the ray against `direction`
 
   /// Of the list.
   static constexpr LightNames names{"direction_lights", "direction lights", "directionLights", Need::required};
@@ -189,6 +243,14 @@ inline bool has_shadows(const Scene& scene) {
   bool any = false;
   for_each_light_list(scene, [&](const auto& lights) {
     for (const auto& light : lights) any = any || light.shadow != Shadow::none;
+  });
+  return any;
+}
+/// The same of one kind.
+inline bool has_shadows(const Scene& scene, Shadow kind) {
+  bool any = false;
+  for_each_light_list(scene, [&](const auto& lights) {
+    for (const auto& light : lights) any = any || light.shadow == kind;
   });
   return any;
 }

@@ -360,6 +360,19 @@ private:
   std::map<std::shared_ptr<const Mesh>, std::shared_ptr<const Mesh>> with_tangents_; // by the mesh without
 };
 
+/// As the options have it. Returns how many lights have another shadow than the file says.
+std::size_t change_shadows(const SceneOptions& options, Scene& scene) {
+  std::size_t changed = 0;
+  for_each_light_list(scene, [&](auto& lights) {
+    for (auto& light : lights) {
+      if (light.shadow == Shadow::none) continue;
+      if (options.shadow && light.shadow != *options.shadow) light.shadow.kind = *options.shadow, ++changed;
+      if (options.shadow_map_size) light.shadow.map.size = *options.shadow_map_size;
+    }
+  });
+  return changed;
+}
+
 } // namespace
 
 Scene read_scene(const std::string& path, const SceneOptions& options) {
@@ -396,6 +409,10 @@ SceneSource read_scene_source(const std::string& path, const SceneOptions& optio
   if (options.notes && has_shadows(scene) &&
       any_material(scene, [](const Material& material) { return material.has_cut_outs(); }))
     options.notes->add({path, 0, "opacity_map", "makes no holes in shadows: triangles cast them whole"});
+  if (const std::size_t changed = change_shadows(options, scene); options.notes && changed > 0)
+    options.notes->add({path, 0, "shadow",
+                        std::to_string(changed) + (changed == 1 ? " light has" : " lights have") +
+                            " another than the file says: " + std::string(name_of(*options.shadow))});
   expose(scene, options.exposure_stops);
   source.textures = loader.texture_files();
   return source;

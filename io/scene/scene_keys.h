@@ -11,6 +11,8 @@
 //                                                                    objects; declare(item, keys) has those of each
 //   keys.shape("mesh", shape, "meaning")                             one of the shapes below
 //   keys.normals("normals", normals, "meaning")                      a word, or an object with an angle
+//   keys.shadow("shadow", shadow, "meaning", declare)                a word, or an object; declare(map, keys) has its
+//                                                                    members
 //   keys.map("diffuse_map", text, "meaning", short_form, multiplied)
 //                                                                    a path, or an object with one
 //   keys.material("material", text, "meaning", declare)              the same, or a word
@@ -254,12 +256,25 @@ void camera_keys(auto& camera, SceneView& view, auto&& keys) {
   keys.check(camera, view);
 }
 
+/// ShadowMap as an object of JSON. A light without a place has no near plane.
+template <class Light>
+void shadow_map_keys(auto& map, auto&& keys) {
+  ShadowMap::fields(map,
+                    [&]<class Value>(std::string_view key, Value& value, const Range& range, std::string_view meaning) {
+                      if constexpr (!requires(Light light) { light.position; })
+                        if (key == "near") return;
+                      keys(key, value, range, meaning, std::is_same_v<Value, int> ? required : defaulted);
+                    });
+}
+
 template <class Light>
 void light_keys(Light& light, LightSpace& space, auto&& keys) {
-  Light::fields(light,
-                [&]<class Value>(std::string_view key, Value& value, const Range& range, std::string_view meaning) {
-                  keys(key, value, range, meaning, NamedEnum<Value> ? defaulted : required);
-                });
+  Light::fields(
+      light, [&]<class Value>(std::string_view key, Value& value, const Range& range, std::string_view meaning) {
+        if constexpr (std::is_same_v<Value, CastShadow>)
+          keys.shadow(key, value, meaning, [](ShadowMap& map, auto& inner) { shadow_map_keys<Light>(map, inner); });
+        else keys(key, value, range, meaning, NamedEnum<Value> ? defaulted : required);
+      });
   keys("space", space, Range{},
        "`\"camera\"`: x to the right, y up, z toward the viewer, from the eye: the light moves with the camera",
        defaulted);

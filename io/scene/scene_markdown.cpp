@@ -91,6 +91,12 @@ public:
     inside(place_ + '/' + std::string(key), [&](MarkdownKeys& keys) { crease_keys(normals, keys); });
   }
 
+  template <class Declare>
+  void shadow(std::string_view key, CastShadow& shadow, std::string_view meaning, Declare&& declare) {
+    row(key, expected_shadow(), code(text_of(shadow.kind)), meaning);
+    inside(place_ + '/' + std::string(key), [&](MarkdownKeys& keys) { declare(shadow.map, keys); });
+  }
+
   /// What an object may have there is told once, where there is a short form.
   void map(std::string_view key, MapText& text, std::string_view meaning, std::string_view short_form, const Double3*) {
     const auto is_this = [&](const TextureSlot& slot) { return slot.key == key; };

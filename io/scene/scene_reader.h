@@ -57,6 +57,18 @@ public:
 
   void shape(std::string_view key, std::optional<Shape>& shape, std::string_view);
   void normals(std::string_view key, MeshNormals& normals, std::string_view);
+  template <class Declare>
+  void shadow(std::string_view key, CastShadow& shadow, std::string_view, Declare&& declare) {
+    const std::string expected = expected_shadow();
+    const JsonIndex found = claim(key, defaulted, expected);
+    if (!found) return;
+    if (document_[found].kind != JsonKind::object) {
+      if (!read_value(document_, document_[found], Range{}, shadow.kind)) not_expected(found, key, expected);
+      return;
+    }
+    shadow.kind = Shadow::map;
+    read_object(found, path_of(key), [&](SceneReader& keys) { declare(shadow.map, keys); });
+  }
   /// `short_form`: a key that says the same, if there is one, of which not both may be there. What is multiplied, if
   /// that is not null, is 1 beside a texture, unless it is said.
   void map(std::string_view key, MapText& text, std::string_view, std::string_view short_form, Double3* multiplied);

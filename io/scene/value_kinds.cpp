@@ -106,6 +106,10 @@ std::string expected_normals() {
   return expected_value(NormalsFrom::file, Range{}) + " or an object with crease_degrees";
 }
 
+std::string expected_shadow() {
+  return expected_value(Shadow::none, Range{}) + " or an object with map";
+}
+
 std::string expected_map() {
   return "the path of a file, or an object with one";
 }

@@ -26,6 +26,9 @@ std::string json_word(std::string_view word);
 /// What may stand at the key "normals".
 std::string expected_normals();
 
+/// What may stand at the key "shadow".
+std::string expected_shadow();
+
 /// What may stand where a texture does.
 std::string expected_map();
 

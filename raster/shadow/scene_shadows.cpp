@@ -45,10 +45,21 @@ void fill(const FrameInput& frame, const Geometry& geometry, std::size_t vertice
 
 void SceneShadows::build(const FrameInput& frame, const Geometry& geometry) {
   lights_.clear();
+  has_exact_ = false;
+  used_maps_ = 0;
   for_each_light_list(frame.scene, [&](const auto& lights) {
-    for (const auto& light : lights)
-      if (light.shadow != Shadow::none) lights_.push_back(place_of(light));
+    for (const auto& light : lights) {
+      if (light.shadow == Shadow::none) continue;
+      ShadowedLight& added = lights_.emplace_back(ShadowedLight{light.shadow.kind, place_of(light), 0});
+      if (light.shadow == Shadow::map) added.map = used_maps_++;
+      else has_exact_ = true;
+    }
   });
+  if (has_exact_) build_tree(frame, geometry);
+  if (used_maps_ > 0) draw_maps(frame);
+}
+
+void SceneShadows::build_tree(const FrameInput& frame, const Geometry& geometry) {
   std::size_t vertices = 0;
   for (const Object& object : frame.scene.objects) vertices += object.mesh->positions.size();
   const std::uint64_t triangles = geometry.triangles();
@@ -57,6 +68,17 @@ void SceneShadows::build(const FrameInput& frame, const Geometry& geometry) {
   if (wanted > held) frame.options.memory.need(wanted - held, "the shadows");
   fill(frame, geometry, vertices, mesh_);
   tree_.build(mesh_, frame.threads);
+}
+
+void SceneShadows::draw_maps(const FrameInput& frame) {
+  if (maps_.size() < used_maps_) maps_.resize(used_maps_);
+  const std::vector<LightView> views = light_views(frame.scene, frame.threads);
+  std::uint64_t wanted = 0, held = 0;
+  for (const LightView& view : views) wanted += DepthMap::bytes(view);
+  for (const DepthMap& map : maps_) held += map.bytes_held();
+  if (wanted > held) frame.options.memory.need(wanted - held, "the shadow maps");
+  const Scene casters = casters_of(frame.scene);
+  for (std::size_t i = 0; i < views.size(); ++i) maps_[i].draw(frame, casters, views[i], scratch_);
 }
 
 } // namespace refraster

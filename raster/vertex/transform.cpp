@@ -90,6 +90,11 @@ bool is_mirrored(const Object& object) {
   return s.x != 0 && s.y != 0 && s.z != 0 && (s.x < 0) != ((s.y < 0) != (s.z < 0));
 }
 
+Viewpoint camera_viewpoint(const Scene& scene, const RenderOptions& options) {
+  const double aspect = static_cast<double>(options.width) / options.height;
+  return {clip_from_world(scene.camera, aspect), scene.camera.near};
+}
+
 ObjectTransform object_transform(const Object& object, const Double4x4& clip_from_world) {
   const Double3x3 linear = linear_part(object);
   Double4x4 model(linear);
@@ -213,13 +218,11 @@ void place_objects(const FrameInput& input, Geometry& geometry) {
   const Scene& scene = input.scene;
   geometry.scene = &scene;
   geometry.width = input.options.width, geometry.height = input.options.height;
-  const Double4x4 view_projection =
-      clip_from_world(scene.camera, static_cast<double>(geometry.width) / geometry.height);
   geometry.transforms.clear();
   geometry.first_triangle.assign(1, 0);
   for (const Object& object : scene.objects) {
     assert(object.mesh->triangles.size() <= INT32_MAX - geometry.first_triangle.back());
-    geometry.transforms.push_back(object_transform(object, view_projection));
+    geometry.transforms.push_back(object_transform(object, input.viewpoint.clip_from_world));
     geometry.first_triangle.push_back(geometry.first_triangle.back() +
                                       static_cast<std::uint32_t>(object.mesh->triangles.size()));
   }

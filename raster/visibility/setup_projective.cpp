@@ -57,7 +57,7 @@ std::optional<ProjectivePiece> piece_of(const std::array<const Vertex*, 3>& poin
 } // namespace
 
 ImageShape image_shape(const FrameInput& input) {
-  return {input.options.width, input.options.height, input.scene.camera.near};
+  return {input.options.width, input.options.height, input.viewpoint.near};
 }
 
 std::optional<ProjectiveTriangle> set_up_projective(const std::array<WindowVertex, 3>& v,

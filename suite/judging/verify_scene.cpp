@@ -110,7 +110,7 @@ VerifiedScene verify_scene(const VerifyTask& task, SceneSource& source, NoteList
   Scene& scene = source.scene;
   int samples = task.picture.samples;
   if (!from_file) check_drawn_by_gl(task.scene, scene);
-  if (has_shadows(scene))
+  if (has_shadows(scene, Shadow::exact))
     report.notes.add(Note{task.scene, 0, "shadow", "not judged: a light that has one may reach a surface or not"});
   check_triangle_numbers(task.scene, scene, "verify");
   report.provenance.emplace_back("scene sha256", file_sha256(task.scene));

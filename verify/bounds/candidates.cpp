@@ -219,4 +219,15 @@ std::vector<VisibleSet> find_candidates(const DeviceFrame& frame, const std::vec
   return sets;
 }
 
+std::vector<VisibleSet> find_candidates_among(const DeviceFrame& frame, const std::vector<PixelPlace>& pixels,
+                                              SamplePosition sample, std::span<const std::uint32_t> triangles) {
+  std::vector<VisibleSet> sets(pixels.size());
+  const PixelIndex index(pixels, frame.height());
+  std::vector<Found> found;
+  for (const std::uint32_t number : triangles) look_at(frame, index, number, sample, found);
+  for (const Found& f : found) sets[f.pixel].candidates.push_back(f.candidate);
+  for (VisibleSet& set : sets) keep_visible(frame, set);
+  return sets;
+}
+
 } // namespace refraster

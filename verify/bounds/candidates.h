@@ -5,6 +5,7 @@
 #include "verify/bounds/device_triangle.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace refraster {
@@ -39,5 +40,9 @@ struct PixelPlace {
 /// missing as well.
 std::vector<VisibleSet> find_candidates(const DeviceFrame& frame, const std::vector<PixelPlace>& pixels,
                                         SamplePosition sample);
+
+/// The same of these triangles alone, whose numbers rise: by the thread that calls.
+std::vector<VisibleSet> find_candidates_among(const DeviceFrame& frame, const std::vector<PixelPlace>& pixels,
+                                              SamplePosition sample, std::span<const std::uint32_t> triangles);
 
 } // namespace refraster

@@ -1,5 +1,7 @@
 #include "verify/bounds/device_frame.h"
 
+#include "verify/bounds/shadow_bounds.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -31,14 +33,31 @@ constexpr double roundings_of_unit = 4;
 DeviceFrame::DeviceFrame(const Scene& scene, const RenderOptions& options, const DeviceProfile& profile,
                          ShaderMatrices matrices)
     : options_(options), profile_(profile), matrices_(matrices), context_{{scene, options_}, geometry_, bins_} {
+  lay_out_frame();
+  if (!has_shadows(scene, Shadow::map)) return;
+  shadows_ = std::make_unique<DeviceShadows>(context_, geometry_, profile);
+  context_.shadows = &shadows_->ours();
+}
+
+DeviceFrame::DeviceFrame(const Scene& scene, const RenderOptions& options, const DeviceProfile& profile,
+                         ShaderMatrices matrices, const Viewpoint& viewpoint)
+    : options_(options), profile_(profile), matrices_(matrices), context_{{scene, options_}, geometry_, bins_} {
+  context_.viewpoint = viewpoint;
+  lay_out_frame();
+}
+
+DeviceFrame::~DeviceFrame() = default;
+
+void DeviceFrame::lay_out_frame() {
   transform(context_, geometry_);
   FrameCounts counts;
   bin_triangles(context_, geometry_, bins_, counts);
-  const double aspect = static_cast<double>(options.width) / options.height;
-  const Double4x4 camera = magnitudes(clip_from_view(scene.camera, aspect)) * magnitudes(view_from_world(scene.camera));
+  const Camera& seen_from = context_.scene.camera;
+  const double aspect = static_cast<double>(options_.width) / options_.height;
+  const Double4x4 camera = magnitudes(clip_from_view(seen_from, aspect)) * magnitudes(view_from_world(seen_from));
   for (const ObjectTransform& object : geometry_.transforms) {
-    const Double4x4 product = matrices == ShaderMatrices::one ? magnitudes(object.clip_from_object)
-                                                              : camera * magnitudes(object.world_from_object);
+    const Double4x4 product = matrices_ == ShaderMatrices::one ? magnitudes(object.clip_from_object)
+                                                               : camera * magnitudes(object.world_from_object);
     Magnitudes& of_object = magnitudes_.emplace_back();
     for (int r = 0; r < 4; ++r)
       of_object.clip[static_cast<std::size_t>(r)] = {product[0][r], product[1][r], product[2][r], product[3][r]};

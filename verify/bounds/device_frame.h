@@ -5,7 +5,11 @@
 #include "raster/visibility/bin.h"
 #include "verify/device/device_profile.h"
 
+#include <memory>
+
 namespace refraster {
+
+class DeviceShadows; // verify/bounds/shadow_bounds.h
 
 /// How a vertex shader makes clip coordinates: from one matrix, that was multiplied before, or as the product
 /// projection view model position, where the roundings of each add up.
@@ -22,10 +26,18 @@ struct EnumNames<ShaderMatrices> {
 class DeviceFrame {
 public:
   DeviceFrame(const Scene& scene, const RenderOptions& options, const DeviceProfile& profile, ShaderMatrices matrices);
+  /// The same seen from a light: nothing is known of its shadows.
+  DeviceFrame(const Scene& scene, const RenderOptions& options, const DeviceProfile& profile, ShaderMatrices matrices,
+              const Viewpoint& viewpoint);
+  ~DeviceFrame();
+  DeviceFrame(const DeviceFrame&) = delete;
+  DeviceFrame& operator=(const DeviceFrame&) = delete;
 
   const FrameContext& context() const { return context_; }
   const Scene& scene() const { return context_.scene; }
   const DeviceProfile& profile() const { return profile_; }
+  /// Null without shadow maps.
+  const DeviceShadows* shadows() const { return shadows_.get(); }
   int width() const { return options_.width; }
   int height() const { return options_.height; }
   TriangleRef triangle(std::uint32_t number) const { return TriangleFinder(context_.scene, geometry_).at(number); }
@@ -48,6 +60,8 @@ private:
     std::array<Double4, 4> clip; // rows: of one matrix, or of the product of all three's magnitudes
   };
 
+  void lay_out_frame();
+
   RenderOptions options_;
   const DeviceProfile& profile_;
   ShaderMatrices matrices_;
@@ -55,6 +69,7 @@ private:
   Bins bins_;
   FrameContext context_;
   std::vector<Magnitudes> magnitudes_; // of each object
+  std::unique_ptr<const DeviceShadows> shadows_;
 };
 
 } // namespace refraster

@@ -2,6 +2,7 @@
 
 #include "raster/render_in.h"
 #include "raster/shade/opacity.h"
+#include "verify/bounds/shadow_bounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -98,6 +99,7 @@ double ColourBox::width() const {
 
 struct PixelBounder::Scratch {
   PacketBatch<Bounds> batch;
+  std::vector<VisibilityRange> visibility;
 };
 
 ValueRange opacity_bounds(const DeviceFrame& frame, const DeviceTriangle& triangle, int x, int y) {
@@ -131,9 +133,21 @@ PixelBounds PixelBounder::bounds(const DeviceTriangle& triangle, int x, int y, B
   UndefinedCounts undefined;
   PacketBatch<Bounds>& batch = scratch_->batch;
   batch.packets = 1;
+  batch.visibility = {};
   batch.in_use[0] = Certainty::yes;
   const UndefinedTally<Bounds> tally(undefined, Certainty::yes);
   packet_surface(context, material, data, tally, batch.surface[0]);
+  if (const DeviceShadows* const shadows = frame_.shadows()) {
+    const Barycentric<Bounds> at = barycentrics<Derivatives::no>(data).at;
+    const std::int32_t centre_x = x * subpixels + subpixels / 2, centre_y = y * subpixels + subpixels / 2;
+    batch.visibility.ranges =
+        shadows
+            ->ranges({batch.surface[0].position, attribute_value<&Mesh::normals>(context, data, at),
+                      FragmentPoints(context, triangle.number()).interpolated_at(centre_x, centre_y)},
+                     causes.has(BoundCause::shadows) ? OpenComparisons::either : OpenComparisons::as_ours,
+                     scratch_->visibility)
+            .data();
+  }
   with_maps(material, [&]<Maps maps>(std::integral_constant<Maps, maps>, const auto& function) {
     if constexpr (maps == Maps::yes) batch.maps[0] = fragment_maps(material, data, tally);
     sum_light<maps>(light_spans(frame_.scene()), function, batch, undefined);

@@ -11,7 +11,8 @@
 
 namespace refraster {
 
-/// What makes a device's colours differ, apart: each can be left out, so that its share is seen.
+/// What makes a device's colours differ, apart: each can be left out, so that its share is seen. Without `shadows`
+/// comparisons with shadow maps that a device may decide either way go as the reference's.
 enum class BoundCause : std::uint8_t {
   sample_shift,
   interpolation,
@@ -19,10 +20,11 @@ enum class BoundCause : std::uint8_t {
   level_of_detail,
   powers,
   arithmetic,
+  shadows,
   count_
 };
 inline constexpr std::array<std::string_view, static_cast<std::size_t>(BoundCause::count_)> bound_cause_names = {
-    "sample shift", "interpolation", "texture filter", "level of detail", "pow", "arithmetic"};
+    "sample shift", "interpolation", "texture filter", "level of detail", "pow", "arithmetic", "shadow maps"};
 
 /// A set of causes.
 class BoundCauses {
@@ -73,7 +75,8 @@ public:
   /// The same, open comparisons followed each way for itself: visit(bounds) for each, until it returns true. Returns
   /// whether it did. `complete` tells whether all ways were followed; if not, visit has seen their joint bounds last.
   template <class Visit>
-  bool for_each_path(const DeviceTriangle& triangle, int x, int y, const Visit& visit);
+  bool for_each_path(const DeviceTriangle& triangle, int x, int y, const Visit& visit,
+                     BoundCauses causes = BoundCauses::all());
 
 private:
   struct Scratch;
@@ -82,16 +85,16 @@ private:
 };
 
 template <class Visit>
-bool PixelBounder::for_each_path(const DeviceTriangle& triangle, int x, int y, const Visit& visit) {
+bool PixelBounder::for_each_path(const DeviceTriangle& triangle, int x, int y, const Visit& visit, BoundCauses causes) {
   bool complete = true;
   {
     Forks forks;
     do {
-      if (visit(bounds(triangle, x, y))) return true;
+      if (visit(bounds(triangle, x, y, causes))) return true;
     } while (forks.next());
     complete = forks.is_complete();
   }
-  return !complete && visit(bounds(triangle, x, y));
+  return !complete && visit(bounds(triangle, x, y, causes));
 }
 
 } // namespace refraster

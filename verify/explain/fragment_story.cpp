@@ -146,9 +146,13 @@ LightStory light_story(const Light& light, std::size_t index, const Plain& at) {
   story.direction = plain(incident.direction);
   story.n_l = plain(dot(at.normal, incident.direction));
   Light::fields(light, [&]<class Value>(std::string_view name, const Value& value, const auto&... about) {
-    if constexpr (std::is_same_v<Value, Shadow>)
+    if constexpr (std::is_same_v<Value, CastShadow>) {
       if (value == Shadow::none) return; // no news
-    Parameters{story.parameters}(name, value, about...);
+      Parameters{story.parameters}(name, value.kind, about...);
+      if (value == Shadow::map) ShadowMap::fields(value.map, Parameters{story.parameters});
+    } else {
+      Parameters{story.parameters}(name, value, about...);
+    }
   });
   story.arriving = plain(incident.radiance);
   if constexpr (requires { light.position; }) {
@@ -165,14 +169,34 @@ struct ShadowQuestion {
   std::int32_t x, y;
 };
 
+ShadowMapStory shadow_map_story(const DepthMap& map, const InterpolatedPoint& point) {
+  ShadowMapStory story;
+  const std::size_t face = map.face_of(point.position);
+  if (map.view().kind == LightPlace::Kind::point) story.face = cube_face_axes[face].name;
+  const MapPlace<double> place = map_place<double>(map.view(), face, point.position, point.normal);
+  story.u = place.u, story.v = place.v, story.depth = place.depth;
+  const MapTaps taps = map.taps(face, place);
+  for (int i = 0; i < taps.count; ++i) {
+    const MapTap& tap = taps.tap[static_cast<std::size_t>(i)];
+    ShadowTapStory& told = story.taps.emplace_back(ShadowTapStory{tap.column, tap.row, tap.weight, {}, tap.lit});
+    if (!tap.outside) told.stored = static_cast<double>(tap.stored);
+  }
+  return story;
+}
+
 /// Of the light with that row.
 ShadowStory shadow_story(const ShadowQuestion& at, const FragmentTerms<T>& terms, std::size_t row) {
   ShadowStory story;
-  if (terms.seen[row]) return story;
-  story.visibility = 0;
-  const SurfacePoint point = FragmentPoints(at.context, at.number).at(at.x, at.y);
-  if (const auto between = at.context.shadows->first_between(point, at.number, at.context.shadows->lights()[row]))
-    story.between = named_triangle(at.context, *between);
+  story.visibility = terms.seen[row];
+  const SceneShadows& shadows = *at.context.shadows;
+  const ShadowedLight& light = shadows.lights()[row];
+  const FragmentPoints points(at.context, at.number);
+  if (light.kind == Shadow::map) {
+    story.map = shadow_map_story(shadows.map(light), points.interpolated_at(at.x, at.y));
+  } else if (story.visibility == 0) {
+    if (const auto between = shadows.first_between(points.at(at.x, at.y), at.number, light.place))
+      story.between = named_triangle(at.context, *between);
+  }
   return story;
 }
 
@@ -194,7 +218,7 @@ void add_lights(const ShadowQuestion& question, const FragmentTerms<T>& terms, c
       ShadowStory shadow = shadow_story(question, terms, row++);
       of.arriving *= shadow.visibility;
       if constexpr (!std::same_as<std::remove_cvref_t<decltype(function)>, UserFunction>)
-        if (shadow.visibility == 0)
+        if (shadow.visibility < 1)
           shadow.reflected = plain(reflected(function, at, arriving(within_range<T>(prepared_light(light)), at)));
       of.shadow = std::move(shadow);
     }

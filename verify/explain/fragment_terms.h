@@ -35,8 +35,8 @@ struct FragmentTerms {
   std::vector<LightTerm<T>> lights; // in the order of light_lists
   Rgb<T> radiance{T(0)};
   UndefinedCounts undefined; // all
-  /// lights_seen(): of each light with a shadow, whether it is; and as many as lanes more.
-  std::vector<std::uint8_t> seen;
+  /// lights_seen(): of each light with a shadow, how much; and as many as lanes more.
+  std::vector<double> seen;
 
   /// To the light that a fragment function sums, whose row with a shadow is that.
   LightVisibility visibility(std::size_t row = 0) const { return {seen.empty() ? nullptr : seen.data() + row, 1}; }

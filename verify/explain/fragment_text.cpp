@@ -157,11 +157,24 @@ std::string microfacet_text(const LightStory& light, const MicrofacetStory& m) {
   return text + row("(diffuse + specular) C", light.reflected);
 }
 
+std::string shadow_map_text(const ShadowMapStory& map) {
+  std::string text = row("place in the map" + (map.face.empty() ? "" : ", face " + map.face) + ", texels",
+                         std::vector<double>{map.u, map.v});
+  text += row("depth with bias, compared with", std::vector<double>{map.depth});
+  for (const ShadowTapStory& tap : map.taps) {
+    const std::string place = "texel " + std::to_string(tap.column) + " " + std::to_string(tap.row) + ", weight " +
+                              number(tap.weight) + (tap.lit ? ", lit" : ", not lit");
+    text += tap.stored ? row(place, std::vector<double>{*tap.stored}) : row(place, "beside the map");
+  }
+  return text;
+}
+
 std::string shadow_text(const ShadowStory& shadow) {
   std::string text = row("visibility", std::vector<double>{shadow.visibility});
   if (shadow.between)
     text += row("in the shadow of",
                 "triangle " + std::to_string(shadow.between->triangle) + " of " + object_text(*shadow.between));
+  if (shadow.map) text += shadow_map_text(*shadow.map);
   return text;
 }
 

@@ -134,11 +134,28 @@ struct ParameterStory {
   std::string word;            // of a choice
 };
 
+/// A comparison with a texel of a shadow map.
+struct ShadowTapStory {
+  int column = 0, row = 0; // from the lower left corner of the map, or of the face
+  double weight = 1;
+  std::optional<double> stored; // window depth; none beside the map, where all is lit
+  bool lit = true;
+};
+
+/// How a shadow map was asked.
+struct ShadowMapStory {
+  std::string face;    // of a point light: "+x"
+  double u = 0, v = 0; // in texels from the lower left corner
+  double depth = 0;    // window depth that is compared, with the bias
+  std::vector<ShadowTapStory> taps;
+};
+
 /// Whether a light with a shadow is seen from the surface.
 struct ShadowStory {
   double visibility = 1;
-  std::optional<NamedTriangle> between; // where it is 0: of the triangles that take the light the one drawn first
-  std::optional<Double3> reflected;     // and what it would give if they did not; of a formula that is known here
+  std::optional<ShadowMapStory> map;
+  std::optional<NamedTriangle> between; // of an exact one that is 0: of the triangles that take it the one drawn first
+  std::optional<Double3> reflected;     // below 1: what it would give without; of a formula that is known here
 };
 
 /// What one light gives.

@@ -154,6 +154,23 @@ private:
     });
   }
 
+  void write(const ShadowMapStory& map) {
+    json_.object([&] {
+      json_.member("face", map.face);
+      json_.member("place", std::vector<double>{map.u, map.v});
+      json_.member("depth", map.depth);
+      json_.array("taps", [&] {
+        for (const ShadowTapStory& tap : map.taps)
+          json_.object([&] {
+            json_.member("texel", std::vector<int>{tap.column, tap.row});
+            json_.member("weight", tap.weight);
+            json_.member("stored", tap.stored);
+            json_.member("lit", tap.lit);
+          });
+      });
+    });
+  }
+
   void write(const LightStory& light, const Double3& exact) {
     const auto colour = [&](std::string_view name, const std::optional<Double3>& rgb) {
       json_.optional(name, rgb, [&](const Double3& value) { json_.value(listed(value)); });
@@ -171,6 +188,7 @@ private:
           json_.optional("between", shadow.between,
                          [&](const NamedTriangle& of) { json_.object([&] { write_members(of); }); });
           json_.optional("reflected", shadow.reflected, [&](const Double3& rgb) { json_.value(listed(rgb)); });
+          json_.optional("map", shadow.map, [&](const ShadowMapStory& map) { write(map); });
         });
       });
       json_.member("arriving", listed(light.arriving));

@@ -128,6 +128,16 @@ constexpr Declared declared[] = {
     {"attenuation_inverse", "attenuation by 1 / d", point_lights, attenuated<Attenuation::inverse>},
     {"attenuation_inverse_square", "attenuation by 1 / d²", point_lights, attenuated<Attenuation::inverse_square>},
     {"radiance_missing", "the lights' radiance not applied", any, set<&Steps::radiance, Radiance::missing>},
+    {"shadows_missing", "shadows missing: the maps are not asked", Concerns::shadow_maps,
+     set<&Steps::shadow_maps, ShadowMaps::missing>},
+    {"shadow_bias_missing", "shadow maps without their bias", Concerns::shadow_maps,
+     set<&Steps::shadow_maps, ShadowMaps::bias_missing>},
+    {"shadow_bias_reversed", "the bias of shadow maps with its sign reversed", Concerns::shadow_maps,
+     set<&Steps::shadow_maps, ShadowMaps::bias_reversed>},
+    {"shadow_face_opposite", "the opposite face of a point light's shadow map", point_shadow_maps,
+     set<&Steps::shadow_maps, ShadowMaps::opposite_face>},
+    {"shadow_rows_reversed", "shadow maps turned over: rows counted from the other end", Concerns::shadow_maps,
+     set<&Steps::shadow_maps, ShadowMaps::rows_reversed>},
     {"light_missing", "a light missing", each_light, none<>},
     // Phong and Blinn-Phong.
     {"ambient_missing", "the ambient term missing", plastics, set<&Steps::ambient, Ambient::missing>},
@@ -273,6 +283,12 @@ constexpr Concerned concerned[] = {
      [](const Scene& scene) {
        return std::any_of(scene.point_lights.begin(), scene.point_lights.end(),
                           [](const PointLight& light) { return light.linear > 0 || light.quadratic > 0; });
+     }},
+    {Concerns::shadow_maps, "shadow maps", [](const Scene& scene) { return has_shadows(scene, Shadow::map); }},
+    {point_shadow_maps, "shadow maps of point lights",
+     [](const Scene& scene) {
+       return std::any_of(scene.point_lights.begin(), scene.point_lights.end(),
+                          [](const PointLight& light) { return light.shadow == Shadow::map; });
      }},
     {each_object, "each object by itself", always},
     {each_light, "each light by itself", always},

@@ -29,6 +29,8 @@ enum class Concerns {
   two_sided,
   point_lights,
   attenuation,
+  shadow_maps,
+  point_shadow_maps,
   each_object,
   each_light
 };

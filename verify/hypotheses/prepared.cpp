@@ -22,6 +22,17 @@ TableWithHoles read_all_the_same(const MerlTable& table) {
   return {std::make_shared<const MerlTable>(std::move(black)), std::make_shared<const MerlTable>(std::move(marks))};
 }
 
+std::vector<DepthMap> drawn_maps(const Scene& scene) {
+  const RenderOptions options;
+  const FrameInput frame{scene, options};
+  const Scene casters = casters_of(scene);
+  DepthMapScratch scratch;
+  std::vector<DepthMap> maps;
+  for (const LightView& view : light_views(scene, frame.threads))
+    maps.emplace_back().draw(frame, casters, view, scratch);
+  return maps;
+}
+
 Texture mip_mapped(Texture texture) {
   build_mip_levels(texture);
   return texture;
@@ -40,6 +51,7 @@ Prepared::Prepared(const Scene& scene) {
             ? texture
             : std::make_shared<const Texture>(mip_mapped({texture->full_scale, {texture->levels[0]}}));
   });
+  shadow_maps_ = drawn_maps(scene);
 }
 
 const Texture& Prepared::with_mip_levels(const Texture& texture) const {

@@ -3,9 +3,12 @@
 
 #include <refraster/scene.h>
 
+#include "raster/shadow/map/depth_map.h"
+
 #include <map>
 #include <memory>
 #include <mutex>
+#include <vector>
 
 namespace refraster::hypotheses {
 
@@ -33,6 +36,9 @@ public:
   /// Null if all of it was measured.
   const TableWithHoles* with_holes(const MerlTable& table) const;
 
+  /// The shadow maps of its lights, in the order of the sum.
+  const std::vector<DepthMap>& shadow_maps() const { return shadow_maps_; }
+
 private:
   struct TextureVariants {
     std::shared_ptr<const Texture> mip_mapped;
@@ -41,6 +47,7 @@ private:
   };
   std::map<const Texture*, TextureVariants> textures_;
   std::map<const MerlTable*, TableWithHoles> tables_;
+  std::vector<DepthMap> shadow_maps_;
 };
 
 } // namespace refraster::hypotheses

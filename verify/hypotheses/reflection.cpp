@@ -62,10 +62,32 @@ template <class Light>
 constexpr LightDirection reversed_alone = std::is_same_v<Light, PointLight> ? LightDirection::point_lights_reversed
                                                                             : LightDirection::direction_lights_reversed;
 
-/// What arrives of a light that is already as the hypothesis has it.
+/// How much of a light is seen by its map, as the hypothesis has it.
+double visibility(const DepthMap& map, const Surface& surface, ShadowMaps maps) {
+  if (maps == ShadowMaps::missing) return 1;
+  LightView view = map.view();
+  if (maps == ShadowMaps::bias_missing) view.map.bias = view.map.slope_bias = 0;
+  if (maps == ShadowMaps::bias_reversed) view.map.bias *= -1, view.map.slope_bias *= -1;
+  const std::size_t face = map.face_of(surface.position);
+  MapPlace<double> place = map_place<double>(view, face, surface.position, surface.mesh_normal);
+  if (maps == ShadowMaps::rows_reversed) place.v = view.map.size - place.v;
+  const bool turns = maps == ShadowMaps::opposite_face && view.kind == LightPlace::Kind::point;
+  return lit_fraction(map.taps(turns ? face ^ 1 : face, place), view.map.filter);
+}
+
+/// A light that is already as the hypothesis has it, and how much of it is seen.
 template <class Light>
-Incident<double> incident(const Light& light, const Fragment<double>& at, const Steps& steps) {
+struct SeenLight {
+  Light light;
+  double visibility = 1;
+};
+
+/// What arrives of it.
+template <class Light>
+Incident<double> incident(const SeenLight<Light>& seen, const Fragment<double>& at, const Steps& steps) {
+  const Light& light = seen.light;
   Incident<double> result = arriving(light, at);
+  result.radiance *= seen.visibility;
   if (steps.light_direction == LightDirection::all_reversed || steps.light_direction == reversed_alone<Light>)
     result.direction = -result.direction;
   if constexpr (std::is_same_v<Light, PointLight>) {
@@ -131,26 +153,41 @@ Rgb<double> reflected_with(const Function& function, const Fragment<double>& at,
   return result;
 }
 
-/// Calls body(light, its number) with all lights as the hypothesis has them, but for the missing one.
+/// What lights a surface.
+struct Lighting {
+  const Scene& scene;
+  const Prepared& prepared;
+  const Surface& surface;
+  const Steps& steps;
+};
+
+/// Calls body(seen light) with all lights as the hypothesis has them, but for the missing one.
 template <class Body>
-void for_each_light(const Scene& scene, const Steps& steps, const Body& body) {
+void for_each_light(const Lighting& of, const Body& body) {
   std::uint32_t number = 0;
-  for_each_light_list(scene, [&](const auto& lights) {
-    for (const auto& light : lights)
-      if (const std::uint32_t i = number++; i != steps.missing_light && i != steps.other_missing_light)
-        body(light_with(light, steps));
+  std::size_t next_map = 0;
+  for_each_light_list(of.scene, [&]<class Light>(const std::vector<Light>& lights) {
+    for (const Light& light : lights) {
+      SeenLight<Light> seen{light_with(light, of.steps)};
+      if (light.shadow == Shadow::map)
+        seen.visibility = visibility(of.prepared.shadow_maps()[next_map++], of.surface, of.steps.shadow_maps);
+      if (const std::uint32_t i = number++; i != of.steps.missing_light && i != of.steps.other_missing_light)
+        body(seen);
+    }
   });
 }
 
 template <class Function>
-Rgb<double> plastic_colour(const Scene& scene, const Function& material, const Fragment<double>& at,
-                           const Surface& surface, const Steps& steps, const Nudge& nudge) {
+Rgb<double> plastic_colour(const Lighting& lighting, const Function& material, const Fragment<double>& at,
+                           const Nudge& nudge) {
+  const Surface& surface = lighting.surface;
+  const Steps& steps = lighting.steps;
   const Function function = parameters_with(material, at.texture, steps);
   const bool unit = surface.unit && steps.light_direction != LightDirection::not_normalised;
   const Rgb<double> own = ambient(function, at);
   Rgb<double> sum = steps.ambient == Ambient::each_light ? Rgb<double>(0) : own;
   if (at.maps) sum += at.maps->emission;
-  for_each_light(scene, steps, [&](const auto& light) {
+  for_each_light(lighting, [&](const auto& light) {
     const Incident<double> arrived = incident(light, at, steps);
     sum += reflected_with(function, at, arrived, steps, nudge, unit);
     if (steps.ambient == Ambient::each_light) sum += own;
@@ -184,8 +221,7 @@ Rgb<double> reflected_with(const Microfacet& function, const Fragment<double>& a
 
 /// A fragment function of the user's is asked as a frame asks it: a batch of one. Its formula is its own; what comes
 /// before it may be changed.
-Rgb<double> user_colour(const Scene& scene, const UserFunction& function, const Fragment<double>& at,
-                        const Steps& steps) {
+Rgb<double> user_colour(const Lighting& lighting, const UserFunction& function, const Fragment<double>& at) {
   constexpr std::size_t stride = FragmentBatch::padding;
   std::vector<double> values(FragmentBatch::rows * stride), rgb(3 * stride);
   const auto put = [&](int row, const Double3& v) {
@@ -195,15 +231,18 @@ Rgb<double> user_colour(const Scene& scene, const UserFunction& function, const 
   put(FragmentBatch::position, at.position), put(FragmentBatch::normal, at.normal);
   put(FragmentBatch::to_eye, at.to_eye), put(FragmentBatch::texture, at.texture);
   Scene lights;
-  for_each_light(scene, steps, [&](const auto& light) {
-    if constexpr (std::is_same_v<std::decay_t<decltype(light)>, PointLight>) lights.point_lights.push_back(light);
-    else lights.direction_lights.push_back(light);
+  std::vector<double> visibility; // of those with a shadow, a row each
+  for_each_light(lighting, [&]<class Light>(const SeenLight<Light>& seen) {
+    if constexpr (std::is_same_v<Light, PointLight>) lights.point_lights.push_back(seen.light);
+    else lights.direction_lights.push_back(seen.light);
+    if (seen.light.shadow != Shadow::none) visibility.insert(visibility.end(), stride, seen.visibility);
   });
   UndefinedCounts counts;
   FragmentBatch batch;
   batch.fragments = 1, batch.stride = stride;
   batch.values = values.data(), batch.rgb = rgb.data();
   batch.lights = light_spans(lights), batch.undefined = &counts;
+  if (!visibility.empty()) batch.visibility = {visibility.data(), stride};
   function.shade(batch);
   return {rgb[0], rgb[stride], rgb[2 * stride]};
 }
@@ -214,23 +253,23 @@ Rgb<double> colour_of(const Scene& scene, const Material& material, const Prepar
                       const Steps& steps, const Nudge& nudge) {
   const Fragment<double> at{surface.position, surface.normal, surface.to_eye,
                             surface.texture,  nullptr,        surface.maps ? &*surface.maps : nullptr};
-  if (material.user_function) return user_colour(scene, *material.user_function, at, steps);
+  const Lighting lighting{scene, prepared, surface, steps};
+  if (material.user_function) return user_colour(lighting, *material.user_function, at);
   const bool exchanged = steps.lobe == Lobe::exchanged;
   if (const Phong* const phong = std::get_if<Phong>(&material.fragment_function))
-    return exchanged ? plastic_colour(scene, BlinnPhong{*phong}, at, surface, steps, nudge)
-                     : plastic_colour(scene, *phong, at, surface, steps, nudge);
+    return exchanged ? plastic_colour(lighting, BlinnPhong{*phong}, at, nudge)
+                     : plastic_colour(lighting, *phong, at, nudge);
   if (const BlinnPhong* const blinn = std::get_if<BlinnPhong>(&material.fragment_function))
-    return exchanged ? plastic_colour(scene, Phong{*blinn}, at, surface, steps, nudge)
-                     : plastic_colour(scene, *blinn, at, surface, steps, nudge);
+    return exchanged ? plastic_colour(lighting, Phong{*blinn}, at, nudge) : plastic_colour(lighting, *blinn, at, nudge);
   Rgb<double> sum(0);
   if (const Microfacet* const function = material.microfacets()) {
     if (at.maps) sum = at.maps->emission;
-    for_each_light(scene, steps, [&](const auto& light) {
+    for_each_light(lighting, [&](const auto& light) {
       sum += reflected_with(*function, at, incident(light, at, steps), steps.microfacets);
     });
   }
   if (const Merl* const merl = material.measured())
-    for_each_light(scene, steps, [&](const auto& light) {
+    for_each_light(lighting, [&](const auto& light) {
       sum += reflected_with(*merl, at, incident(light, at, steps), prepared, steps, nudge);
     });
   return sum;

@@ -69,6 +69,9 @@ enum class Attenuation {
 };
 enum class Radiance { right, missing };
 
+/// Of shadow maps.
+enum class ShadowMaps { right, missing, bias_missing, bias_reversed, opposite_face, rows_reversed };
+
 enum class Ambient { right, missing, twice, each_light, without_texture };
 enum class Diffuse { right, missing, not_clamped };
 enum class Lobe { right, exchanged, reflect_reversed, half_not_normalised, missing };
@@ -131,6 +134,7 @@ struct Steps {
   Radiance radiance = Radiance::right;
   std::uint32_t missing_light = none_missing;       // counted through all lists in their order
   std::uint32_t other_missing_light = none_missing; // of a pair
+  ShadowMaps shadow_maps = ShadowMaps::right;
   Ambient ambient = Ambient::right;
   Diffuse diffuse = Diffuse::right;
   Lobe lobe = Lobe::right;
@@ -179,6 +183,7 @@ void for_each_step(auto&& visit) {
   visit(&Steps::radiance);
   visit(&Steps::missing_light);
   visit(&Steps::other_missing_light);
+  visit(&Steps::shadow_maps);
   visit(&Steps::ambient);
   visit(&Steps::diffuse);
   visit(&Steps::lobe);

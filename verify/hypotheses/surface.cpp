@@ -222,6 +222,7 @@ Surface surface_at(const FrameContext& context, const SampleData<double>& data, 
   const std::uint32_t object = data.object();
   Surface surface;
   surface.position = vector_at(data, position_row, at.at);
+  surface.mesh_normal = vector_at(data, normal_row, at.at);
   Double3 normal = interpolated_normal(
       data, at, normal_change(context.geometry.transforms[object], steps.normal_matrix), steps.normal_length);
   if (steps.varyings == Varyings::in_half_precision) {

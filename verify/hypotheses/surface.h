@@ -21,6 +21,7 @@ struct Nudge {
 
 struct Surface {
   Double3 position{0}, normal{0}, to_eye{0};
+  Double3 mesh_normal{0}; // as it is interpolated, of any length: what the slope in a shadow map follows from
   Rgb<double> texture{1};
   bool unit = true;                         // normal and direction to the eye are unit, or 0
   std::optional<FragmentMaps<double>> maps; // of a material that has any: as they are right

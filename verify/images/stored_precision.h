@@ -13,7 +13,7 @@ struct StoredPrecision {
   double relative = 0; // so much of it
 
   static constexpr StoredPrecision integers(double full_scale) { return {255 / full_scale, 0.5 * 255 / full_scale, 0}; }
-  static constexpr StoredPrecision floats(double unit_roundoff) { return {0, 0, unit_roundoff}; }
+  static constexpr StoredPrecision floats(double roundoff) { return {0, 0, roundoff}; }
 
   /// Whether values below 0 and above 1 are stored as 0 and 1.
   constexpr bool saturates() const { return step > 0; }

@@ -48,9 +48,9 @@ void add_classes(ReportPage& page, const ComparisonReport& report, const Image<d
   enum { equal, within, beyond, no_difference };
   page.classes = {{"equal", verdict_colours[0], "All values are the same."},
                   {"within the limit", verdict_colours[2], "Differs, by no more than the limit."},
-                  {limited ? "over the limit" : "different", verdict_colours[9],
+                  {limited ? "over the limit" : "different", verdict_colours[10],
                    limited ? "A value differs by more than the limit." : "A value differs."},
-                  {"no difference", verdict_colours[5], "A value is NaN, or infinite and not the same in both."}};
+                  {"no difference", verdict_colours[6], "A value is NaN, or infinite and not the same in both."}};
   page.class_map = Image<std::uint8_t>(differences.width, differences.height, 1);
   for (std::size_t i = 0; i < differences.values.size(); ++i) {
     const double difference = differences.values[i];

@@ -36,7 +36,7 @@ struct PageImage {
 };
 
 /// A kind of pixels. The page has at most 256, from the least to the most severe: where an image is made smaller to be
-/// shown, the last of the kinds under a point of the screen is seen. verdict_colours.h has colours for ten.
+/// shown, the last of the kinds under a point of the screen is seen. verdict_colours.h has colours for eleven.
 struct PageClass {
   std::string name;
   Rgb8 colour{};

@@ -47,13 +47,25 @@ PixelJudge::Match PixelJudge::match(const PixelCase& pixel, const Surface& surfa
   if (!matches_depth(pixel, surface)) return Match::no;
   const PixelBounds bounds = bounds_of(surface, pixel.at);
   const auto is_one = [&](const PixelBounds& path) { return is_within(path.colour, pixel); };
-  if (is_one(bounds) && (!bounds.open || bounder_.for_each_path(DeviceTriangle(frame_, *surface), pixel.at.x,
-                                                                pixel.at.y, is_one)))
+  if (is_one(bounds) &&
+      (!bounds.open || bounder_.for_each_path(DeviceTriangle(frame_, *surface), pixel.at.x, pixel.at.y, is_one)))
     return Match::yes;
   return bounds.undefined ? Match::undefined : Match::no;
 }
 
+/// First as if every comparison with a shadow map went as the reference's.
 PixelClass PixelJudge::by_own_surface(const PixelCase& pixel, std::uint32_t number, JudgedDetail& detail) {
+  if (!frame_.shadows()) return by_own_surface(pixel, number, BoundCauses::all(), detail);
+  const PixelClass found = by_own_surface(pixel, number, BoundCauses::all().without(BoundCause::shadows), detail);
+  if (found != PixelClass::unexplained) return found;
+  const PixelClass with_open = by_own_surface(pixel, number, BoundCauses::all(), detail);
+  const bool explained =
+      with_open == PixelClass::shading || with_open == PixelClass::texel || with_open == PixelClass::branch;
+  return explained ? PixelClass::shadow : with_open;
+}
+
+PixelClass PixelJudge::by_own_surface(const PixelCase& pixel, std::uint32_t number, BoundCauses causes,
+                                      JudgedDetail& detail) {
   const TriangleRef ref = frame_.triangle(number);
   const Material& material = material_of(frame_.scene().objects[ref.object], ref.triangle);
   const auto explained = [&](PixelClass found) {
@@ -65,14 +77,13 @@ PixelClass PixelJudge::by_own_surface(const PixelCase& pixel, std::uint32_t numb
   const DeviceTriangle triangle(frame_, number);
   const bool textured = is_textured(material);
   if (textured) {
-    const BoundCauses as_filtered =
-        BoundCauses::all().without(BoundCause::texture).without(BoundCause::level_of_detail);
+    const BoundCauses as_filtered = causes.without(BoundCause::texture).without(BoundCause::level_of_detail);
     const PixelBounds bounds = bounder_.bounds(triangle, pixel.at.x, pixel.at.y, as_filtered);
     detail.allowed = in_levels(bounds.colour);
     if (bounds.colour.is_finite() && !bounds.open && is_within(bounds.colour, pixel))
       return explained(PixelClass::shading);
   }
-  const PixelBounds bounds = bounder_.bounds(triangle, pixel.at.x, pixel.at.y);
+  const PixelBounds bounds = bounder_.bounds(triangle, pixel.at.x, pixel.at.y, causes);
   detail.allowed = in_levels(bounds.colour);
   if (!is_within(bounds.colour, pixel)) return bounds.undefined ? PixelClass::undefined : PixelClass::unexplained;
   if (!bounds.open) {
@@ -80,12 +91,13 @@ PixelClass PixelJudge::by_own_surface(const PixelCase& pixel, std::uint32_t numb
     return explained(textured ? PixelClass::texel : PixelClass::shading);
   }
   double width = 0;
-  const bool found = bounder_.for_each_path(triangle, pixel.at.x, pixel.at.y, [&](const PixelBounds& path) {
+  const auto is_one = [&](const PixelBounds& path) {
     if (!is_within(path.colour, pixel)) return false;
     width = in_levels(path.colour).width();
     return true;
-  });
-  if (!found) return bounds.undefined ? PixelClass::undefined : PixelClass::unexplained;
+  };
+  if (!bounder_.for_each_path(triangle, pixel.at.x, pixel.at.y, is_one, causes))
+    return bounds.undefined ? PixelClass::undefined : PixelClass::unexplained;
   if (!(width <= unverifiable_levels)) return PixelClass::unverifiable;
   const bool of_texels =
       any_texture(material, [](const TextureMap& map) { return map.filter == TextureFilter::nearest; });

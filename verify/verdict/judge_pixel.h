@@ -33,6 +33,7 @@ private:
   bool is_within(const ColourBox& box, const PixelCase& pixel) const { return stored_.may_be(box, pixel.actual); }
   PixelBounds bounds_of(const Surface& surface, const PixelPlace& at, BoundCauses causes = BoundCauses::all());
   PixelClass by_own_surface(const PixelCase& pixel, std::uint32_t number, JudgedDetail& detail);
+  PixelClass by_own_surface(const PixelCase& pixel, std::uint32_t number, BoundCauses causes, JudgedDetail& detail);
   PixelClass by_other_surface(const PixelCase& pixel, JudgedDetail& detail);
   PixelClass by_samples(const PixelCase& pixel, JudgedDetail& detail);
   enum class Match {

@@ -26,6 +26,7 @@ enum class PixelClass : std::uint8_t {
   shading,      ///< farther, and within that
   texel,        ///< so only by what the device may do in reading textures
   branch,       ///< so only by the other side of a comparison that the device may decide either way
+  shadow,       ///< so only by the other answer of a shadow map, whose comparison the device may decide either way
   edge,         ///< the colour of another surface, whose edge the device may have on the other side of the sample
   depth,        ///< the colour of another surface that may be as near
   undefined,    ///< the mathematics leaves the colour undefined here
@@ -40,6 +41,7 @@ struct EnumNames<PixelClass> {
       {PixelClass::shading, "shading"},
       {PixelClass::texel, "texel"},
       {PixelClass::branch, "branch"},
+      {PixelClass::shadow, "shadow"},
       {PixelClass::edge, "edge"},
       {PixelClass::depth, "depth"},
       {PixelClass::undefined, "undefined"},

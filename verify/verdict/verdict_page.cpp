@@ -24,6 +24,7 @@ constexpr std::string_view meanings[] = {
     "farther, and within that",
     "so only by what the device may do in reading textures",
     "so only by the other side of a comparison that the device may decide either way",
+    "so only by another answer of a shadow map, whose comparison the device may decide either way",
     "the colour of another surface, whose edge the device may have on the other side of the sample",
     "the colour of another surface that may be as near",
     "the mathematics leaves the colour undefined here",

@@ -12,6 +12,11 @@
 
 namespace refraster {
 
+/// A point of a surface as it is interpolated, in double: what a map is asked with.
+struct InterpolatedPoint {
+  Double3 position, normal; // world space; the normal of any length
+};
+
 /// Points of one triangle of a frame.
 class FragmentPoints {
 public:
@@ -23,8 +28,14 @@ public:
   /// lie beside the triangle of which only other samples are covered, and then a point of its edge stands for it.
   SurfacePoint at(std::int32_t x, std::int32_t y) const;
 
+  /// The same as attributes are interpolated: no weight is cut off, so that the point may lie beside the triangle.
+  InterpolatedPoint interpolated_at(std::int32_t x, std::int32_t y) const;
+
 private:
-  WorldTriangle corner_; // in the order of the set-up
+  std::array<double, 3> weights_at(std::int32_t x, std::int32_t y) const;
+
+  WorldTriangle corner_;          // in the order of the set-up
+  std::array<Double3, 3> normal_; // of the same corners
   std::array<double, 3> weight_{1, 1, 1};
   std::optional<SnappedTriangle> snapped_;
   std::optional<ProjectiveEdges> projective_;

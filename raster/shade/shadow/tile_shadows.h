@@ -1,5 +1,5 @@
 #pragma once
-// Which lights with shadows the fragments of a tile see.
+// How much the fragments of a tile see of lights with shadows.
 
 #include "raster/shade/fragment_runs.h"
 #include "raster/shade/shade.h"
@@ -24,12 +24,11 @@ public:
   }
 
 private:
-  std::vector<std::uint8_t> visible_;
+  std::vector<double> visible_;
   std::size_t stride_ = 0;
 };
 
-/// The same of one triangle at (x, y), in subpixels of the window: a byte for each light with a shadow.
-std::vector<std::uint8_t> lights_seen(const FrameContext& context, std::uint32_t number, std::int32_t x,
-                                      std::int32_t y);
+/// The same of one triangle at (x, y), in subpixels of the window: a number for each light with a shadow.
+std::vector<double> lights_seen(const FrameContext& context, std::uint32_t number, std::int32_t x, std::int32_t y);
 
 } // namespace refraster

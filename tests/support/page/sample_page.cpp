@@ -17,13 +17,14 @@
 namespace refraster::test {
 namespace {
 
-enum Kind : std::uint8_t { exact, rounding, shading, texel, branch, edge, depth, undefined, unverifiable, unexplained };
-constexpr std::array<std::pair<std::string_view, std::string_view>, 10> kinds = {{
+enum Kind : std::uint8_t { exact, rounding, shading, texel, branch, shadow, edge, depth, undefined, unverifiable, unexplained };
+constexpr std::array<std::pair<std::string_view, std::string_view>, 11> kinds = {{
     {"exact", "The level that the exact value rounds to."},
     {"rounding", "A neighbour of that level, as rounding of the device's numbers may give it."},
     {"shading", "Within what the operations of the fragment function may be off."},
     {"texel", "Another texel or mip level may be read there."},
     {"branch", "A comparison in the fragment function may fall the other way."},
+    {"shadow", "A comparison with a shadow map may fall the other way."},
     {"edge", "The sample is so near to an edge that either triangle may be seen."},
     {"depth", "Two surfaces are nearer to each other than the depth buffer tells."},
     {"undefined", "The mathematics leaves open what is right."},

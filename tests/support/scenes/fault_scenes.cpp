@@ -194,6 +194,25 @@ Scene microfacets() {
   return scene;
 }
 
+/// Between a lamp and a low sun, each with a map: every face of the lamp's shows something.
+Scene shadowed() {
+  Scene scene;
+  scene.camera = {{0.3, 1.9, 4.6}, {0, 0.1, 0}, {0, 1, 0}, 50, 0.3, 30};
+  scene.background = {0.05, 0.06, 0.08};
+  ShadowMap lamp, sun;
+  lamp.size = 128, lamp.filter = ShadowFilter::pcf3, lamp.slope_bias = 3;
+  sun.size = 256;
+  scene.point_lights = {{{0.1, 1.3, 0.4}, {0.8, 0.75, 0.7}, 1, 0, 0, lamp}};
+  scene.direction_lights = {{{0.5, -0.7, -0.6}, {0.5, 0.5, 0.4}, sun}};
+  const auto matt = plastic<Phong>({0.08, 0.08, 0.08}, {0.6, 0.6, 0.55}, {0.1, 0.1, 0.1}, 10);
+  scene.objects = {thing("ground", plane_mesh(2), {0, -0.9, 0}, {0, 15, 0}, {4, 1, 4}, matt),
+                   thing("wall", plane_mesh(2), {0, 1, -2}, {90, 0, 0}, {4, 1, 3}, matt),
+                   thing("ball", sphere_mesh(40, 20), {-0.9, -0.2, 0.5}, {10, 20, 30}, Double3(0.6), matt),
+                   thing("knot", knot_mesh(64, 12, 0.26), {0.9, 0, -0.2}, {70, 0, 20}, Double3(0.6), matt),
+                   thing("lid", cube_mesh(), {0.3, 1.9, 0.2}, {0, 30, 0}, {0.4, 0.04, 0.3}, matt)};
+  return scene;
+}
+
 } // namespace
 
 const std::vector<FaultScene>& fault_scenes() {
@@ -201,7 +220,8 @@ const std::vector<FaultScene>& fault_scenes() {
                                               {"gated plastics", plastics(SpecularGate::cut_below_horizon)},
                                               {"measured", measured()},
                                               {"mapped", mapped()},
-                                              {"microfacets", microfacets()}};
+                                              {"microfacets", microfacets()},
+                                              {"shadowed", shadowed()}};
   return all;
 }
 

@@ -167,6 +167,23 @@ Scene shadows() {
                              glossy<Phong>({0.8, 0.5, 0.3}, {0.5, 0.5, 0.5}, 12))});
 }
 
+// The same by maps of every filter.
+Scene shadow_maps() {
+  Scene scene = shadows();
+  ShadowFilter filter = ShadowFilter::nearest;
+  for_each_light_list(scene, [&](auto& lights) {
+    for (auto& light : lights) {
+      ShadowMap map;
+      map.size = 96, map.filter = filter;
+      light.shadow = map;
+      filter = filter == ShadowFilter::nearest      ? ShadowFilter::two_by_two
+               : filter == ShadowFilter::two_by_two ? ShadowFilter::pcf3
+                                                    : ShadowFilter::nearest;
+    }
+  });
+  return scene;
+}
+
 Scene many_lights() {
   Random random = Random::from_state(3);
   Scene scene = lit();
@@ -219,6 +236,7 @@ std::vector<HashedScene> hashed_scenes() {
   scenes.push_back({"many-lights", many_lights()});
   scenes.push_back({"shadows", shadows()});
   scenes.push_back({"shadows-4", shadows(), 4});
+  scenes.push_back({"shadow-maps", shadow_maps()});
   for (const int samples : {2, 4, 8, 16})
     scenes.push_back({"samples-" + std::to_string(samples), thrown(100), samples});
   return scenes;

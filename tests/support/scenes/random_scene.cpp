@@ -284,14 +284,27 @@ Camera random_camera(Random& random) {
   }
 }
 
+ShadowMap random_map(Random& random) {
+  ShadowMap map;
+  map.size = 16 + random.below(80);
+  map.filter = EnumNames<ShadowFilter>::names[random.below(3)].first;
+  map.bias = one_in(random, 8) ? random.log_uniform(1e-3, 1e3) : random.uniform(0, 2);
+  map.slope_bias = one_in(random, 4) ? 0 : random.uniform(0, 4);
+  if (one_in(random, 8)) map.near = random.log_uniform(1e-3, 10);
+  return map;
+}
+
 /// Of lights of some scenes, from a generator of its own, which the other only seeds.
 void add_shadows(const Random& random, Scene& scene) {
   constexpr std::uint64_t shadow_seed = 0x736861646f77;
   Random peek = random, own(shadow_seed + static_cast<std::uint64_t>(peek.below(1 << 30)));
   if (!one_in(own, 3)) return;
   for_each_light_list(scene, [&](auto& lights) {
-    for (auto& light : lights)
+    for (auto& light : lights) {
+      if (!one_in(own, 2)) continue;
       if (one_in(own, 2)) light.shadow = Shadow::exact;
+      else light.shadow = random_map(own);
+    }
   });
 }
 

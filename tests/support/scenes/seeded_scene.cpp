@@ -337,6 +337,24 @@ void add_lights(Scene& scene, Random& random) {
     scene.direction_lights.push_back({offset(random, 0.2, 3), vector(random, 0, 1)});
 }
 
+/// Of the lights of one scene in three, from a generator of its own, which the other only seeds.
+void add_shadow_maps(const Random& random, Scene& scene) {
+  constexpr std::uint64_t map_seed = 0x6d617073;
+  Random peek = random, own(map_seed + static_cast<std::uint64_t>(peek.below(1 << 30)));
+  if (!one_in(own, 3)) return;
+  for_each_light_list(scene, [&](auto& lights) {
+    for (auto& light : lights) {
+      if (one_in(own, 3)) continue;
+      ShadowMap map;
+      map.size = 16 + own.below(112);
+      map.filter = any_of<ShadowFilter>(own);
+      map.bias = own.uniform(0, 2), map.slope_bias = one_in(own, 4) ? 0 : own.uniform(0, 4);
+      if (one_in(own, 6)) map.near = own.log_uniform(0.01, 1);
+      light.shadow = map;
+    }
+  });
+}
+
 } // namespace
 
 SeededScene seeded_scene(std::uint64_t seed) {
@@ -356,6 +374,7 @@ SeededScene seeded_scene(std::uint64_t seed) {
     scene.objects.back().material = random_material(random);
   }
   for (std::size_t i = 0; i < scene.objects.size(); ++i) scene.objects[i].name = "object " + std::to_string(i + 1);
+  add_shadow_maps(random, scene);
   return made;
 }
 

@@ -9,8 +9,8 @@
 
 namespace refraster {
 
-/// Turns all shadows on or off.
-inline Scene with_shadows(Scene scene, Shadow shadow) {
+/// All lights with such shadows, or with none.
+inline Scene with_shadows(Scene scene, const CastShadow& shadow) {
   for_each_light_list(scene, [&](auto& lights) {
     for (auto& light : lights) light.shadow = shadow;
   });

@@ -1,5 +1,6 @@
 #include "tests/support/slow/slow_shading.h"
 
+#include "tests/support/slow/slow_shadow_maps.h"
 #include "tests/support/slow/slow_shadows.h"
 
 #include <algorithm>
@@ -197,22 +198,25 @@ std::optional<Vec> brdf(const Merl& merl, Vec n, Vec i, Vec o) {
 
 // Light.
 
-/// What shadows leave of a light: all or nothing.
+/// What shadows leave of a light.
 class Visibility {
 public:
-  Visibility(const Scene& scene, const Seen& seen) : seen_(seen) {
-    if (has_shadows(scene)) casters_.emplace(scene);
+  Visibility(const Scene& scene, const Seen& seen) : scene_(scene), seen_(seen) {
+    if (has_shadows(scene, Shadow::exact)) casters_.emplace(scene);
   }
 
   Real of(const auto& light, Vec to, bool is_direction) {
     if (light.shadow == Shadow::none) return 1;
-    const std::optional<bool> sees = casters_->sees(seen_, to, is_direction);
-    doubtful = doubtful || !sees;
-    return sees.value_or(true) ? 1 : 0;
+    std::optional<Real> visible;
+    if (light.shadow == Shadow::map) visible = SlowShadowMap(scene_, light).visibility(seen_.position, seen_.normal);
+    else if (const std::optional<bool> sees = casters_->sees(seen_, to, is_direction)) visible = *sees ? 1 : 0;
+    doubtful = doubtful || !visible;
+    return visible.value_or(1);
   }
   bool doubtful = false;
 
 private:
+  const Scene& scene_;
   const Seen& seen_;
   std::optional<ShadowCasters> casters_;
 };

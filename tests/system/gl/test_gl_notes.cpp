@@ -38,12 +38,27 @@ TEST_CASE("OpenGL's image that shows something is not explained") {
   CHECK_MESSAGE(run.err.find("note:") == std::string::npos, run.err);
 }
 
+TEST_CASE("with --shadow map an exact shadow is drawn and judged as a map, and a note says so") {
+  const TemporaryFolder folder;
+  const std::string list = "\"direction_lights\": [{";
+  save_text(folder / "s.json", ball_with(list, list + R"("shadow": "exact", )"));
+  for (const std::vector<std::string>& words :
+       std::vector<std::vector<std::string>>{{"gl", "s.json", "--size", "40x30", "--shadow", "map:64"},
+                                             {"verify", "s.json", "--gl", "--size", "40x30", "--shadow", "map"}}) {
+    const Finished run = run_program(folder.path, words);
+    CHECK_MESSAGE(run.exit_code == 0, run.err);
+    CHECK_MESSAGE((run.out + run.err).find("1 light has another than the file says: map") != std::string::npos,
+                  (run.out + run.err));
+  }
+}
+
 TEST_CASE("a scene with an exact shadow is drawn by render alone, and gl and verify --gl say so in a line") {
   const TemporaryFolder folder;
   const std::string list = "\"direction_lights\": [{";
   save_text(folder / "s.json", ball_with(list, list + R"("shadow": "exact", )"));
   const std::string line = "s.json: /scene/direction_lights/0/shadow: found \"exact\", which OpenGL does not cast, "
-                           "expected \"none\" for OpenGL; refraster render and explain cast it\n";
+                           "expected \"none\" or a map for OpenGL, as with --shadow map; refraster render and explain "
+                           "cast it\n";
   for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
            {"gl", "s.json", "--size", "40x30"}, {"verify", "s.json", "--gl", "--size", "40x30"}}) {
     const Finished run = run_program(folder.path, words);

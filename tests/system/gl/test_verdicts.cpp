@@ -11,6 +11,7 @@
 #include "tests/support/scenes/half_textured.h"
 #include "tests/support/scenes/leaf_scene.h"
 #include "tests/support/scenes/listed_scenes.h"
+#include "tests/support/scenes/shadow_scene.h"
 #include "tests/system/gl/small_scenes.h"
 #include "verify/device/read_profile.h"
 
@@ -164,6 +165,40 @@ TEST_CASE("every texture of a material, wherever it is placed and whatever its n
         const DeviceProfile profile = entered("llvmpipe");
         CHECK_FALSE(judge(scene, in_float(drawn(without, 112, 63, profile)), profile, {}).is_explained());
       }
+}
+
+TEST_CASE("shadow maps through llvmpipe are explained, with every filter; most comparisons are decided") {
+  const DeviceProfile profile = entered("llvmpipe");
+  for (const ShadowFilter filter : {ShadowFilter::nearest, ShadowFilter::two_by_two, ShadowFilter::pcf3}) {
+    double coarser = 0.5; // most pixels have bounds of less than four levels, and more of them the finer the map
+    for (const int size : {64, 300}) {
+      ShadowMap map;
+      map.size = size, map.filter = filter;
+      const Scene scene = with_shadows(shadow_scene(), map);
+      const std::string name = "shadow maps, " + std::string(name_of(filter));
+      CHECK(check_scene(name, scene, 160, 90, profile) > 0.01);
+      const Verdict verdict = judge(scene, in_8_bits(drawn(scene, 160, 90, profile)), profile, {});
+      CHECK(verdict.count(PixelClass::shadow) < 160 * 90 / 50);
+      CHECK(verdict.power.below_four > coarser);
+      coarser = verdict.power.below_four;
+    }
+  }
+  // The test can fail: without one light's shadow it is another picture.
+  ShadowMap map;
+  map.size = 256;
+  const Scene scene = with_shadows(shadow_scene(), map);
+  Scene wrong = scene;
+  wrong.direction_lights[0].shadow = Shadow::none;
+  CHECK_FALSE(judge(scene, in_float(drawn(wrong, 160, 90, profile)), profile, {}).is_explained());
+}
+
+TEST_CASE("shadow maps through softpipe are explained") {
+  ShadowMap map;
+  map.size = 96;
+  for (const ShadowFilter filter : {ShadowFilter::nearest, ShadowFilter::pcf3}) {
+    map.filter = filter;
+    check_scene("shadow maps", with_shadows(shadow_scene(), map), 64, 36, entered("softpipe"));
+  }
 }
 
 TEST_CASE("what llvmpipe cuts out by opacity is what is cut out here, or near the threshold") {

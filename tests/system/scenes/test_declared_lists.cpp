@@ -76,7 +76,8 @@ TEST_CASE("random scenes have every type of light, texture and vertex attribute,
     for_each_light_list(scene, [&]<class Light>(const std::vector<Light>& lights) {
       count(std::string(Light::names.words), !lights.empty());
     });
-    count("lights with shadows", has_shadows(scene));
+    count("lights with exact shadows", has_shadows(scene, Shadow::exact));
+    count("lights with shadow maps", has_shadows(scene, Shadow::map));
     const auto any_object = [&](auto&& has) { return std::any_of(scene.objects.begin(), scene.objects.end(), has); };
     for (const TextureSlot& slot : texture_slots)
       count("the texture " + std::string(slot.name),

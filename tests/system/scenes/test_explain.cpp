@@ -220,6 +220,45 @@ TEST_CASE("the story of a pixel in the shadow of something says of what, and wha
   CHECK(in_light > 20);
 }
 
+TEST_CASE("the story of a pixel says what a shadow map was asked, and its taps add up to the visibility") {
+  ShadowMap map;
+  map.size = 128;
+  int parts = 0, dark = 0;
+  for (const ShadowFilter filter : {ShadowFilter::nearest, ShadowFilter::two_by_two, ShadowFilter::pcf3}) {
+    map.filter = filter;
+    const Scene scene = with_shadows(shadow_scene(), map);
+    for (int i = 0; i < 60; ++i) {
+      const ExplainRequest request{5 + i * 5 % 310, 90 + i, 320, 180, 1};
+      CAPTURE(i);
+      check_story(scene, request);
+      const PixelStory story = explain_pixel(scene, request);
+      for (const FragmentStory& f : story.fragments)
+        for (const LightStory& light : f.lights) {
+          REQUIRE(light.shadow);
+          REQUIRE(light.shadow->map);
+          CHECK_FALSE(light.shadow->between);
+          CHECK((light.shadow->map->face != "") == (light.type == "point light"));
+          double lit = 0;
+          for (const ShadowTapStory& tap : light.shadow->map->taps) {
+            if (tap.lit) lit += tap.weight;
+            CHECK(tap.lit == (!tap.stored || light.shadow->map->depth <= *tap.stored));
+          }
+          CHECK(light.shadow->visibility == doctest::Approx(lit));
+          parts += light.shadow->visibility > 0 && light.shadow->visibility < 1;
+          dark += light.shadow->visibility == 0;
+        }
+      const std::string text = story_text(story, {.lights = 9});
+      if (!story.fragments.empty()) {
+        CHECK(text.find("depth with bias, compared with") != std::string::npos);
+        CHECK(text.find(", weight ") != std::string::npos);
+        CHECK(story_json(story).find("\"taps\": [") != std::string::npos);
+      }
+    }
+  }
+  CHECK(parts > 20);
+  CHECK(dark > 20);
+}
+
 TEST_CASE("every filter's texels, with their weights, are the texture's colour") {
   for (const TextureFilter filter : {TextureFilter::nearest, TextureFilter::bilinear, TextureFilter::trilinear}) {
     const Scene scene = half_textured(filter);

@@ -121,7 +121,7 @@ std::string scene_json(const Scene& scene, int width, int height) {
           json.member("colours", packed(object.mesh->colours));
           json.member("triangles", packed(object.mesh->triangles));
           json.member("cull", object.cull == Cull::back);
-          UniformValues values = scene_uniforms(scene);
+          UniformValues values = scene_uniforms(scene, light_views(scene, 1));
           values.merge(object_uniforms(object, clip));
           write_uniforms(json, values);
           write_texture(json, material);

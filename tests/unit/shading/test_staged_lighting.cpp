@@ -40,13 +40,14 @@ void sum_by_formula(const std::vector<PointLight>& points, const std::vector<Dir
   batch.template for_each<has_maps>(counts, [&](std::size_t p, const Fragment<T>& at, const UndefinedTally<T>& tally) {
     Rgb<T> sum = ambient(function, at);
     if constexpr (has_maps == Maps::yes) sum += at.maps->emission;
-    const std::uint8_t* row = batch.visibility.rows;
+    const double* row = batch.visibility.rows;
     const auto add = [&](const auto& light) {
       Incident<T> incident = arriving(prepared_light(light), at);
       if (light.shadow != Shadow::none) {
+        T visibility(0);
         for (int lane = 0; lane < lanes<T>; ++lane)
-          for (int c = 0; c < 3; ++c)
-            if (row[p * lanes<T> + static_cast<std::size_t>(lane)] == 0) incident.radiance[c].set(lane, 0);
+          visibility.set(lane, static_cast<RealOf<T>>(row[p * lanes<T> + static_cast<std::size_t>(lane)]));
+        incident.radiance = incident.radiance * visibility;
         row += batch.visibility.stride;
       }
       sum += reflected(function, at, incident);
@@ -69,15 +70,16 @@ void check_stages(const Function& function, std::mt19937_64& random) {
   }
   for (std::size_t k = random() % 3; k > 0; --k) directions.push_back({random_direction(random), colour()});
   std::mt19937_64 own(points.size() + 4 * directions.size()); // of shadows: no other number is drawn for them
-  for (PointLight& light : points) light.shadow = own() % 2 ? Shadow::exact : Shadow::none;
-  for (DirectionLight& light : directions) light.shadow = own() % 2 ? Shadow::exact : Shadow::none;
+  for (PointLight& light : points) light.shadow = own() % 2 ? own() % 2 ? Shadow::exact : Shadow::map : Shadow::none;
+  for (DirectionLight& light : directions)
+    light.shadow = own() % 2 ? own() % 2 ? Shadow::exact : Shadow::map : Shadow::none;
 
   const auto staged = std::make_unique<PacketBatch<T>>(), plain = std::make_unique<PacketBatch<T>>();
   staged->packets = 1 + static_cast<int>(random() % PacketBatch<T>::capacity);
   make_surfaces(random, *staged, points);
   const std::size_t stride = PacketBatch<T>::fragment_of(PacketBatch<T>::capacity) + 3;
-  std::vector<std::uint8_t> visible(stride * (points.size() + directions.size()) + 64);
-  for (std::uint8_t& byte : visible) byte = own() % 2;
+  std::vector<double> visible(stride * (points.size() + directions.size()) + 64);
+  for (double& one : visible) one = static_cast<double>(own() % 4) / 3;
   staged->visibility = {visible.data(), stride};
   *plain = *staged;
   UndefinedCounts counts, plain_counts;
