@@ -23,6 +23,9 @@ struct Task {
     return std::string(folder) + "/" + entry.name + extension;
   }
   std::string path_of(const std::string& file) const { return workplace.results + "/" + file; }
+
+  /// How the picture is rendered; and the scene placed for its size.
+  RenderOptions placed_options();
 };
 
 void compare_with_reference(Task& task); // compare_action.cpp

@@ -14,14 +14,7 @@ namespace refraster::suite {
 
 void time_frame(Task& task) {
   EntryResult& result = task.result;
-  RenderOptions options;
-  options.width = task.picture.width, options.height = task.picture.height;
-  options.samples = task.picture.samples;
-  options.transfer = task.picture.transfer;
-  options.precision = task.entry.precision;
-  options.threads = task.workplace.threads;
-  options.memory = task.workplace.memory;
-  place(task.source.scene, task.source.view, options.width, options.height);
+  const RenderOptions options = task.placed_options();
   bench::FrameSource frames;
   const bench::Candidate candidate = [&]() -> bench::FrameTimes {
     const Stopwatch wall, cpu(TimeOf::process);

@@ -13,15 +13,8 @@ namespace refraster::suite {
 namespace {
 
 MadeImage rendered(Task& task, Floats floats) {
-  RenderOptions options;
-  options.width = task.picture.width, options.height = task.picture.height;
-  options.samples = task.picture.samples;
-  options.transfer = task.picture.transfer;
-  options.precision = task.entry.precision;
-  options.threads = task.workplace.threads;
+  RenderOptions options = task.placed_options();
   options.want_radiance = floats == Floats::wanted;
-  options.memory = task.workplace.memory;
-  place(task.source.scene, task.source.view, options.width, options.height);
   Frame frame = render(task.source.scene, options);
   return {std::move(frame.rgb8), std::move(frame.radiance), options.transfer};
 }
@@ -66,6 +59,18 @@ MadeImage read(Task& task) {
 }
 
 } // namespace
+
+RenderOptions Task::placed_options() {
+  place(source.scene, source.view, picture.width, picture.height);
+  RenderOptions options;
+  options.width = picture.width, options.height = picture.height;
+  options.samples = picture.samples;
+  options.transfer = picture.transfer;
+  options.precision = entry.precision;
+  options.threads = workplace.threads;
+  options.memory = workplace.memory;
+  return options;
+}
 
 MadeImage make_image_of(Task& task, Floats floats) {
   MadeImage made = task.entry.needs_gl()                      ? drawn(task)
