@@ -95,9 +95,9 @@ void errors_of(const Scene& scene, const Light& light, const char* name, const I
     print(name, map, Wrong(base, full, exact, images(with_light(scene, light, map))));
   };
   constexpr std::array<std::array<double, 2>, 6> biases{{{0, 0}, {1, 0}, {0, 1}, {0.5, 1}, {0.5, 3}, {8, 3}}};
-  for (const int size : {256, 1024})
+  for (const int size : {256, 1024, 4096})
     for (const auto& [bias, slope_bias] : biases) row(size, ShadowFilter::nearest, bias, slope_bias);
-  for (const int size : {256, 1024}) {
+  for (const int size : {256, 1024, 4096}) {
     row(size, ShadowFilter::two_by_two, 0.5, 2);
     row(size, ShadowFilter::pcf3, 0.5, 3);
   }
