@@ -51,4 +51,19 @@ Rgb<double> directional_albedo(const Brdf& brdf, double degrees, const AlbedoSte
 /// negative values, f(i, o) that is not f(o, i).
 std::vector<std::string> impossibilities(const BrdfFacts& facts);
 
+/// A reflectance, and what is known of it.
+struct BrdfInfo {
+  Brdf brdf;
+  std::string material; // of a table: empty if not one of the database
+  BrdfFacts facts;
+};
+
+/// Of a table, the label is the path that it was read from. Throws InputError if the file is no longer there.
+BrdfInfo brdf_info(const Brdf& brdf);
+
+/// For people.
+std::string info_text(const BrdfInfo& info);
+/// docs/reports.md.
+std::string info_json(const BrdfInfo& info);
+
 } // namespace refraster

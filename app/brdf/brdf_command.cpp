@@ -1,14 +1,9 @@
 // refraster brdf: what its commands have in common.
 
-#include <refraster/files.h>
-
 #include "app/brdf/brdf_commands.h"
 #include "app/progress_line.h"
 #include "app/usage_error.h"
-#include "io/file/nearest.h"
-
-#include <filesystem>
-#include <system_error>
+#include "brdf/read_brdf.h"
 
 namespace refraster {
 
@@ -42,15 +37,8 @@ void check_brdf_word(const std::string& name, const std::string& word) {
 }
 
 Brdf read_brdf(const std::string& word, MerlLookup lookup, const Diagnostics& diagnostics) {
-  if (means_model(word)) return {word, read_models(word).lobes};
-  std::error_code ignored;
-  if (word.find_first_of("./") == std::string::npos && !std::filesystem::exists(word, ignored))
-    throw InputError(InputFault{word, 0, 0, "", "no such file", "a MERL table, or " + one_of(model_names(), word)});
-  const auto progress = progress_line(diagnostics, "reading " + word);
-  Merl table;
-  table.table = read_merl(word);
-  table.lookup = lookup;
-  return {word, table};
+  const auto progress = means_model(word) ? nullptr : progress_line(diagnostics, "reading " + word);
+  return read_brdf(word, lookup);
 }
 
 Command brdf_command() {

@@ -66,18 +66,15 @@ ExitCode run(const FitArguments& arguments) {
     if (!path.empty()) check_writable(path);
   const Brdf brdf = read_brdf(arguments.word, arguments.lookup, arguments.diagnostics);
   auto progress = progress_line(arguments.diagnostics, "fitting");
-  const std::optional<BrdfFit> fit = fit_brdf(brdf, *find_fitted_model(arguments.model), arguments.lobes);
+  const BrdfFit fit = fit_or_refuse(brdf, arguments.model, arguments.lobes);
   progress.reset();
-  if (!fit)
-    throw InputError(InputFault{arguments.word, 0, 0, "", "no value along theta_d = 22.5, phi_d = 89.5 degrees",
-                                "a highlight to begin with"});
-  for (const std::string& doubt : fit->doubts) print_note("the fit is poor: " + doubt, arguments.diagnostics);
-  if (!arguments.json.empty()) write_text(arguments.json, fit_json(brdf, *fit));
-  if (!arguments.output.empty()) write_material(arguments, *fit);
-  if (!arguments.html.empty()) write_text(arguments.html, page_of(brdf, *fit));
+  for (const std::string& doubt : fit.doubts) print_note("the fit is poor: " + doubt, arguments.diagnostics);
+  if (!arguments.json.empty()) write_text(arguments.json, fit_json(brdf, fit));
+  if (!arguments.output.empty()) write_material(arguments, fit);
+  if (!arguments.html.empty()) write_text(arguments.html, page_of(brdf, fit));
   if (arguments.json != standard_output && arguments.output != standard_output && arguments.html != standard_output &&
       arguments.diagnostics.verbosity != Verbosity::quiet)
-    std::cout << fit_text(brdf, *fit);
+    std::cout << fit_text(brdf, fit);
   return ExitCode::ok;
 }
 

@@ -15,7 +15,7 @@
 #include "bench/measure/precision_errors.h"
 #include "bench/measure/scene_bench.h"
 #include "bench/page/page.h"
-#include "bench/report/doubts.h"
+#include "bench/report/begun_run.h"
 #include "bench/report/report_csv.h"
 #include "bench/report/report_json.h"
 #include "bench/report/report_text.h"
@@ -23,7 +23,6 @@
 #include "gl/render_gl.h"
 #include "io/file/nearest.h"
 #include "io/scene/scene_source.h"
-#include "raster/explain/explain_dark.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -149,18 +148,9 @@ class Bench {
 public:
   explicit Bench(const BenchArguments& arguments)
       : a_(arguments), opengl_(renderer_named(arguments.gl.value_or(default_gl))) {
-    run_.command = command_line();
-    run_.started = utc_now();
-    run_.machine = this_machine();
-    run_.load_at_start = load_average();
-    run_.warm_up = repetitions_.warm_up;
-    run_.min_repetitions = repetitions_.least = a_.frames;
-    run_.seconds = repetitions_.seconds = a_.seconds;
+    repetitions_.least = a_.frames, repetitions_.seconds = a_.seconds;
     repetitions_.stop = &interrupted();
-    const auto usable = static_cast<int>(run_.machine.usable_cpus.size());
-    for (const int threads : a_.threads)
-      if (threads > usable)
-        run_.notes.push_back(std::to_string(threads) + " threads share " + std::to_string(usable) + " CPUs");
+    run_ = begun_run(command_line(), repetitions_, a_.threads);
     if (a_.samples > 1 && opengl_) {
       run_.notes.emplace_back("OpenGL is left out: it is drawn with one sample a pixel");
       opengl_.reset();
@@ -190,12 +180,7 @@ public:
     if (interrupted()) return;
     if (a_.errors == Errors::measured)
       result.errors = precision_errors(task, static_cast<int>(run_.machine.usable_cpus.size()));
-    if (result.counts.shaded == 0) {
-      RenderOptions options;
-      options.width = size.width, options.height = size.height;
-      run_.notes.push_back(name + ": " + explain_no_surface(scene, options) + "; nothing is known of a shaded pixel");
-    }
-    run_.scenes.push_back(std::move(result));
+    add_scene(run_, task, std::move(result));
   }
 
   void add_scaling(const GrowthRequest& request) {
@@ -217,9 +202,7 @@ public:
   }
 
   Run finished() {
-    run_.ended = utc_now();
-    run_.load_at_end = load_average();
-    for (std::string& note : doubts(run_)) run_.notes.push_back(std::move(note));
+    end_run(run_);
     return std::move(run_);
   }
 

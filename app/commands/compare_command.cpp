@@ -2,8 +2,6 @@
 
 #include <refraster/files.h>
 #include <refraster/notes.h>
-#include <refraster/render.h>
-#include <refraster/scene.h>
 
 #include "app/arguments.h"
 #include "app/command.h"
@@ -13,16 +11,11 @@
 #include "app/output.h"
 #include "app/progress_line.h"
 #include "app/usage_error.h"
-#include "io/file/text.h"
-#include "io/scene/scene_source.h"
 #include "verify/compare/compare_files.h"
 #include "verify/compare/compare_report.h"
-#include "verify/compare/flip.h"
 #include "verify/compare/heat_legend.h"
 #include "verify/compare/limits_file.h"
 
-#include <algorithm>
-#include <array>
 #include <iostream>
 #include <memory>
 
@@ -48,31 +41,6 @@ std::optional<double> heat_max_from(std::string_view text) {
   return levels && *levels > 0 ? levels : std::nullopt;
 }
 
-/// As a screen shows it, 0 to 255 in three channels.
-Image<float> as_shown(const Image<float>& image, double full_scale) {
-  Image<float> shown(image.width, image.height, 3);
-  for (int y = 0; y < image.height; ++y)
-    for (int x = 0; x < image.width; ++x)
-      for (int c = 0; c < 3; ++c)
-        shown.at(x, y)[c] = static_cast<float>(
-            std::min(static_cast<double>(image.at(x, y)[image.channels == 1 ? 0 : c]) / full_scale, 1.0) * 255);
-  return shown;
-}
-
-/// Throws InputError where FLIP is not defined: it takes what a screen shows, and nothing says how that follows from
-/// values without bounds, or from channels that are no colour.
-double flip_of(const ImagePair& images, const CompareArguments& arguments) {
-  const auto refuse = [](const std::string& file, const std::string& found) {
-    throw InputError(InputFault{file, 0, 0, "", found,
-                                "red, green and blue, or grey, of 8 or 16 bits: --flip compares what a screen shows"});
-  };
-  if (images.precision_a.relative > 0) refuse(arguments.a, "values of floating point");
-  if (images.precision_b.relative > 0) refuse(arguments.b, "values of floating point");
-  if (images.a.channels != 1 && images.a.channels != 3)
-    refuse(arguments.a, std::to_string(images.a.channels) + " channels to compare");
-  return mean_flip(as_shown(images.a, images.full_scale), as_shown(images.b, images.full_scale));
-}
-
 /// Those of the file, where the command line does not give them.
 CompareLimits all_limits(const CompareArguments& arguments) {
   CompareLimits limits = arguments.limits;
@@ -90,20 +58,6 @@ void note_on_limits(const CompareLimits& limits, const ImagePair& images, Compar
   const bool bounded = images.precision_a.saturates() && images.precision_b.saturates();
   if (bounded && limits.max_abs && *limits.max_abs >= full_range(unit))
     print_note("no two images of 8 or 16 bits differ by more than --max-abs", diagnostics);
-}
-
-/// What pixels of images of this size see of the scene.
-std::optional<SeenObjects> objects_of_scene(const CompareArguments& arguments, int width, int height,
-                                            const MemoryBudget& memory, NoteList& notes) {
-  if (std::max(width, height) > largest_side)
-    throw InputError(
-        InputFault{arguments.a, 0, 0, "", format("%d x %d pixels", width, height),
-                   "at most " + std::to_string(largest_side) + " on a side, which --scene is rendered in"});
-  SceneOptions reading = arguments.reading;
-  reading.memory = memory;
-  reading.notes = &notes;
-  const Scene scene = read_scene_source(arguments.scene, reading).placed(width, height);
-  return seen_objects(scene, width, height, memory);
 }
 
 ExitCode run(const CompareArguments& arguments) {
@@ -125,14 +79,13 @@ ExitCode run(const CompareArguments& arguments) {
                          .unit = unit,
                          .scene = arguments.scene,
                          .memory = memory};
-  if (!arguments.scene.empty())
-    request.seen = [&](int width, int height, NoteList& notes) {
-      return objects_of_scene(arguments, width, height, memory, notes);
-    };
+  SceneOptions reading = arguments.reading;
+  reading.memory = memory;
+  if (!arguments.scene.empty()) request.seen = objects_of_scene(arguments.scene, reading, arguments.a);
   FileComparison compared = compare_files(request);
   const ImagePair& images = compared.images;
   ComparisonReport& report = compared.report;
-  if (arguments.flip == CompareArguments::Flip::yes) report.mean_flip = flip_of(images, arguments);
+  if (arguments.flip == CompareArguments::Flip::yes) report.mean_flip = flip_of(compared);
   if (!arguments.diff.empty()) {
     std::optional<double> asked = arguments.heat_max;
     if (asked) *asked *= full_range(unit) / 255;

@@ -20,7 +20,7 @@
 #include "verify/explain/explain_pixel.h"
 #include "verify/explain/story_json.h"
 #include "verify/explain/story_text.h"
-#include "verify/images/colour_image.h"
+#include "verify/images/actual_pixel.h"
 
 #include <iostream>
 #include <memory>
@@ -40,20 +40,6 @@ struct ExplainArguments {
   Diagnostics diagnostics;
 };
 
-/// The image of --actual; what of it is left out is said in `notes`. Throws InputError.
-ColourImage read_actual(const ExplainArguments& arguments, NoteList& notes) {
-  ColourImage image = read_colour_image(arguments.actual, arguments.layer, arguments.reading.memory, notes);
-  if (!arguments.layer.empty() && !image.has_layer)
-    throw InputError(InputFault{arguments.actual, 0, 0, "", "no layer \"" + arguments.layer + "\" with R, G and B",
-                                "--layer to name one of this file"});
-  if (image.kind == ColourChannels::Kind::data)
-    throw InputError(InputFault{arguments.actual, 0, 0, "",
-                                std::to_string(image.colour.channels) + " channels that are no colour",
-                                "red, green and blue, or grey"});
-  if (!image.alpha.empty()) notes.add({arguments.actual, 0, "", "the alpha channel is left out"});
-  return image;
-}
-
 /// Throws UsageError for a pixel that the image does not have.
 void check_pixel(const ExplainArguments& arguments, const Size& size) {
   const auto check = [](const char* name, int found, int count, const char* what) {
@@ -66,20 +52,14 @@ void check_pixel(const ExplainArguments& arguments, const Size& size) {
   check("Y", arguments.y, size.height, "high");
 }
 
-ActualPixel actual_pixel(const ColourImage& image, int x, int y) {
-  const float* const at = image.colour.at(x, y);
-  const bool grey = image.colour.channels < 3;
-  const auto channel = [&](int c) { return static_cast<double>(at[grey ? 0 : c]); };
-  return {image.path, {channel(0), channel(1), channel(2)}, image.full_scale, image.precision};
-}
-
 ExitCode run(const ExplainArguments& arguments) {
   check_different({arguments.json}, {arguments.scene, arguments.actual});
   if (!arguments.json.empty()) check_writable(arguments.json);
   prepare_cache(arguments.reading.mesh_cache);
   NoteList notes;
   std::optional<ColourImage> actual;
-  if (!arguments.actual.empty()) actual = read_actual(arguments, notes);
+  if (!arguments.actual.empty())
+    actual = read_actual_image(arguments.actual, arguments.layer, arguments.reading.memory, notes);
   PictureArguments asked = arguments.picture;
   if (actual) {
     const Size its{actual->colour.width, actual->colour.height};

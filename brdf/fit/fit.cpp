@@ -1,5 +1,7 @@
 #include "brdf/fit/fit.h"
 
+#include <refraster/notes.h>
+
 #include "brdf/fit/levenberg_marquardt.h"
 #include "io/file/text.h"
 
@@ -123,6 +125,12 @@ std::optional<BrdfFit> fit_brdf(const Brdf& brdf, const FittedModel& model, int 
   for (const std::vector<BrdfFit>* const all : {&tried, &fits})
     for (const BrdfFit& one : *all) fit.evaluations += one.evaluations;
   return fit;
+}
+
+BrdfFit fit_or_refuse(const Brdf& brdf, const std::string& model, int lobes) {
+  if (auto fit = fit_brdf(brdf, *find_fitted_model(model), lobes)) return *std::move(fit);
+  throw InputError(InputFault{brdf.label(), 0, 0, "", "no value along theta_d = 22.5, phi_d = 89.5 degrees",
+                              "a highlight to begin with"});
 }
 
 std::optional<BrdfFit> fit_brdf_from(const Brdf& brdf, std::string model, const std::vector<BrdfModel>& start) {

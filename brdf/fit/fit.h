@@ -29,6 +29,10 @@ inline constexpr double min_explained = 0.9;
 /// or two. lobes: 1 to 3. Nothing where the reflectance is measured nowhere that the start looks.
 std::optional<BrdfFit> fit_brdf(const Brdf& brdf, const FittedModel& model, int lobes);
 
+/// The same of a model by its name, which must be listed. Throws InputError, of the file that the label names, where
+/// there is nothing.
+BrdfFit fit_or_refuse(const Brdf& brdf, const std::string& model, int lobes);
+
 /// The same from these lobes alone: for those who search for a better start.
 std::optional<BrdfFit> fit_brdf_from(const Brdf& brdf, std::string model, const std::vector<BrdfModel>& start);
 

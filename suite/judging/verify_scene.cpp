@@ -5,8 +5,8 @@
 #include "io/file/sha256.h"
 #include "io/image/image_formats.h"
 #include "io/scene/triangle_numbers.h"
-#include "raster/samples.h"
 #include "suite/judging/fewer_samples.h"
+#include "verify/verdict/judge_image.h"
 #include "verify/verdict/verdict_page.h"
 
 #include <algorithm>
@@ -83,13 +83,6 @@ DeviceImage image_from_opengl(const VerifyTask& task, const Scene& scene, int& s
   return image;
 }
 
-/// The standard positions of samples, counted from the lower left corner, as in OpenGL's window.
-std::vector<SamplePosition> positions_y_up(int samples) {
-  std::vector<SamplePosition> positions;
-  for (const SamplePosition& at : sample_pattern(samples)) positions.push_back({at.x, subpixels - at.y});
-  return positions;
-}
-
 /// Whether the GLSL of an object is not ours: then nothing is known of how it multiplies its matrices.
 bool has_own_vertex_shader(const Scene& scene) {
   return std::any_of(scene.objects.begin(), scene.objects.end(),
@@ -110,8 +103,7 @@ VerifiedScene verify_scene(const VerifyTask& task, SceneSource& source, NoteList
   Scene& scene = source.scene;
   int samples = task.picture.samples;
   if (!from_file) check_drawn_by_gl(task.scene, scene);
-  if (has_shadows(scene, Shadow::exact))
-    report.notes.add(Note{task.scene, 0, "shadow", "not judged: a light that has one may reach a surface or not"});
+  note_what_is_not_judged(report, scene);
   check_triangle_numbers(task.scene, scene, "verify");
   report.provenance.emplace_back("scene sha256", file_sha256(task.scene));
   if (from_file) {
@@ -130,17 +122,7 @@ VerifiedScene verify_scene(const VerifyTask& task, SceneSource& source, NoteList
   report.options.matrices =
       task.matrices.value_or(from_file || has_own_vertex_shader(scene) ? ShaderMatrices::three : ShaderMatrices::one);
   report.options.progress = steps.progress;
-  report.transfer = image.transfer;
-  report.verdict = judge(scene, image, report.profile, report.options);
-  // A file does not say which way its samples were counted: the better of both for the whole image.
-  if (from_file && samples > 1 && !report.verdict.is_explained()) {
-    image.samples = positions_y_up(samples);
-    Verdict other = judge(scene, image, report.profile, report.options);
-    if (other.count(PixelClass::unexplained) < report.verdict.count(PixelClass::unexplained)) {
-      report.verdict = std::move(other);
-      report.provenance.emplace_back("samples", "at the standard positions counted upward, as in OpenGL's window");
-    }
-  }
+  judge_image(report, scene, image, from_file ? SampleOrder::either : SampleOrder::known);
   if (task.causes == CauseSearch::done && !report.verdict.is_explained()) {
     begin(steps, "looking for the cause");
     rank_causes(report, scene, image);

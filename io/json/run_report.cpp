@@ -1,4 +1,4 @@
-#include "app/run_report.h"
+#include "io/json/run_report.h"
 
 #include "io/json/report_parts.h"
 
