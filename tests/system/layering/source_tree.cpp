@@ -19,7 +19,7 @@ std::vector<SourceFile> source_files(const std::vector<std::string>& endings) {
   };
   for (const fs::directory_entry& entry : fs::directory_iterator(root)) add(entry.path());
   for (const char* const folder : {"include", "math", "shading", "scene", "raster", "io", "gl", "verify", "scenes",
-                                   "brdf", "bench", "suite", "app", "tests", "docs", "cmake", "scripts"})
+                                   "brdf", "bench", "suite", "app", "python", "tests", "docs", "cmake", "scripts"})
     if (fs::is_directory(root / folder))
       for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / folder)) add(entry.path());
   std::sort(paths.begin(), paths.end());

@@ -17,8 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view layers[] = {"math",   "shading", "scene", "raster", "io",    "gl",
-                                       "verify", "scenes",  "brdf",  "bench",  "suite", "app"}; // from the ground up
+constexpr std::string_view layers[] = {"math",   "shading", "scene", "raster", "io",     "gl", "verify",
+                                       "scenes", "brdf",    "bench", "suite",  "python", "app"}; // from the ground up
 // The halves of a frame, in this order; what lies beside them is below them all, but for the frame itself.
 constexpr std::string_view halves[] = {"raster/vertex/", "raster/visibility/", "raster/shadow/", "raster/shade/",
                                        "raster/explain/"};
@@ -112,6 +112,7 @@ std::string objection(std::string_view file, std::string_view header) {
   if (test) return {};
   const auto used_program = prefix_in(programs, header);
   if (used_program && folder_of(file) != folder_of(header)) return "is of a program beside the library";
+  if (layer_of(header) == "python" && layer_of(file) != "python") return "is the Python module's, which nothing needs";
   const auto from = index_in(layers, layer_of(file));
   if (!program && *to > *from)
     return "goes up, from " + std::string(layer_of(file)) + " to " + std::string(layers[*to]);
@@ -154,6 +155,9 @@ TEST_CASE("an include that goes up, or names no layer, is found") {
   CHECK_FALSE(judged("bench/measure/scaling.h", "#include \"tests/support/random.h\"").empty());
   CHECK_FALSE(judged("bench/measure/scaling.h", "#include \"bench/precision/inputs.h\"").empty());
   CHECK_FALSE(judged("bench/measure/scaling.h", "#include \"app/output.h\"").empty());
+  CHECK(judged("python/reports.cpp", "#include \"bench/report/report_json.h\"").empty());
+  CHECK_FALSE(judged("python/reports.cpp", "#include \"app/output.h\"").empty());
+  CHECK_FALSE(judged("app/output.cpp", "#include \"python/work.h\"").empty());
   CHECK_FALSE(judged("tests/unit/io/test_text.cpp", "#include \"tests/unit/math/accuracy.h\"").empty());
   CHECK_FALSE(included("#include <vector>"));
 }

@@ -149,7 +149,7 @@ TEST_CASE("no name and no page uses a word that has another name here") {
   const fs::path root = REFRASTER_SOURCE_DIR;
   int files = 0;
   for (const char* const folder : {"math", "shading", "scene", "raster", "io", "gl", "verify", "scenes", "brdf",
-                                   "bench", "suite", "app", "tests", "docs", "cmake", "scripts"})
+                                   "bench", "suite", "app", "python", "tests", "docs", "cmake", "scripts"})
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / folder)) {
       const std::string extension = entry.path().extension(), name = entry.path().filename();
       const bool is_text = extension == ".h" || extension == ".cpp" || extension == ".md" || extension == ".cmake" ||
