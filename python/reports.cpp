@@ -1,19 +1,15 @@
 // refraster.compare, verify, explain: the JSON of the program's reports, as dictionaries.
 
-#include "io/file/sha256.h"
-#include "io/image/image_formats.h"
-#include "io/scene/triangle_numbers.h"
 #include "python/arrays.h"
 #include "python/scene/scenes.h"
 #include "python/work.h"
 #include "raster/samples.h"
+#include "suite/judging/verify_scene.h"
 #include "verify/compare/compare_files.h"
 #include "verify/device/read_profile.h"
 #include "verify/explain/bounds_story.h"
 #include "verify/explain/story_json.h"
 #include "verify/images/actual_pixel.h"
-#include "verify/images/read_device_image.h"
-#include "verify/verdict/judge_image.h"
 
 #include <optional>
 #include <utility>
@@ -169,66 +165,60 @@ std::vector<ClassLimit> class_limits(const py::object& given) {
   return limits;
 }
 
-DeviceImage device_image(const py::object& actual, const VerifyArguments& given, const Picture& picture,
-                         VerdictReport& report) {
-  if (py::isinstance<py::array>(actual)) {
-    ArrayImage array = image_argument("actual", actual, {3});
-    DeviceImage image;
-    image.full_scale = array.full_scale;
-    image.precision = precision_of(array);
-    image.colour = std::move(array.values);
-    if (array.full_scale != 1) image.transfer = picture.transfer; // floats hold linear values
-    read_optional("srgb", given.srgb, Range{}, image.transfer);
-    return image;
-  }
+/// The image of an array.
+DeviceImage device_image(const py::object& actual, const py::object& srgb, const Picture& picture) {
+  ArrayImage array = image_argument("actual", actual, {3});
+  DeviceImage image;
+  image.full_scale = array.full_scale;
+  image.precision = precision_of(array);
+  image.colour = std::move(array.values);
+  if (array.full_scale != 1) image.transfer = picture.transfer; // floats hold linear values
+  read_optional("srgb", srgb, Range{}, image.transfer);
+  return image;
+}
+
+/// How a file is read.
+DeviceImageRequest image_request(const VerifyArguments& given) {
   DeviceImageRequest request;
-  request.colour = path_argument("actual", actual);
   if (!given.ids.is_none()) request.ids = path_argument("ids", given.ids);
   if (!given.depth.is_none()) request.depth = path_argument("depth", given.depth);
   request.layer = text_argument("layer", given.layer);
   read_alpha(given.alpha, false, request.alpha, request.background);
   read_premultiplied(given.premultiplied, request.encoding);
   request.rows = given.flip_y ? RowOrder::bottom_first : RowOrder::top_first;
-  // Floats hold linear values, unless they are said not to.
-  const bool is_float = format_to_write(request.colour, {float_rgb_image, float_grey_image}) != nullptr;
-  request.transfer = is_float ? Transfer::linear : picture.transfer;
-  read_optional("srgb", given.srgb, Range{}, request.transfer);
-  report.actual = request.colour;
-  DeviceImage image;
-  run_watched(py::none(), [&](Watch&) {
-    report.provenance.emplace_back("image sha256", file_sha256(request.colour));
-    image = read_device_image(request, report.notes);
-  });
-  return image;
+  return request;
 }
 
 py::object verify_image(const py::object& scene, const py::object& actual, const VerifyArguments& given,
                         const py::object& progress) {
-  VerdictReport report;
-  report.limits = class_limits(given.fail_on);
-  report.profile = device_profile(given.device.is_none() ? std::string(device_profile_names().front())
-                                                         : path_argument("device", given.device));
-  GivenScene of = scene_argument(scene, given.allow_outside, report.notes);
-  report.scene = of.name, report.actual = "an array";
+  VerifyTask task;
+  task.limits = class_limits(given.fail_on);
+  if (!given.device.is_none()) {
+    task.device = path_argument("device", given.device);
+    device_profile(task.device); // what is wrong with it is said before a scene is read
+  }
+  NoteList notes;
+  GivenScene of = scene_argument(scene, given.allow_outside, notes);
   Picture& picture = of.source.view.picture;
   read_picture(py::none(), given.samples, given.srgb, picture);
-  note_what_is_not_judged(report, of.source.scene);
-  check_triangle_numbers(of.name, of.source.scene, "verify");
-  if (of.is_file) report.provenance.emplace_back("scene sha256", file_sha256(of.name));
-  report.options.matrices = ShaderMatrices::three;
+  task.scene = of.name, task.origin = of.is_file ? SceneOrigin::file : SceneOrigin::memory;
+  task.picture = picture;
+  if (!given.srgb.is_none()) task.asked_transfer = picture.transfer;
   if (!given.matrices.is_none())
-    report.options.matrices = words_argument("matrices", given.matrices, {"one", "three"}).at(0) == 0
-                                  ? ShaderMatrices::one
-                                  : ShaderMatrices::three;
-  report.options.samples = picture.samples;
-  DeviceImage image = device_image(actual, given, picture, report);
+    task.matrices = words_argument("matrices", given.matrices, {"one", "three"}).at(0) == 0 ? ShaderMatrices::one
+                                                                                            : ShaderMatrices::three;
+  if (py::isinstance<py::array>(actual)) {
+    task.source = JudgedSource::memory, task.actual = "an array";
+    task.given = device_image(actual, given.srgb, picture);
+  } else {
+    task.actual = path_argument("actual", actual);
+    task.image = image_request(given);
+  }
   std::string json;
   run_watched(progress, [&](Watch& watch) {
-    place(of.source.scene, of.source.view, image.colour.width, image.colour.height);
-    report.options.progress = watch.reporter();
-    judge_image(report, of.source.scene, image, SampleOrder::either);
-    if (!report.verdict.is_explained()) rank_causes(report, of.source.scene, image);
-    json = verdict_json(report);
+    VerifySteps steps;
+    steps.progress = watch.reporter();
+    json = verdict_json(verify_scene(std::move(task), of.source, std::move(notes), steps).report);
   });
   return dictionary(json);
 }

@@ -36,7 +36,11 @@ struct LiveCamera {
 
   static void fields(auto& self, const auto& use) {
     SceneView view; // its fit has attributes of its own
-    camera_keys(self.camera, view, ValueKeys{use});
+    camera_keys(self.camera, view,
+                ValueKeys{[&](std::string_view name, auto& value, const Range& range, std::string_view meaning) {
+                  const bool is_of_window = name == "movement_speed" || name == "mouse_sensitivity";
+                  if (!is_of_window) use(name, value, range, meaning);
+                }});
   }
 };
 

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace refraster {
 namespace {
@@ -91,28 +92,28 @@ bool has_own_vertex_shader(const Scene& scene) {
 
 } // namespace
 
-VerifiedScene verify_scene(const VerifyTask& task, SceneSource& source, NoteList notes, const VerifySteps& steps) {
-  const bool from_file = task.source == JudgedSource::file;
+VerifiedScene verify_scene(VerifyTask task, SceneSource& source, NoteList notes, const VerifySteps& steps) {
+  const bool is_drawn = task.source == JudgedSource::opengl_rgb8 || task.source == JudgedSource::opengl_float;
   VerifiedScene result;
   VerdictReport& report = result.report;
   DeviceImage& image = result.image;
-  report.scene = task.scene, report.actual = from_file ? task.actual : "drawn by OpenGL";
+  report.scene = task.scene, report.actual = is_drawn ? "drawn by OpenGL" : task.actual;
   report.profile = device_profile(task.device.empty() ? widest_device : task.device);
   report.limits = task.limits;
   report.notes = std::move(notes);
   Scene& scene = source.scene;
   int samples = task.picture.samples;
-  if (!from_file) check_drawn_by_gl(task.scene, scene);
+  if (is_drawn) check_drawn_by_gl(task.scene, scene);
   note_what_is_not_judged(report, scene);
   check_triangle_numbers(task.scene, scene, "verify");
-  report.provenance.emplace_back("scene sha256", file_sha256(task.scene));
-  if (from_file) {
-    image = image_from_file(task, report);
-    place(scene, source.view, image.colour.width, image.colour.height);
-  } else {
+  if (task.origin == SceneOrigin::file) report.provenance.emplace_back("scene sha256", file_sha256(task.scene));
+  if (is_drawn) {
     begin(steps, "drawing " + task.scene);
     place(scene, source.view, task.picture.width, task.picture.height);
     image = image_from_opengl(task, scene, samples, report, steps);
+  } else {
+    image = task.source == JudgedSource::file ? image_from_file(task, report) : std::move(task.given);
+    place(scene, source.view, image.colour.width, image.colour.height);
   }
   if (steps.check_size) steps.check_size(image.colour.width, image.colour.height, samples);
   begin(steps, "judging " + report.actual);
@@ -120,9 +121,9 @@ VerifiedScene verify_scene(const VerifyTask& task, SceneSource& source, NoteList
   report.options.samples = samples;
   report.options.memory = task.memory;
   report.options.matrices =
-      task.matrices.value_or(from_file || has_own_vertex_shader(scene) ? ShaderMatrices::three : ShaderMatrices::one);
+      task.matrices.value_or(!is_drawn || has_own_vertex_shader(scene) ? ShaderMatrices::three : ShaderMatrices::one);
   report.options.progress = steps.progress;
-  judge_image(report, scene, image, from_file ? SampleOrder::either : SampleOrder::known);
+  judge_image(report, scene, image, is_drawn ? SampleOrder::known : SampleOrder::either);
   if (task.causes == CauseSearch::done && !report.verdict.is_explained()) {
     begin(steps, "looking for the cause");
     rank_causes(report, scene, image);

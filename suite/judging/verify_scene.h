@@ -14,16 +14,21 @@
 
 namespace refraster {
 
-/// What draws the image that is judged.
-enum class JudgedSource { file, opengl_rgb8, opengl_float };
+/// Where the image that is judged is from.
+enum class JudgedSource { memory, file, opengl_rgb8, opengl_float };
+
+/// Whether a scene is as its file says, or was made or changed by a program.
+enum class SceneOrigin { file, memory };
 
 /// Whether the causes of what is unexplained are looked for, which takes as long as the rest.
 enum class CauseSearch { done, left_out };
 
 struct VerifyTask {
-  std::string scene, actual; // files; actual: with JudgedSource::file
+  std::string scene, actual; // files, or what a report is to call them; actual: with JudgedSource::file and memory
+  SceneOrigin origin = SceneOrigin::file;
   JudgedSource source = JudgedSource::file;
-  DeviceImageRequest image;               // but for its colour, transfer and memory
+  DeviceImageRequest image;               // of a file, but for its colour, transfer and memory
+  DeviceImage given = {};                 // with JudgedSource::memory
   std::string device;                     // a profile; empty: by the driver, or what every device may do
   std::optional<GlRenderer> renderer;     // in place of the profile's
   std::optional<ShaderMatrices> matrices; // in place of what the vertex shader is known to do
@@ -51,7 +56,7 @@ struct VerifiedScene {
 
 /// Draws or reads the image, and judges it. `source`, the scene of the task, is placed for the image's size. `notes`
 /// are those on its files. Throws InputError, NoOpenGl, and what judge() does.
-VerifiedScene verify_scene(const VerifyTask& task, SceneSource& source, NoteList notes, const VerifySteps& steps = {});
+VerifiedScene verify_scene(VerifyTask task, SceneSource& source, NoteList notes, const VerifySteps& steps = {});
 
 /// The page of it. Throws OutOfMemory; `path` names the page there.
 std::string verified_html(const VerifiedScene& verified, const Scene& scene, const std::string& path,
