@@ -4,10 +4,12 @@
 #include <refraster/render.h>
 
 #include "app/command.h"
-#include "app/options/completions.h"
+#include "app/options/completions/completions.h"
 #include "app/options/man_page.h"
+#include "app/options/manual.h"
 #include "app/options/parse.h"
 #include "app/options/unknown_words.h"
+#include "app/output.h"
 #include "app/usage_error.h"
 #include "app/view/keys.h"
 #include "io/file/limits.h"
@@ -148,18 +150,38 @@ CommandPath path_of(const Command& program, const std::vector<std::string>& word
   throw unknown_command(named.path, named.rest[0]);
 }
 
+/// A file each, as `man` finds them.
+void write_pages(const CommandPath& of, const std::string& folder) {
+  prepare_folder(folder);
+  for (const CommandPath& below : all_commands(*of.back())) {
+    CommandPath path = of;
+    path.insert(path.end(), below.begin() + 1, below.end());
+    write_text(folder + "/" + page_name(path) + ".1", man_page(path));
+  }
+}
+
 Command man_page_command() {
-  const auto words = std::make_shared<std::vector<std::string>>();
-  Option command = arguments("COMMAND", *words, "command to describe, as render, or brdf info; by default refraster");
+  struct Arguments {
+    std::vector<std::string> words;
+    std::string folder;
+  };
+  const auto arguments = std::make_shared<Arguments>();
+  Option command = refraster::arguments("COMMAND", arguments->words,
+                                        "command to describe, as render, or brdf info; by default refraster");
   command.completes = Completes::commands;
   return {.name = "man-page",
           .meaning = "Page of the manual, for man -l",
-          .groups = {{"Command", {std::move(command)}}},
+          .groups = {{"Command", {std::move(command)}},
+                     {"Output",
+                      {folder_option("--folder", arguments->folder,
+                                     "write the page, and those of all commands below it, to files of this folder, "
+                                     "made if need be: refraster-render.1")}}},
           .notes = {"refraster list man-page render | man -l -"},
-          .finish = [words]() -> Action {
+          .finish = [arguments]() -> Action {
             const auto program = std::make_shared<Command>(refraster_command());
-            return [program, path = path_of(*program, *words)] {
-              std::cout << man_page(path);
+            return [arguments, program, path = path_of(*program, arguments->words)] {
+              if (arguments->folder.empty()) std::cout << man_page(path);
+              else write_pages(path, arguments->folder);
               return ExitCode::ok;
             };
           }};

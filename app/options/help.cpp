@@ -1,5 +1,6 @@
 #include "app/options/help.h"
 
+#include "app/options/manual.h"
 #include "app/options/wrap.h"
 
 #include <algorithm>
@@ -122,8 +123,9 @@ std::string help_text(const CommandPath& path, int width) {
   for (const OptionGroup& group : command.groups) lists.push_back(list_of(group));
   lists.push_back(list_of(help_group()));
   for (const List& list : lists) text += text_of(list, meaning_column(lists, width), width);
-  const std::vector<std::string> notes = notes_of(command);
-  if (!notes.empty()) text += "\n";
+  std::vector<std::string> notes = notes_of(command);
+  notes.push_back(manual_note(path));
+  text += "\n";
   for (const std::string& note : notes) text += paragraph(note, 0, 0, width);
   return text;
 }

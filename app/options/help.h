@@ -23,7 +23,7 @@ std::string sentence(std::string meaning);
 /// Those that are declared, and what is to be said of the forms of its options.
 std::vector<std::string> notes_of(const Command& command);
 
-/// In lines of at most `width` columns, but for words that are wider.
+/// With how to read the page of the manual; in lines of at most `width` columns, but for words that are wider.
 std::string help_text(const CommandPath& path, int width);
 
 } // namespace refraster

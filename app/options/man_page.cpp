@@ -1,6 +1,7 @@
 #include "app/options/man_page.h"
 
 #include "app/options/help.h"
+#include "app/options/manual.h"
 #include "io/file/build_info.h"
 
 #include <algorithm>
@@ -65,11 +66,18 @@ std::string options(const OptionGroup& group) {
   return text;
 }
 
-/// "refraster-merl-info", the name of a page.
-std::string page_name(const CommandPath& path) {
-  std::string name = full_name(path);
-  std::replace(name.begin(), name.end(), ' ', '-');
-  return name;
+/// The pages of the command above and of those below.
+std::string see_also(const CommandPath& path) {
+  std::vector<CommandPath> others;
+  if (path.size() > 1) others.emplace_back(path.begin(), path.end() - 1);
+  for (const Command& command : path.back()->commands) {
+    others.push_back(path);
+    others.back().push_back(&command);
+  }
+  std::string text = section("See also");
+  for (const CommandPath& other : others)
+    text += ".BR " + roff(page_name(other)) + " (1)" + (&other == &others.back() ? "\n" : ",\n");
+  return text;
 }
 
 } // namespace
@@ -96,14 +104,7 @@ std::string man_page(const CommandPath& path) {
   text += section("Options");
   for (const OptionGroup& group : command.groups) text += options(group);
   text += options(help_group());
-  if (path.size() > 1) {
-    CommandPath above = path;
-    above.pop_back();
-    text += section("See also") + ".BR " + roff(page_name(above)) + " (1)\n";
-  } else {
-    text += section("See also") + "The pages of the commands: " + roff("`refraster list man-page COMMAND`.") + "\n";
-  }
-  return text;
+  return text + see_also(path);
 }
 
 } // namespace refraster

@@ -1,6 +1,6 @@
 #include "app/view/snapshot.h"
 
-#include "app/options/completions.h"
+#include "app/options/completions/completions.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fcntl.h>
+#include <filesystem>
 #include <sstream>
 #include <sys/ioctl.h>
 #include <unistd.h>
@@ -58,9 +59,9 @@ const std::vector<Words> every_level = {
     {"list", "man-page"},
 };
 
-std::string joined(const Words& words) {
+std::string joined(const Words& words, const char* separator = " ") {
   std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+  for (const std::string& word : words) text += (text.empty() ? "" : separator) + word;
   return text;
 }
 
@@ -97,8 +98,7 @@ TEST_CASE("--version is there at every level, and says the same") {
 TEST_CASE("help prints the defaults") {
   const TemporaryFolder folder;
   const std::string help = run_program(folder.path, {"render", "--help"}).out;
-  for (const std::string expected :
-       {"or 1280x720)", "(default double)", "(default 64)", "(default 0)", "or 1)"})
+  for (const std::string expected : {"or 1280x720)", "(default double)", "(default 64)", "(default 0)", "or 1)"})
     CHECK_MESSAGE(help.find(expected) != std::string::npos, expected);
 }
 
@@ -225,9 +225,10 @@ TEST_CASE("what is wrong is named, with what was meant and what there is") {
   };
   CHECK(said_of({"rendr"}) == "refraster: found \"rendr\", expected one of render, turntable, verify, explain, "
                               "compare, gl, view, bench, suite, scene, mesh, brdf, list; did you mean render?");
-  CHECK(said_of({"brdf", "sinth"}) ==
-        "refraster: brdf: found \"sinth\", expected one of info, synth, eval, compare, fit, plot, import; did you mean synth?");
-  CHECK(said_of({"brdf"}) == "refraster: brdf: found nothing, expected one of info, synth, eval, compare, fit, plot, import");
+  CHECK(said_of({"brdf", "sinth"}) == "refraster: brdf: found \"sinth\", expected one of info, synth, eval, compare, "
+                                      "fit, plot, import; did you mean synth?");
+  CHECK(said_of({"brdf"}) ==
+        "refraster: brdf: found nothing, expected one of info, synth, eval, compare, fit, plot, import");
   CHECK(said_of({"render"}) ==
         "refraster: render: found nothing, expected SCENE (scene file or OBJ model; docs/scene-format.md)");
   CHECK(said_of({"compare", "a.png"}).starts_with("refraster: compare: found nothing, expected B ("));
@@ -350,4 +351,27 @@ TEST_CASE("what there is to choose from is listed") {
   CHECK(precisions.starts_with("double"));
   CHECK(precisions.find("\nfloat") != std::string::npos);
   CHECK(run_program(folder.path, {"list", "scene-format"}).out.find("fov_y") != std::string::npos);
+}
+
+TEST_CASE("pages of the manual are written to a folder, a file for each command") {
+  const TemporaryFolder folder;
+  CHECK(run_program(folder.path, {"list", "man-page", "brdf", "--folder", "a/b"}).exit_code == 0);
+  const Finished page = run_program(folder.path, {"list", "man-page", "brdf", "info"});
+  CHECK(page.out.starts_with(".TH REFRASTER\\-BRDF\\-INFO 1 "));
+  CHECK(text_of(folder / "a/b/refraster-brdf-info.1") == page.out);
+  for (const Words& level : every_level) {
+    if (level.empty() || level.front() != "brdf") continue;
+    CHECK_MESSAGE(std::filesystem::exists(folder / ("a/b/refraster-" + joined(level, "-") + ".1")), joined(level));
+  }
+  const Finished nowhere = run_program(folder.path, {"list", "man-page", "--folder", "/proc/nothing"});
+  CHECK(nowhere.exit_code == 4);
+  CHECK(nowhere.err.find("/proc/nothing") != std::string::npos);
+}
+
+TEST_CASE("help says how to read the page of the manual, which is not installed beside a build") {
+  const TemporaryFolder folder;
+  CHECK(run_program(folder.path, {"brdf", "info", "--help"})
+            .out.ends_with("Page of the manual: `refraster list man-page brdf info | man -l -`\n"));
+  CHECK(
+      run_program(folder.path, {"--help"}).out.ends_with("Page of the manual: `refraster list man-page | man -l -`\n"));
 }

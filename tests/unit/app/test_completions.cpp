@@ -1,6 +1,6 @@
 // What shells are told, of every command.
 
-#include "app/options/completions.h"
+#include "app/options/completions/completions.h"
 #include "tests/unit/app/shell.h"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-#include "app/options/completions.h"
+#include "app/options/completions/completions.h"
 
 #include <algorithm>
 
