@@ -62,8 +62,9 @@ macro(refraster_package name group section summary)
   set(CPACK_DEBIAN_${group}_PACKAGE_NAME ${name})
   set(CPACK_DEBIAN_${group}_PACKAGE_SECTION ${section})
   set(CPACK_DEBIAN_${group}_DESCRIPTION "reference rasterizer for the CPU: ${summary}
-refraster renders scenes of triangles exactly, as a reference that images of GPUs can be held against: it compares and \
-verifies them, says of every pixel how it comes about, and measures what it costs.")
+refraster renders scenes of triangles exactly, as a reference that images
+of GPUs can be held against: it compares and verifies them, says of every
+pixel how it comes about, and measures what it costs.")
   foreach(component ${ARGN})
     set(CPACK_COMPONENT_${component}_GROUP ${group})
   endforeach()

@@ -7,7 +7,11 @@
 
 namespace refraster {
 
+// The number has another name in the libraries of another level of x86-64, which the loader may take: who is built
+// beside such has the template of its own (bench/CMakeLists.txt).
+#ifndef REFRASTER_OWN_EXACT_SHADING
 extern template class TileShadingOf<Exact>; // raster/shade/precisions/exact.cpp
+#endif
 
 /// Shades the pixels that `request` wants in T, and gives each that shows a surface to request.take. Of `options`, the
 /// images wanted and the precision are not read. Returns the frame's counts.
