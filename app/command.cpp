@@ -59,9 +59,9 @@ Command refraster_command() {
           .notes = {"Exit codes: 0 done or equal, 1 images differ, 2 wrong usage, 3 bad input or not enough memory, "
                     "4 cannot write, 5 no OpenGL or display, 70 a mistake of refraster's own, 130 interrupted.",
                     "`refraster COMMAND --help` says more."},
-          .commands = {render_command(), turntable_command(), verify_command(), explain_command(), compare_command(),
-                       gl_command(), view_command(), bench_command(), suite_command(), scene_command(), mesh_command(),
-                       brdf_command(), list_command()}};
+          .commands = {render_command(), turntable_command(), assemble_command(), verify_command(), explain_command(),
+                       compare_command(), gl_command(), view_command(), bench_command(), suite_command(),
+                       scene_command(), mesh_command(), brdf_command(), list_command()}};
 }
 
 } // namespace refraster

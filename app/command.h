@@ -59,6 +59,7 @@ std::string version_text();
 // One file each.
 Command render_command();    // render_command.cpp
 Command turntable_command(); // turntable_command.cpp
+Command assemble_command();  // parts/assemble_command.cpp
 Command compare_command();   // compare_command.cpp
 Command verify_command();    // verify_command.cpp
 Command explain_command();   // explain_command.cpp

@@ -73,15 +73,20 @@ void check_extension(const std::string& option, const std::string& path, std::in
     throw UsageError(option, "\"" + path + "\"", "a name ending in " + writable_extensions(contents));
 }
 
-void write_values(const std::string& path, const Image<float>& image, std::vector<std::string> channels,
+void write_values(const std::string& path, const ImageRows<float>& image, std::vector<std::string> channels,
                   const WriteOptions& options) {
   if (image.channels == 2 && channels.empty()) channels = {"U", "V"};
   if (image.channels != 2 || format_to_write(path, {{ImageValues::floats, 2}}))
-    return write_image(path, image, std::move(channels), options);
-  Image<float> padded(image.width, image.height, 3);
-  for (int y = 0; y < image.height; ++y)
-    for (int x = 0; x < image.width; ++x) std::copy_n(image.at(x, y), 2, padded.at(x, y));
-  write_image(path, padded, {}, options);
+    return write_rows(path, image, std::move(channels), options);
+  const ImageRows<float> padded(image.width, image.height, 3, [&image](int y, std::vector<float>& scratch) {
+    std::vector<float> two;
+    const float* const from = image.row(y, two);
+    scratch.assign(3 * static_cast<std::size_t>(image.width), 0);
+    for (std::size_t x = 0; x < static_cast<std::size_t>(image.width); ++x)
+      std::copy_n(from + 2 * x, 2, scratch.data() + 3 * x);
+    return static_cast<const float*>(scratch.data());
+  });
+  write_rows(path, padded, {}, options);
 }
 
 std::string stem(const std::string& path) {

@@ -38,7 +38,7 @@ void check_extension(const std::string& option, const std::string& path, std::in
 
 /// Writes an image of floats, format by extension; one that has no images of two channels gets a third one of zeros.
 /// `channels` names those of a file that has names; by default as write_image does, and U V of two.
-void write_values(const std::string& path, const Image<float>& image, std::vector<std::string> channels = {},
+void write_values(const std::string& path, const ImageRows<float>& image, std::vector<std::string> channels = {},
                   const WriteOptions& options = {});
 
 /// "scenes/ball.json" gives "ball".

@@ -1,6 +1,5 @@
 #include "raster/levels.h"
 
-#include "raster/parallel.h"
 #include "shading/srgb_curve.h"
 
 #include <algorithm>
@@ -20,13 +19,8 @@ std::uint16_t level(double value, Transfer transfer) {
 
 } // namespace
 
-Image<std::uint16_t> levels16(const Image<double>& values, Transfer transfer, int threads) {
-  Image<std::uint16_t> image(values.width, values.height, values.channels);
-  const std::size_t row = static_cast<std::size_t>(values.width) * static_cast<std::size_t>(values.channels);
-  parallel_for(threads, static_cast<std::size_t>(values.height), [&](std::size_t y, int) {
-    for (std::size_t i = y * row; i < (y + 1) * row; ++i) image.values[i] = level(values.values[i], transfer);
-  });
-  return image;
+void levels16(const double* values, std::size_t count, Transfer transfer, std::uint16_t* to) {
+  std::transform(values, values + count, to, [transfer](double value) { return level(value, transfer); });
 }
 
 } // namespace refraster

@@ -11,9 +11,12 @@
 #include "app/interrupt.h"
 #include "app/options/shared_options.h"
 #include "app/output.h"
+#include "app/parts/image_parts.h"
+#include "app/parts/picture_settings.h"
 #include "app/progress_line.h"
 #include "app/usage_error.h"
 #include "io/json/run_report.h"
+#include "io/parts/shard.h"
 #include "io/scene/triangle_numbers.h"
 #include "raster/explain/explain_dark.h"
 #include "raster/stopwatch.h"
@@ -28,16 +31,30 @@ namespace {
 
 struct RenderArguments : PictureRun {
   std::optional<PixelRect> crop;
+  std::optional<Shard> shard;
   int tile_size = 64;
+
+  /// The file that is written first: of a part its own.
+  std::string first_output() const { return shard ? part_name(output, *shard) : output; }
+  /// What is divided among shards.
+  PixelRect whole() const { return crop.value_or(PixelRect{0, 0, size.width, size.height}); }
+  /// What is rendered: of a shard its rows, of which there may be none.
+  PixelRect part() const {
+    PixelRect rect = whole();
+    if (!shard) return rect;
+    const RowRange rows = rows_of(*shard, rect.height);
+    rect.y += rows.first, rect.height = rows.count;
+    return rect;
+  }
 };
 
 /// Once the size is known.
 void check_crop(const RenderArguments& arguments) {
-  const PixelRect part = arguments.crop.value_or(PixelRect{0, 0, arguments.size.width, arguments.size.height});
+  const PixelRect part = arguments.whole();
   if (part.width > arguments.size.width - part.x || part.height > arguments.size.height - part.y)
     throw UsageError("--crop", "reaches out of the image of " + std::to_string(arguments.size.width) + "x" +
                                    std::to_string(arguments.size.height) + " pixels");
-  check_frame_samples(part.width, part.height, arguments.samples);
+  check_frame_samples(part.width, arguments.part().height, arguments.samples);
 }
 
 /// What one option alone does not show.
@@ -52,16 +69,9 @@ void check_together(RenderArguments& arguments) {
 
 RenderOptions options_from(const RenderArguments& arguments) {
   RenderOptions options = render_options(arguments, PictureFile::image);
-  options.crop = arguments.crop;
+  if (arguments.crop || arguments.shard) options.crop = arguments.part();
   options.tile_size = arguments.tile_size;
   return options;
-}
-
-/// The scene, placed for the image; the notes on its files are printed, and put into `said`.
-Scene scene_of(RenderArguments& arguments, std::vector<std::string>& said) {
-  SceneSource source = read_source(arguments, PictureFile::image, &said);
-  check_crop(arguments);
-  return std::move(source).placed(arguments.size.width, arguments.size.height);
 }
 
 /// A note on an image that shows nothing, printed and put into `said`.
@@ -81,14 +91,35 @@ Frame rendered(const Scene& scene, const RenderArguments& arguments) {
 }
 
 /// Writes what was asked for and gives the paths.
-std::vector<std::string> write_images(const Frame& frame, const RenderArguments& arguments) {
-  const auto line = progress_line(arguments.diagnostics, "writing " + arguments.output);
-  return write_frame(arguments.files, arguments.output, options_from(arguments), frame);
+std::vector<std::string> write_images(const Frame& frame, const RenderArguments& arguments, const Settings& settings) {
+  const auto line = progress_line(arguments.diagnostics, "writing " + arguments.first_output());
+  const RenderOptions options = options_from(arguments);
+  if (!arguments.shard) return write_frame(arguments.files, arguments.output, options, frame);
+  write_part(arguments.first_output(),
+             {.scene = arguments.scene,
+              .shard = *arguments.shard,
+              .width = arguments.whole().width,
+              .height = arguments.whole().height,
+              .settings = settings,
+              .images = {}},
+             rows_of(arguments.files, arguments.output, options, frame));
+  return {arguments.first_output()};
+}
+
+/// Of a part, by which those of one image are told from others; of a whole image nothing.
+Settings settings_of(const RenderArguments& arguments, const SceneSource& source, const Scene& placed) {
+  if (!arguments.shard) return {};
+  Settings settings = picture_settings(arguments, source, {placed.camera});
+  const PixelRect whole = arguments.whole();
+  settings.emplace_back("crop", std::to_string(whole.x) + "," + std::to_string(whole.y) + "," +
+                                    std::to_string(whole.width) + "," + std::to_string(whole.height));
+  return settings;
 }
 
 ExitCode run(RenderArguments& arguments) {
-  std::vector<std::string> outputs = {arguments.output, arguments.report};
-  for (const std::string& path : aov_paths(arguments.files, arguments.output)) outputs.push_back(path);
+  std::vector<std::string> outputs = {arguments.first_output(), arguments.report};
+  if (!arguments.shard)
+    for (const std::string& path : aov_paths(arguments.files, arguments.output)) outputs.push_back(path);
   check_different(outputs, {arguments.scene});
   for (const std::string& path : outputs)
     if (!path.empty()) check_writable(path);
@@ -96,26 +127,30 @@ ExitCode run(RenderArguments& arguments) {
 
   const Stopwatch reading;
   std::vector<std::string> notes;
-  const Scene scene = scene_of(arguments, notes);
+  SceneSource source = read_source(arguments, PictureFile::image, &notes);
+  check_crop(arguments);
+  const Scene scene = SceneSource(source).placed(arguments.size.width, arguments.size.height);
+  const Settings settings = settings_of(arguments, source, scene);
+  source = {};
   const double read_seconds = reading.seconds();
   const std::vector<Aov> aovs = options_from(arguments).aovs;
   if (std::find(aovs.begin(), aovs.end(), Aov::triangle) != aovs.end())
     check_triangle_numbers(arguments.scene, scene, "--aov triangle");
   if (interrupted()) return ExitCode::interrupted;
 
-  const Frame frame = rendered(scene, arguments);
+  const Frame frame = arguments.part().height > 0 ? rendered(scene, arguments) : Frame();
   if (frame.cancelled || interrupted()) return ExitCode::interrupted;
 
   const Stopwatch writing;
-  const std::vector<std::string> paths = write_images(frame, arguments);
+  const std::vector<std::string> paths = write_images(frame, arguments, settings);
   const double write_seconds = writing.seconds();
-  explain(scene, frame, arguments, notes);
+  if (!arguments.shard) explain(scene, frame, arguments, notes); // a band may well be dark
   if (!arguments.report.empty()) {
     write_text(arguments.report, report_json({.scene = arguments.scene,
                                               .outputs = paths,
                                               .width = arguments.size.width,
                                               .height = arguments.size.height,
-                                              .crop = arguments.crop,
+                                              .crop = options_from(arguments).crop,
                                               .precision = arguments.precision,
                                               .samples = arguments.samples,
                                               .tile_size = arguments.tile_size,
@@ -155,7 +190,9 @@ Command render_command() {
                      file_options(a),
                      {"More images", aov_options(a.files)},
                      scene_change_options(a.changes),
-                     {"Run", joined({{threads_option(a),
+                     {"Run", joined({{shard_option(a.shard, "make a band of rows, and write it with its AOVs to "
+                                                            "FILE.part-I-of-N: `refraster assemble` joins the parts"),
+                                      threads_option(a),
                                       number_choice_option("--tile-size", a.tile_size, {8, 16, 32, 64, 128},
                                                            "pixels along a side of the tiles that threads work on"),
                                       memory_option(a.max_memory),

@@ -11,16 +11,15 @@
 #include "app/interrupt.h"
 #include "app/options/shared_options.h"
 #include "app/output.h"
+#include "app/parts/picture_settings.h"
 #include "app/progress_line.h"
 #include "app/turntable/film.h"
 #include "app/turntable/frame_digests.h"
 #include "app/turntable/frame_names.h"
 #include "app/turntable/orbit.h"
-#include "app/turntable/scene_digest.h"
 #include "app/usage_error.h"
-#include "io/file/build_info.h"
 #include "io/file/sha256.h"
-#include "io/json/json_writer.h"
+#include "io/parts/shard.h"
 #include "io/scene/path/camera_path.h"
 #include "raster/stopwatch.h"
 
@@ -32,18 +31,20 @@
 namespace refraster {
 namespace {
 
-constexpr int max_frames = 100'000;
 constexpr double seconds_between_reports = 1; // what is lost if the process is killed, beside the frame it is at
 
 struct TurntableArguments : PictureRun {
   std::string path;
   int frames = 72, rate = 24;
+  std::optional<Shard> shard;
 
   PictureFile file() const { return is_film(output) ? PictureFile::film : PictureFile::image; }
 };
 
 void check_together(TurntableArguments& a) {
   if (is_film(a.output)) {
+    if (a.shard)
+      throw UsageError("--shard", "makes frames, of which `refraster assemble` makes a film: -o frames/####.png");
     if (a.files.bits != 0 && a.files.bits != 8)
       throw UsageError("--bits", std::to_string(a.files.bits), "8, which a film has");
     if (a.files.background == Background::transparent)
@@ -56,7 +57,8 @@ void check_together(TurntableArguments& a) {
     throw UsageError("--output", "\"" + a.output + "\"",
                      "one place for the number of a frame, as in out/####.png; or a film, as out.mp4");
   check_output(a.files, names->name(0), a.asked.transfer.value_or(Transfer::linear), a.diagnostics);
-  if (a.report.empty()) a.report = names->report_name();
+  if (a.shard && !a.report.empty()) throw UsageError("--report", "stands beside the frames of --shard");
+  if (a.report.empty()) a.report = a.shard ? part_name(names->report_name(), *a.shard) : names->report_name();
 }
 
 std::vector<Camera> cameras_of(const SceneSource& source, const TurntableArguments& a) {
@@ -73,42 +75,6 @@ std::vector<Camera> cameras_of(const SceneSource& source, const TurntableArgumen
     cameras.push_back(scene.camera);
   }
   return cameras;
-}
-
-/// Of everything that decides what the frames' files hold.
-std::string settings_digest(const TurntableArguments& a, const SceneSource& source,
-                            const std::vector<Camera>& cameras) {
-  JsonWriter json;
-  json.object([&] {
-    const BuildInfo build = this_build();
-    json.member("version", build.version);
-    json.member("scene", scene_digest(a.scene, source.scene));
-    json.member("size", std::vector<int>{a.size.width, a.size.height});
-    json.member("precision", a.precision);
-    json.member("samples", a.samples);
-    json.member("srgb", a.transfer == Transfer::srgb);
-    json.member("bits", a.files.bits);
-    json.member("quality", a.files.jpeg_quality);
-    json.member("transparent", a.files.background == Background::transparent);
-    json.array("lights_of_camera_space", [&] {
-      for (const std::size_t i : source.view.moving_point_lights) json.value(i);
-      json.value("direction");
-      for (const std::size_t i : source.view.moving_direction_lights) json.value(i);
-    });
-    json.array("shadows", [&] { // --shadow
-      for_each_light_list(source.scene, [&](const auto& lights) {
-        for (const auto& light : lights) json.value(name_of(light.shadow.kind)), json.value(light.shadow.map.size);
-      });
-    });
-    json.array("cameras", [&] {
-      for (const Camera& camera : cameras) {
-        const auto& [position, target, up, fov_y, near, far] = camera;
-        json.value(std::vector<double>{position.x, position.y, position.z, target.x, target.y, target.z, up.x, up.y,
-                                       up.z, fov_y, near, far});
-      }
-    });
-  });
-  return text_sha256(json.text());
 }
 
 /// Renders one frame after the other, in the memory of the one before.
@@ -145,9 +111,7 @@ ExitCode make_film(const TurntableArguments& a, const std::vector<Camera>& camer
     const Frame* const frame = frames.render(cameras[i]);
     if (!frame) return ExitCode::interrupted;
     film.add(frame->rgb8);
-    Sha256 sha256;
-    sha256.add(frame->rgb8.values.data(), frame->rgb8.values.size());
-    known.digests[i] = in_hexadecimal(sha256.result());
+    known.digests[i] = pixels_sha256(frame->rgb8);
     if (line) line->show(static_cast<double>(i + 1) / static_cast<double>(cameras.size()));
   }
   film.finish();
@@ -157,7 +121,10 @@ ExitCode make_film(const TurntableArguments& a, const std::vector<Camera>& camer
 
 ExitCode make_frames(const TurntableArguments& a, const std::vector<Camera>& cameras, FrameSource& frames,
                      FrameDigests& known) {
-  const std::size_t there = take_known_frames(a.report, known), all = cameras.size();
+  std::vector<std::size_t> own;
+  for (std::size_t i = 0; i < cameras.size(); ++i)
+    if (!a.shard || has_frame(*a.shard, i)) own.push_back(i);
+  const std::size_t there = take_known_frames(a.report, known), all = own.size();
   if (there > 0)
     print_note(std::to_string(there) + " of " + std::to_string(all) + " frames are there, as " + a.report +
                    " says, and are not made again",
@@ -165,7 +132,7 @@ ExitCode make_frames(const TurntableArguments& a, const std::vector<Camera>& cam
   const auto line = progress_line(a.diagnostics, "rendering " + std::to_string(all - there) + " frames");
   Stopwatch since_report;
   std::size_t made = 0;
-  for (std::size_t i = 0; i < all; ++i) {
+  for (const std::size_t i : own) {
     if (!known.digests[i].empty()) continue;
     const Frame* const frame = frames.render(cameras[i]);
     if (!frame) {
@@ -197,14 +164,15 @@ ExitCode run(TurntableArguments& a) {
   SceneSource source = read_source(a, a.file());
   const std::vector<Camera> cameras = cameras_of(source, a);
   if (interrupted()) return ExitCode::interrupted;
-  FrameDigests known{a.scene, settings_digest(a, source, cameras), std::vector<std::string>(cameras.size()),
-                     std::vector<std::string>(cameras.size())};
+  FrameDigests known{a.scene, picture_settings(a, source, cameras), std::vector<std::string>(cameras.size()),
+                     std::vector<std::string>(cameras.size()), a.shard};
   for (std::size_t i = 0; i < cameras.size() && !film; ++i) known.frames[i] = FrameNames::of(a.output)->name(i);
   FrameSource frames(std::move(source), a);
   const ExitCode code = film ? make_film(a, cameras, frames, known) : make_frames(a, cameras, frames, known);
   if (code != ExitCode::ok) return code;
   if (film) std::cout << a.output << "\n";
-  for (std::size_t i = 0; i < known.frames.size() && !film; ++i) std::cout << known.frames[i] << "\n";
+  for (std::size_t i = 0; i < known.frames.size() && !film; ++i)
+    if (!known.digests[i].empty()) std::cout << known.frames[i] << "\n";
   return code;
 }
 
@@ -235,7 +203,9 @@ Command turntable_command() {
                     {number_option("--rate", a.rate, Range{1, 240}, "frames a second of a film")}})},
            file_options(a),
            scene_change_options(a.changes),
-           {"Run", joined({{threads_option(a), memory_option(a.max_memory),
+           {"Run", joined({{shard_option(a.shard, "make frames I, I + N, I + 2 N and so on: `refraster assemble` "
+                                                  "joins the parts"),
+                            threads_option(a), memory_option(a.max_memory),
                             file_option("--report", "FILE", a.report,
                                         "what is known of the frames, as JSON, by which an interrupted run goes on; by "
                                         "default beside them")},

@@ -2,18 +2,13 @@
 
 #include <refraster/files.h>
 
+#include "app/commands/frame_rows.h"
 #include "app/output.h"
 #include "app/usage_error.h"
 #include "io/file/text.h"
-#include "io/image/exr_layers.h"
-#include "raster/frame_context.h"
-#include "raster/levels.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <optional>
-#include <type_traits>
 
 namespace refraster {
 namespace {
@@ -22,84 +17,10 @@ bool is_transparent(const FrameFiles& files) {
   return files.background == Background::transparent;
 }
 
-bool is_number(Aov aov) {
-  return kind_of(aov).values == AovValues::numbers;
-}
-
 std::vector<Aov> all_aovs() {
   std::vector<Aov> all;
   for (std::size_t i = 0; i < std::size(aov_kinds); ++i) all.push_back(static_cast<Aov>(i));
   return all;
-}
-
-/// Those of the options, or all where the file of the image is to hold them and none is named.
-std::vector<Aov> written_aovs(const FrameFiles& files) {
-  return files.aov_place == AovPlace::layers && files.aovs.empty() ? all_aovs() : files.aovs;
-}
-
-/// The formats that AOVs can be asked to have.
-std::vector<std::string> aov_formats() {
-  std::vector<std::string> extensions;
-  for (const ImageFormat& format : image_formats)
-    if (can_write(format, float_grey_image) && can_write(format, float_rgb_image))
-      extensions.emplace_back(format.extensions[0]);
-  return extensions;
-}
-
-const Image<float>& aov_image(const RenderOptions& options, const Frame& frame, Aov aov) {
-  const auto found = std::find(options.aovs.begin(), options.aovs.end(), aov);
-  return frame.aovs[static_cast<std::size_t>(found - options.aovs.begin())];
-}
-
-/// Colours, and how much of each pixel is theirs: straight, or, of floats, multiplied by it.
-template <class Value>
-Image<Value> with_alpha(const Image<Value>& rgb, const Image<float>& alpha) {
-  Image<Value> image(rgb.width, rgb.height, 4);
-  for (std::size_t i = 0; i < alpha.values.size(); ++i) {
-    const float a = alpha.values[i]; // a multiple of 1/16
-    for (std::size_t c = 0; c < 3; ++c) {
-      const Value value = rgb.values[3 * i + c];
-      if constexpr (std::is_same_v<Value, float>) image.values[4 * i + c] = value * a;
-      else image.values[4 * i + c] = value;
-    }
-    if constexpr (std::is_same_v<Value, float>) image.values[4 * i + 3] = a;
-    else
-      image.values[4 * i + 3] =
-          static_cast<Value>(std::nearbyint(a * static_cast<float>(std::numeric_limits<Value>::max())));
-  }
-  return image;
-}
-
-void write_aov(const std::string& path, Aov aov, const Image<float>& image, const WriteOptions& writing) {
-  if (!is_number(aov) || !format_to_write(path, {{ImageValues::uint32, 1}}))
-    return write_values(path, image, {}, writing);
-  Image<std::uint32_t> numbers(image.width, image.height, image.channels);
-  std::transform(image.values.begin(), image.values.end(), numbers.values.begin(),
-                 [](float value) { return static_cast<std::uint32_t>(value); });
-  write_image(path, numbers, writing);
-}
-
-std::vector<std::string> exr_names(Aov aov) {
-  const AovKind& kind = kind_of(aov);
-  return {kind.exr_names.begin(), kind.exr_names.begin() + kind.channels};
-}
-
-void write_layers(const FrameFiles& files, const std::string& output, const RenderOptions& options, const Frame& frame,
-                  const Image<float>& image, const WriteOptions& writing) {
-  std::vector<ExrLayer> layers = {{&image, default_channels(image.channels)}};
-  for (const Aov aov : written_aovs(files))
-    layers.push_back(
-        {&aov_image(options, frame, aov), exr_names(aov), is_number(aov) ? LayerValues::uint32 : LayerValues::floats});
-  write_exr_layers(output, layers, writing);
-}
-
-void write_whole_numbers(const std::string& output, const auto& rgb, const RenderOptions& options, const Frame& frame,
-                         const WriteOptions& writing) {
-  // PNG is made in memory: filtered, and packed.
-  options.memory.need(3 * sizeof rgb.values[0] * rgb.values.size(), output);
-  if (options.background == Background::transparent)
-    write_image(output, with_alpha(rgb, aov_image(options, frame, Aov::alpha)), writing);
-  else write_image(output, rgb, writing);
 }
 
 } // namespace
@@ -203,6 +124,18 @@ void ask_for_output(const FrameFiles& files, const std::string& output, RenderOp
     options.aovs.push_back(Aov::alpha);
 }
 
+std::vector<std::string> aov_formats() {
+  std::vector<std::string> extensions;
+  for (const ImageFormat& format : image_formats)
+    if (can_write(format, float_grey_image) && can_write(format, float_rgb_image))
+      extensions.emplace_back(format.extensions[0]);
+  return extensions;
+}
+
+std::vector<Aov> written_aovs(const FrameFiles& files) {
+  return files.aov_place == AovPlace::layers && files.aovs.empty() ? all_aovs() : files.aovs;
+}
+
 std::vector<std::string> aov_paths(const FrameFiles& files, const std::string& output) {
   std::vector<std::string> paths;
   if (files.aov_place == AovPlace::layers) return paths;
@@ -214,35 +147,7 @@ std::vector<std::string> aov_paths(const FrameFiles& files, const std::string& o
 
 std::vector<std::string> write_frame(const FrameFiles& files, const std::string& output, const RenderOptions& options,
                                      const Frame& frame) {
-  const WriteOptions writing{.curve = options.transfer == Transfer::srgb ? StatedCurve::srgb : StatedCurve::none,
-                             .jpeg_quality = files.jpeg_quality,
-                             .threads = options.threads};
-  switch (output_values(files, output)) {
-  case ImageValues::floats: {
-    Image<float> own;
-    if (is_transparent(files)) {
-      options.memory.need(4 * sizeof(float) * frame.radiance.values.size() / 3, output);
-      own = with_alpha(frame.radiance, aov_image(options, frame, Aov::alpha));
-    }
-    const Image<float>& image = own.empty() ? frame.radiance : own;
-    if (files.aov_place == AovPlace::layers) write_layers(files, output, options, frame, image, writing);
-    else write_values(output, image, {}, writing);
-    break;
-  }
-  case ImageValues::uint16:
-    options.memory.need(sizeof(std::uint16_t) * frame.radiance_double.values.size(), output);
-    write_whole_numbers(output, levels16(frame.radiance_double, options.transfer, thread_count(options)), options,
-                        frame, writing);
-    break;
-  default:
-    write_whole_numbers(output, frame.rgb8, options, frame, writing);
-  }
-  std::vector<std::string> paths = {output};
-  const std::vector<std::string> beside = aov_paths(files, output);
-  for (std::size_t i = 0; i < beside.size(); ++i)
-    write_aov(beside[i], files.aovs[i], aov_image(options, frame, files.aovs[i]), writing);
-  paths.insert(paths.end(), beside.begin(), beside.end());
-  return paths;
+  return write_frame_rows(files, output, options.transfer, options.threads, rows_of(files, output, options, frame));
 }
 
 } // namespace refraster

@@ -51,11 +51,17 @@ void check_output(FrameFiles& files, const std::string& output, Transfer transfe
 /// Asks for what write_frame() needs.
 void ask_for_output(const FrameFiles& files, const std::string& output, RenderOptions& options);
 
+/// The extensions of the formats that AOVs can be asked to have.
+std::vector<std::string> aov_formats();
+
+/// Those of the options, or all where the file of the image is to hold them and none is named.
+std::vector<Aov> written_aovs(const FrameFiles& files);
+
 /// The files of the AOVs: next to "ball.png" stands "ball.depth.pfm", next to "ball.exr" "ball.depth.exr".
 std::vector<std::string> aov_paths(const FrameFiles& files, const std::string& output);
 
-/// Writes the image and the AOVs of a frame that was rendered with options that ask_for_output() has completed, and gives
-/// the paths. Throws OutputError, OutOfMemory.
+/// Writes the image and the AOVs of a frame that was rendered with options that ask_for_output() has completed, and
+/// gives the paths. Throws OutputError, std::bad_alloc.
 std::vector<std::string> write_frame(const FrameFiles& files, const std::string& output, const RenderOptions& options,
                                      const Frame& frame);
 

@@ -5,11 +5,13 @@
 
 #include "app/diagnostics.h"
 #include "app/options/option.h"
+#include "io/parts/shard.h"
 #include "verify/images/image_pair.h"
 
 #include <array>
 #include <cstdint>
 #include <string>
+#include <utility>
 
 namespace refraster {
 
@@ -39,6 +41,12 @@ Option premultiplied_option(AlphaEncoding& encoding);
 
 /// --max-memory SIZE; 0 if it is not given.
 Option memory_option(std::uint64_t& bytes);
+
+/// --shard I/N. `shard`: a Shard, or one that need not be there.
+template <class ShardToSet>
+Option shard_option(ShardToSet& shard, std::string meaning) {
+  return parsed_option("--shard", "I/N", shard, shard_from, "I/N, a part from 1 to N", std::move(meaning));
+}
 
 /// --strict, for commands that read scenes, meshes or textures.
 Option strict_option(Diagnostics& diagnostics);

@@ -1,5 +1,6 @@
 // refraster suite run SUITE.json | SCENE…
 
+#include "app/options/shared_options.h"
 #include "app/output.h"
 #include "app/progress_line.h"
 #include "app/suite/suite_commands.h"
@@ -13,7 +14,7 @@ namespace {
 
 struct SuiteRunArguments : SuiteArguments {
   std::string results = "results", markdown;
-  suite::Shard shard;
+  Shard shard;
   suite::Reuse reuse = suite::Reuse::same_inputs;
 };
 
@@ -56,8 +57,7 @@ Command suite_run_command() {
                        .by_default("results"),
                    file_option("--markdown", "FILE", a.markdown, "write a summary as Markdown; - is standard output")}},
                  {"Run",
-                  joined({{parsed_option("--shard", "I/N", a.shard, suite::shard_from, "I/N, a part from 1 to N",
-                                         "do part I of N: the same parts on every machine"),
+                  joined({{shard_option(a.shard, "do part I of N: the same parts on every machine"),
                            flag(
                                "--no-cache", [&a] { a.reuse = suite::Reuse::none; },
                                "do every entry, also where nothing has changed since its last result"),

@@ -58,6 +58,20 @@ public:
     add(material.normal_scale), add(material.bump_scale);
   }
 
+  /// Where it is, as the file says: options change that.
+  void add_place(const Object& object) {
+    add(object.position), add(object.rotate_degrees), add(object.scale);
+    add(static_cast<int>(object.cull)), add(static_cast<int>(object.two_sided));
+  }
+
+  template <class Light>
+  void add_light(const Light& light) {
+    Light::fields(light, [&](std::string_view key, const auto& value, const Range&, std::string_view) {
+      add(key);
+      add_parameter(value);
+    });
+  }
+
   std::string text() { return in_hexadecimal(sha256_.result()); }
 
 private:
@@ -73,6 +87,11 @@ private:
         for (std::size_t i = 0; i < 3 * MerlTable::samples; ++i) add(function.table->template values<double>()[i]);
   }
   void add_parameter(const Double3& value) { add(value); }
+  void add_parameter(const CastShadow& shadow) {
+    add(static_cast<int>(shadow.kind));
+    ShadowMap::fields(
+        shadow.map, [&](std::string_view, const auto& value, const Range&, std::string_view) { add_parameter(value); });
+  }
   template <class Value>
     requires(std::is_arithmetic_v<Value> || std::is_enum_v<Value>)
   void add_parameter(Value value) {
@@ -91,7 +110,13 @@ std::string scene_digest(const std::string& path, const Scene& scene) {
   for (const Object& object : scene.objects) {
     if (meshes.insert(object.mesh.get()).second) bytes.add(*object.mesh);
     for_each_material(object, [&](const Material& material) { bytes.add(material); });
+    bytes.add_place(object);
   }
+  bytes.add(scene.background);
+  for_each_light_list(scene, [&](const auto& lights) {
+    bytes.add(lights.size());
+    for (const auto& light : lights) bytes.add_light(light);
+  });
   return bytes.text();
 }
 

@@ -6,6 +6,7 @@
 #include "raster/frame_context.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
 #include <exception>
 #include <new>
@@ -85,7 +86,7 @@ private:
   std::size_t at_ = 0;
 };
 
-/// Channel c of an image whose first pixel is (0, 0) of the buffer that OpenEXR addresses.
+/// Channel c of an image whose first pixel is that of the buffer that OpenEXR addresses.
 template <class Value>
 Imf::Slice slice(const Image<Value>& image, int c, int x_origin, int y_origin) {
   const std::size_t pixel = sizeof(Value) * static_cast<std::size_t>(image.channels);
@@ -108,6 +109,47 @@ int packing_threads(const WriteOptions& options) {
   } catch (const std::exception&) {
   }
   return std::min(wanted, Imf::globalThreadCount());
+}
+
+/// Rows of a layer that are written at a time.
+class RowBlock {
+public:
+  RowBlock(const ExrLayer& layer, int rows)
+      : layer_(layer), rows_(rows), floats_(layer.image.width, type() == Imf::FLOAT ? rows : 0, layer.image.channels),
+        numbers_(layer.image.width, type() == Imf::UINT ? rows : 0, layer.image.channels) {}
+
+  Imf::PixelType type() const { return layer_.values == LayerValues::floats ? Imf::FLOAT : Imf::UINT; }
+  int rows() const { return rows_; }
+
+  /// Rows y to y + count.
+  void read(int y, int count) {
+    const std::size_t row_values = layer_.image.row_values();
+    for (int i = 0; i < count; ++i) {
+      const float* const row = layer_.image.row(y + i, scratch_);
+      if (type() == Imf::FLOAT) std::copy_n(row, row_values, floats_.at(0, i));
+      else
+        std::transform(row, row + row_values, numbers_.at(0, i),
+                       [](float value) { return static_cast<std::uint32_t>(value); });
+    }
+  }
+  void insert_into(Imf::FrameBuffer& buffer, int y) const {
+    for (int c = 0; c < layer_.image.channels; ++c)
+      buffer.insert(layer_.channels[static_cast<std::size_t>(c)],
+                    type() == Imf::FLOAT ? slice(floats_, c, 0, y) : slice(numbers_, c, 0, y));
+  }
+
+private:
+  const ExrLayer& layer_;
+  int rows_;
+  Image<float> floats_;
+  Image<std::uint32_t> numbers_;
+  std::vector<float> scratch_;
+};
+
+/// Whole blocks of ZIP compression, so many that no thread waits long for another.
+int rows_at_a_time(int threads, int height) {
+  constexpr int block_rows = 16, blocks_a_thread = 4;
+  return std::min(block_rows * blocks_a_thread * std::max(1, threads), height);
 }
 
 } // namespace
@@ -155,34 +197,33 @@ ImageFile read_exr(const std::string& path, std::string_view bytes, const ImageR
 }
 
 void write_exr_layers(const std::string& path, std::span<const ExrLayer> layers, const WriteOptions& options) {
-  std::vector<Image<std::uint32_t>> numbers; // of the layers that are such, in this order
-  for (const ExrLayer& layer : layers) {
-    if (layer.values != LayerValues::uint32) continue;
-    const Image<float>& from = *layer.image;
-    Image<std::uint32_t>& to = numbers.emplace_back(from.width, from.height, from.channels);
-    std::transform(from.values.begin(), from.values.end(), to.values.begin(),
-                   [](float value) { return static_cast<std::uint32_t>(value); });
-  }
-  const Image<float>& first = *layers.front().image;
+  const int width = layers.front().image.width, height = layers.front().image.height;
+  const int threads = packing_threads(options);
+  std::vector<RowBlock> blocks;
   AtomicFile file(path);
   ExrStream stream(path, file);
+  std::exception_ptr unreadable; // OpenEXR must not take for a fault of its own what reading rows throws
   try {
-    Imf::Header header(first.width, first.height);
+    Imf::Header header(width, height);
     header.compression() = Imf::ZIP_COMPRESSION; // lossless
-    Imf::FrameBuffer buffer;
-    std::size_t next_numbers = 0;
     for (const ExrLayer& layer : layers) {
-      const bool is_float = layer.values == LayerValues::floats;
-      const Image<std::uint32_t>* const whole = is_float ? nullptr : &numbers[next_numbers++];
-      for (int c = 0; c < layer.image->channels; ++c) {
-        const std::string& name = layer.channels[static_cast<std::size_t>(c)];
-        header.channels().insert(name, Imf::Channel(is_float ? Imf::FLOAT : Imf::UINT));
-        buffer.insert(name, is_float ? slice(*layer.image, c, 0, 0) : slice(*whole, c, 0, 0));
-      }
+      blocks.emplace_back(layer, rows_at_a_time(threads, height));
+      for (const std::string& name : layer.channels) header.channels().insert(name, Imf::Channel(blocks.back().type()));
     }
-    Imf::OutputFile output(stream, header, packing_threads(options));
-    output.setFrameBuffer(buffer);
-    output.writePixels(first.height);
+    Imf::OutputFile output(stream, header, threads);
+    const int step = blocks.front().rows();
+    for (int y = 0; y < height && !unreadable; y += step) {
+      Imf::FrameBuffer buffer;
+      const int count = std::min(step, height - y);
+      try {
+        for (RowBlock& block : blocks) block.read(y, count), block.insert_into(buffer, y);
+      } catch (...) {
+        unreadable = std::current_exception();
+        break;
+      }
+      output.setFrameBuffer(buffer);
+      output.writePixels(count);
+    }
   } catch (const OutputError&) {
     throw;
   } catch (const std::bad_alloc&) {
@@ -191,13 +232,14 @@ void write_exr_layers(const std::string& path, std::span<const ExrLayer> layers,
     stream.check(path); // why the system refused it
     throw OutputError(path, error.what());
   }
+  if (unreadable) std::rethrow_exception(unreadable);
   stream.check(path);
   file.commit();
 }
 
-void write_exr(const std::string& path, const Image<float>& image, const std::vector<std::string>& channels,
+void write_exr(const std::string& path, const ImageRows<float>& image, const std::vector<std::string>& channels,
                const WriteOptions& options) {
-  const ExrLayer layer{&image, channels};
+  const ExrLayer layer{image, channels};
   write_exr_layers(path, {&layer, 1}, options);
 }
 

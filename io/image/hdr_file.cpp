@@ -216,14 +216,16 @@ ImageFile read_hdr(const std::string& path, std::string_view bytes, const ImageR
   return result;
 }
 
-void write_hdr(const std::string& path, const Image<float>& image, const std::vector<std::string>&,
+void write_hdr(const std::string& path, const ImageRows<float>& image, const std::vector<std::string>&,
                const WriteOptions&) {
   AtomicFile file(path);
   file.write("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(image.height) + " +X " +
              std::to_string(image.width) + "\n");
   std::vector<Rgbe> row(static_cast<std::size_t>(image.width));
+  std::vector<float> scratch;
   for (int y = 0; y < image.height; ++y) {
-    for (int x = 0; x < image.width; ++x) row[static_cast<std::size_t>(x)] = encode(image.at(x, y));
+    const float* rgb = image.row(y, scratch);
+    for (Rgbe& pixel : row) pixel = encode(rgb), rgb += 3;
     file.write(row.data(), row.size() * sizeof(Rgbe));
   }
   file.commit();

@@ -142,25 +142,36 @@ const ImageFormat& format_to_write(const std::string& path, const ImageContent& 
 
 } // namespace
 
-void write_image(const std::string& path, const Image<std::uint8_t>& image, const WriteOptions& options) {
+void write_rows(const std::string& path, const ImageRows<std::uint8_t>& image, const WriteOptions& options) {
   format_to_write(path, {ImageValues::uint8, image.channels}).write_uint8(path, image, options);
 }
-
-void write_image(const std::string& path, const Image<std::uint16_t>& image, const WriteOptions& options) {
+void write_rows(const std::string& path, const ImageRows<std::uint16_t>& image, const WriteOptions& options) {
   format_to_write(path, {ImageValues::uint16, image.channels}).write_uint16(path, image, options);
 }
-
-void write_image(const std::string& path, const Image<std::uint32_t>& image, const WriteOptions& options) {
+void write_rows(const std::string& path, const ImageRows<std::uint32_t>& image, const WriteOptions& options) {
   format_to_write(path, {ImageValues::uint32, image.channels}).write_uint32(path, image, options);
 }
-
-void write_image(const std::string& path, const Image<float>& image, std::vector<std::string> channels,
-                 const WriteOptions& options) {
+void write_rows(const std::string& path, const ImageRows<float>& image, std::vector<std::string> channels,
+                const WriteOptions& options) {
   const ImageFormat& format = format_to_write(path, {ImageValues::floats, image.channels});
   if (channels.empty()) channels = default_channels(image.channels);
   if (static_cast<int>(channels.size()) != image.channels)
     refuse_image(path, "", std::to_string(image.channels) + " channels", "a name for every channel");
   format.write_floats(path, image, channels, options);
+}
+
+void write_image(const std::string& path, const Image<std::uint8_t>& image, const WriteOptions& options) {
+  write_rows(path, ImageRows(image), options);
+}
+void write_image(const std::string& path, const Image<std::uint16_t>& image, const WriteOptions& options) {
+  write_rows(path, ImageRows(image), options);
+}
+void write_image(const std::string& path, const Image<std::uint32_t>& image, const WriteOptions& options) {
+  write_rows(path, ImageRows(image), options);
+}
+void write_image(const std::string& path, const Image<float>& image, std::vector<std::string> channels,
+                 const WriteOptions& options) {
+  write_rows(path, ImageRows(image), std::move(channels), options);
 }
 
 } // namespace refraster

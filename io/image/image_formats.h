@@ -7,6 +7,7 @@
 #include <refraster/files.h>
 
 #include "io/image/image_reading.h"
+#include "io/image/image_rows.h"
 
 #include <algorithm>
 #include <array>
@@ -28,9 +29,9 @@ enum class ImageValues { uint8, uint16, uint32, floats };
 using ImageReader = ImageFile (*)(const std::string& path, std::string_view bytes, const ImageRequest& request);
 /// Writes a file as a whole or not at all. Throws OutputError.
 template <class Value>
-using IntegerWriter = void (*)(const std::string& path, const Image<Value>& image, const WriteOptions& options);
+using IntegerWriter = void (*)(const std::string& path, const ImageRows<Value>& image, const WriteOptions& options);
 /// Writes a file of floats likewise; a format that names its channels uses `channels`, as many as the image has.
-using FloatWriter = void (*)(const std::string& path, const Image<float>& image,
+using FloatWriter = void (*)(const std::string& path, const ImageRows<float>& image,
                              const std::vector<std::string>& channels, const WriteOptions& options);
 
 ImageFile read_png(const std::string& path, std::string_view bytes, const ImageRequest& request);
@@ -45,19 +46,19 @@ ImageFile read_npy(const std::string& path, std::string_view bytes, const ImageR
 /// Whether a file that begins like this can be a TGA, which has no signature.
 bool may_be_tga(std::string_view prefix);
 
-void write_png(const std::string& path, const Image<std::uint8_t>& image, const WriteOptions& options);
-void write_png(const std::string& path, const Image<std::uint16_t>& image, const WriteOptions& options);
-void write_jpeg(const std::string& path, const Image<std::uint8_t>& image, const WriteOptions& options);
-void write_npy(const std::string& path, const Image<std::uint8_t>& image, const WriteOptions& options);
-void write_npy(const std::string& path, const Image<std::uint16_t>& image, const WriteOptions& options);
-void write_npy(const std::string& path, const Image<std::uint32_t>& image, const WriteOptions& options);
-void write_npy(const std::string& path, const Image<float>& image, const std::vector<std::string>& channels,
+void write_png(const std::string& path, const ImageRows<std::uint8_t>& image, const WriteOptions& options);
+void write_png(const std::string& path, const ImageRows<std::uint16_t>& image, const WriteOptions& options);
+void write_jpeg(const std::string& path, const ImageRows<std::uint8_t>& image, const WriteOptions& options);
+void write_npy(const std::string& path, const ImageRows<std::uint8_t>& image, const WriteOptions& options);
+void write_npy(const std::string& path, const ImageRows<std::uint16_t>& image, const WriteOptions& options);
+void write_npy(const std::string& path, const ImageRows<std::uint32_t>& image, const WriteOptions& options);
+void write_npy(const std::string& path, const ImageRows<float>& image, const std::vector<std::string>& channels,
                const WriteOptions& options);
-void write_hdr(const std::string& path, const Image<float>& image, const std::vector<std::string>& channels,
+void write_hdr(const std::string& path, const ImageRows<float>& image, const std::vector<std::string>& channels,
                const WriteOptions& options);
-void write_pfm(const std::string& path, const Image<float>& image, const std::vector<std::string>& channels,
+void write_pfm(const std::string& path, const ImageRows<float>& image, const std::vector<std::string>& channels,
                const WriteOptions& options);
-void write_exr(const std::string& path, const Image<float>& image, const std::vector<std::string>& channels,
+void write_exr(const std::string& path, const ImageRows<float>& image, const std::vector<std::string>& channels,
                const WriteOptions& options);
 
 /// Numbers of channels that a format can write.
@@ -85,7 +86,8 @@ struct ImageFormat {
   IntegerWriter<std::uint16_t> write_uint16 = {};
   IntegerWriter<std::uint32_t> write_uint32 = {};
   FloatWriter write_floats = {};
-  ChannelCounts writes = {}; // of any of these; empty: it is not written
+  bool wants_all_rows = false; // in memory, to be written
+  ChannelCounts writes = {};   // of any of these; empty: it is not written
 };
 
 /// In the order in which messages list them.
@@ -104,6 +106,7 @@ inline constexpr ImageFormat image_formats[] = {
      .signatures = {"\xff\xd8"},
      .read = read_jpeg,
      .write_uint8 = write_jpeg,
+     .wants_all_rows = true,
      .writes = {3}},
     {.name = "BMP", .values = StoredValues::integers, .extensions = {"bmp"}, .signatures = {"BM"}, .read = read_bmp},
     {.name = "TGA", .values = StoredValues::integers, .extensions = {"tga"}, .may_be = may_be_tga, .read = read_tga},
@@ -163,6 +166,12 @@ inline constexpr ImageDepth image_depths[] = {
     {ImageValues::floats, "floats", 32, [](const ImageFormat& format) { return format.write_floats != nullptr; }},
 };
 
+/// Of one kind.
+constexpr const ImageDepth& depth_of(ImageValues values) {
+  return *std::find_if(std::begin(image_depths), std::end(image_depths),
+                       [=](const ImageDepth& depth) { return depth.values == values; });
+}
+
 /// What an image to be written consists of.
 struct ImageContent {
   ImageValues values;
@@ -183,6 +192,15 @@ constexpr bool can_write(const ImageFormat& format, const ImageContent& content)
 
 /// The format that a file of this name is written in by its extension; null if that one cannot hold any of `contents`.
 const ImageFormat* format_to_write(const std::string& path, std::initializer_list<ImageContent> contents);
+
+/// As write_image of <refraster/files.h>: the same bytes for the same values, which need not be in memory all at once
+/// but for JPEG. Throws OutputError; InputError for another extension or number of channels, and what reading rows
+/// throws.
+void write_rows(const std::string& path, const ImageRows<std::uint8_t>& image, const WriteOptions& options);
+void write_rows(const std::string& path, const ImageRows<std::uint16_t>& image, const WriteOptions& options);
+void write_rows(const std::string& path, const ImageRows<std::uint32_t>& image, const WriteOptions& options);
+void write_rows(const std::string& path, const ImageRows<float>& image, std::vector<std::string> channels,
+                const WriteOptions& options);
 
 /// ".hdr, .pfm, .exr or .npy": the extensions of the formats that can hold any of `contents`.
 std::string writable_extensions(std::initializer_list<ImageContent> contents);

@@ -162,7 +162,7 @@ constexpr std::string_view descr_of() {
 }
 
 template <class Value>
-void write_array(const std::string& path, const Image<Value>& image) {
+void write_array(const std::string& path, const ImageRows<Value>& image) {
   std::string shape = std::to_string(image.height) + ", " + std::to_string(image.width);
   if (image.channels > 1) shape += ", " + std::to_string(image.channels);
   std::string header =
@@ -176,7 +176,8 @@ void write_array(const std::string& path, const Image<Value>& image) {
   append_little_endian(prefix, static_cast<std::uint16_t>(header.size()));
   AtomicFile file(path);
   file.write(prefix + header);
-  file.write(image.values.data(), image.values.size() * sizeof(Value));
+  std::vector<Value> scratch;
+  for (int y = 0; y < image.height; ++y) file.write(image.row(y, scratch), image.row_values() * sizeof(Value));
   file.commit();
 }
 
@@ -231,16 +232,16 @@ ImageFile read_npy(const std::string& path, std::string_view bytes, const ImageR
   return image;
 }
 
-void write_npy(const std::string& path, const Image<std::uint8_t>& image, const WriteOptions&) {
+void write_npy(const std::string& path, const ImageRows<std::uint8_t>& image, const WriteOptions&) {
   write_array(path, image);
 }
-void write_npy(const std::string& path, const Image<std::uint16_t>& image, const WriteOptions&) {
+void write_npy(const std::string& path, const ImageRows<std::uint16_t>& image, const WriteOptions&) {
   write_array(path, image);
 }
-void write_npy(const std::string& path, const Image<std::uint32_t>& image, const WriteOptions&) {
+void write_npy(const std::string& path, const ImageRows<std::uint32_t>& image, const WriteOptions&) {
   write_array(path, image);
 }
-void write_npy(const std::string& path, const Image<float>& image, const std::vector<std::string>&,
+void write_npy(const std::string& path, const ImageRows<float>& image, const std::vector<std::string>&,
                const WriteOptions&) {
   write_array(path, image);
 }

@@ -68,14 +68,13 @@ ImageFile read_pfm(const std::string& path, std::string_view bytes, const ImageR
   return result;
 }
 
-void write_pfm(const std::string& path, const Image<float>& image, const std::vector<std::string>&,
+void write_pfm(const std::string& path, const ImageRows<float>& image, const std::vector<std::string>&,
                const WriteOptions&) {
   AtomicFile file(path);
   file.write((image.channels == 3 ? "PF\n" : "Pf\n") + std::to_string(image.width) + " " +
              std::to_string(image.height) + "\n-1.0\n");
-  const std::size_t row_bytes =
-      static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.channels) * sizeof(float);
-  for (int y = image.height - 1; y >= 0; --y) file.write(image.at(0, y), row_bytes);
+  std::vector<float> scratch;
+  for (int y = image.height - 1; y >= 0; --y) file.write(image.row(y, scratch), image.row_values() * sizeof(float));
   file.commit();
 }
 

@@ -83,15 +83,17 @@ StbPixels decode_stb(const std::string& path, std::string_view header, std::stri
   refuse_image(path, "", "what stb_image refuses: " + one_line(reason ? reason : "unknown"), "an image");
 }
 
-void write_jpeg(const std::string& path, const Image<std::uint8_t>& image, const WriteOptions& options) {
+void write_jpeg(const std::string& path, const ImageRows<std::uint8_t>& image, const WriteOptions& options) {
   constexpr int largest_side = 65535; // the header has 16 bits for each; stb writes the lowest
   if (image.width > largest_side || image.height > largest_side)
     refuse_image(path, "", std::to_string(image.width) + " x " + std::to_string(image.height) + " pixels",
                  "at most " + std::to_string(largest_side) + " a side in a JPEG");
+  Image<std::uint8_t> own; // stb wants all of it at once
+  const std::uint8_t* const values = image.values(own);
   AtomicFile file(path);
   Sink sink{file, nullptr};
-  const int done = stbi_write_jpg_to_func(Sink::write, &sink, image.width, image.height, image.channels,
-                                          image.values.data(), options.jpeg_quality);
+  const int done = stbi_write_jpg_to_func(Sink::write, &sink, image.width, image.height, image.channels, values,
+                                          options.jpeg_quality);
   if (sink.error) std::rethrow_exception(sink.error);
   if (!done) throw OutputError(path, "out of memory");
   file.commit();

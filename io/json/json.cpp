@@ -291,4 +291,10 @@ InputFault JsonDocument::fault_at(std::size_t offset, std::string path, std::str
   return fault;
 }
 
+JsonIndex member_of(const JsonDocument& document, JsonIndex object, std::string_view key) {
+  for (JsonIndex i = document[object].first_child; i; i = document[i].next)
+    if (document[i].key == key) return i;
+  return 0;
+}
+
 } // namespace refraster

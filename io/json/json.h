@@ -75,4 +75,7 @@ private:
   std::vector<JsonNode> nodes_;
 };
 
+/// The member of an object; 0, which is the root and no member, where there is none.
+JsonIndex member_of(const JsonDocument& document, JsonIndex object, std::string_view key);
+
 } // namespace refraster

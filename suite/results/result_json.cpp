@@ -23,13 +23,6 @@ void write_value(JsonWriter& json, std::string_view name, const Value& value) {
   else json.member(name, value);
 }
 
-/// The value of a member; null where there is none.
-const JsonNode* member(const JsonDocument& document, JsonIndex object, std::string_view key) {
-  for (JsonIndex i = document[object].first_child; i; i = document[i].next)
-    if (document[i].key == key) return &document[i];
-  return nullptr;
-}
-
 bool read_member(const JsonDocument&, const JsonNode& node, std::string& text) {
   text = node.string; // nothing, of null
   return node.kind == JsonKind::string || node.kind == JsonKind::null;
@@ -82,8 +75,8 @@ std::optional<EntryResult> result_from(const JsonDocument& document, JsonIndex o
   EntryResult result;
   bool is_whole = document[object].kind == JsonKind::object;
   EntryResult::fields(result, [&](std::string_view name, auto& value, MemberOf, std::string_view) {
-    const JsonNode* const node = member(document, object, name);
-    is_whole = is_whole && node != nullptr && read_member(document, *node, value);
+    const JsonIndex found = member_of(document, object, name);
+    is_whole = is_whole && found && read_member(document, document[found], value);
   });
   if (!is_whole || result.name.empty()) return std::nullopt;
   return result;

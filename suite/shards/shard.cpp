@@ -3,7 +3,6 @@
 #include "raster/vertex/scene_view.h"
 
 #include <algorithm>
-#include <charconv>
 #include <numeric>
 
 namespace refraster::suite {
@@ -18,16 +17,6 @@ double samples_of(const Entry& entry) {
 }
 
 } // namespace
-
-std::optional<Shard> shard_from(std::string_view text) {
-  Shard shard;
-  const char* const end = text.data() + text.size();
-  const auto [slash, error] = std::from_chars(text.data(), end, shard.part);
-  if (error != std::errc() || slash == end || *slash != '/') return std::nullopt;
-  const auto [last, second_error] = std::from_chars(slash + 1, end, shard.of);
-  if (second_error != std::errc() || last != end || shard.part < 1 || shard.part > shard.of) return std::nullopt;
-  return shard;
-}
 
 std::vector<double> entry_costs(const std::vector<Entry>& entries, const References& references) {
   double known_seconds = 0, known_samples = 0;

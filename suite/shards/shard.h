@@ -1,22 +1,13 @@
 #pragma once
 // Which part of a suite a machine does.
 
+#include "io/parts/shard.h"
 #include "suite/references/references.h"
 
 #include <cstddef>
-#include <optional>
-#include <string_view>
 #include <vector>
 
 namespace refraster::suite {
-
-/// Part I of N, counted from 1.
-struct Shard {
-  int part = 1, of = 1;
-};
-
-/// "2/8".
-std::optional<Shard> shard_from(std::string_view text);
 
 /// What each entry may cost, in seconds where anything is known: what its reference says it took when it was stored,
 /// which is the same on every machine that has the references; else by its pixels and samples, at the mean rate of

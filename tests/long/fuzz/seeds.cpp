@@ -11,6 +11,7 @@
 #include "tests/support/files/png_bytes.h"
 #include "verify/device/read_profile.h"
 #include "verify/device/shipped_profiles.h"
+#include "io/parts/image_part.h"
 #include "suite/references/references.h"
 #include "suite/results/journal.h"
 #include "suite/results/results_folder.h"
@@ -212,6 +213,23 @@ void add_suites(Seeds& seeds) {
   seeds.add("journal", "one", {std::istreambuf_iterator<char>(file), {}});
 }
 
+void add_parts(Seeds& seeds) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder / "a.png.part-2-of-3";
+  const Image<std::uint8_t> rgb8(5, 3, 3, 7);
+  const Image<float> depth(5, 3, 1, 0.5f);
+  write_image_part(path,
+                   {.scene = "s.json",
+                    .shard = {2, 3},
+                    .width = 5,
+                    .height = 9,
+                    .settings = {{"version", "0.1.0"}, {"bits", "8"}},
+                    .images = {{"image", ImageValues::uint8, 3}, {"depth", ImageValues::floats, 1}}},
+                   {ImageRows(rgb8), ImageRows(depth)});
+  std::ifstream file(path, std::ios::binary);
+  seeds.add("part", "one", {std::istreambuf_iterator<char>(file), {}});
+}
+
 } // namespace
 
 int main(int count, char** words) {
@@ -221,6 +239,7 @@ int main(int count, char** words) {
   }
   Seeds seeds(words[1]);
   add_suites(seeds);
+  add_parts(seeds);
   for (const auto add : {add_malformed, add_scenes, add_devices, add_meshes, add_libraries, add_images, add_measurements,
                          add_tables})
     add(seeds);

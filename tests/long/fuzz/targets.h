@@ -22,6 +22,7 @@ void read_image_bytes(Bytes bytes);       // what textures are read from: PNG, J
 void read_float_image_bytes(Bytes bytes); // HDR, PFM, EXR
 void read_suite_bytes(Bytes bytes);       // suite files: JSON
 void read_references_bytes(Bytes bytes);  // refs.json of a suite
+void read_part_bytes(Bytes bytes);        // parts of an image, of `render --shard`
 void read_journal_bytes(Bytes bytes);     // the journal of a suite's results
 
 struct Target {
@@ -41,6 +42,7 @@ inline constexpr Target targets[] = {
     {"float_image", read_float_image_bytes},
     {"suite", read_suite_bytes},
     {"references", read_references_bytes},
+    {"part", read_part_bytes},
     {"journal", read_journal_bytes},
 };
 

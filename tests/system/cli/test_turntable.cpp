@@ -94,6 +94,19 @@ TEST_CASE("another option, and another scene, begin anew") {
   CHECK(curved.err.empty());
   const std::string encoded = table.frame(2);
   CHECK(encoded != linear);
+  // Options that change what no other file has.
+  for (const std::vector<std::string>& change :
+       {std::vector<std::string>{"--exposure", "1"}, {"--background", "0.5,0.5,0.5"},
+        {"--set", "/scene/point_lights/0/radiance=[9, 9, 9]"}, {"--set", "/scene/objects/0/scale=\"1 2 1\""}}) {
+    std::vector<std::string> words = {"-o", "out/####.png", "--frames", "2", "--srgb"};
+    words.insert(words.end(), change.begin(), change.end());
+    const Finished other = table.run(words);
+    INFO(change[1]);
+    CHECK(other.exit_code == 0);
+    CHECK(other.err.empty());
+    CHECK(table.frame(2) != encoded);
+    REQUIRE(table.run({"-o", "out/####.png", "--frames", "2", "--srgb"}).err.empty());
+  }
   std::string brighter = ball_scene;
   brighter.replace(brighter.find("[8, 8, 8]"), 9, "[9, 9, 9]");
   save_text(table / "s.json", brighter);

@@ -24,6 +24,8 @@ using Words = std::vector<std::string>;
 const std::vector<Words> every_level = {
     {},
     {"render"},
+    {"turntable"},
+    {"assemble"},
     {"compare"},
     {"bench"},
     {"suite"},
@@ -133,6 +135,16 @@ TEST_CASE("every wrong argument is answered with exit code 2, one line and a hin
       {"render", "ball.json", "--report", "ball.json"},
       {"render", "ball.json", "-o", "same.png", "--report", "./same.png"},
       {"render", "ball.json", "-o", "same.exr", "--aov", "depth", "--report", "same.depth.exr"},
+      {"render", "ball.json", "--shard", "0/2"},
+      {"render", "ball.json", "--shard", "3/2"},
+      {"render", "ball.json", "--shard", "2"},
+      {"turntable", "ball.json", "-o", "##.png", "--shard", "0/2"},
+      {"turntable", "ball.json", "-o", "##.png", "--shard", "1/2", "--report", "r.json"},
+      {"turntable", "ball.json", "-o", "x.mp4", "--shard", "1/2"},
+      {"assemble"},
+      {"assemble", "part"},
+      {"assemble", "-o", "x.png"},
+      {"assemble", "part", "-o", "x.mp4", "--rate", "0"},
       {"render", "ball.json", "--tile-size", "48"},
       {"render", "ball.json", "--aov", "depth,colour"},
       {"render", "ball.json", "--aov", "depth,depth"},
@@ -223,8 +235,9 @@ TEST_CASE("what is wrong is named, with what was meant and what there is") {
     const std::string err = run_program(folder.path, words).err;
     return err.substr(0, err.find('\n'));
   };
-  CHECK(said_of({"rendr"}) == "refraster: found \"rendr\", expected one of render, turntable, verify, explain, "
-                              "compare, gl, view, bench, suite, scene, mesh, brdf, list; did you mean render?");
+  CHECK(said_of({"rendr"}) ==
+        "refraster: found \"rendr\", expected one of render, turntable, assemble, verify, explain, "
+        "compare, gl, view, bench, suite, scene, mesh, brdf, list; did you mean render?");
   CHECK(said_of({"brdf", "sinth"}) == "refraster: brdf: found \"sinth\", expected one of info, synth, eval, compare, "
                                       "fit, plot, import; did you mean synth?");
   CHECK(said_of({"brdf"}) ==
@@ -239,9 +252,10 @@ TEST_CASE("what is wrong is named, with what was meant and what there is") {
   CHECK(unknown.starts_with("refraster: render: found \"--sample\", expected one of --"));
   CHECK(unknown.ends_with("; did you mean --samples?"));
   CHECK(said_of({"render", "ball.json", "-quiet"}).find("found \"-quiet\"") != std::string::npos);
-  CHECK(said_of({"--quiet", "render", "ball.json"}) ==
-        "refraster: found \"--quiet\", expected a command before it, "
-        "one of render, turntable, verify, explain, compare, gl, view, bench, suite, scene, mesh, brdf, list");
+  CHECK(
+      said_of({"--quiet", "render", "ball.json"}) ==
+      "refraster: found \"--quiet\", expected a command before it, "
+      "one of render, turntable, assemble, verify, explain, compare, gl, view, bench, suite, scene, mesh, brdf, list");
   CHECK(said_of({"render", "ball.json", "--precision", "flaot"}) ==
         "refraster: --precision: found \"flaot\", expected one of double, float, fast, exact; did you mean float?");
   CHECK(said_of({"render", "ball.json", "--aov", "depth,norml"}) ==

@@ -170,6 +170,8 @@ std::vector<WritingCommand> commands_that_write(Effort effort) {
   };
   if (effort == Effort::quick) return commands;
   commands.push_back({"render .hdr", with(render, {"out/o.hdr"}), {"o.hdr"}});
+  commands.push_back(
+      {"render, a part", with(render, {"out/o.png", "--shard", "1/2", "--aov", "depth"}), {"o.png.part-1-of-2"}});
   commands.push_back({"render .pfm", with(render, {"out/o.pfm"}), {"o.pfm"}});
   commands.push_back({"mesh", {"mesh", "sphere", "--segments", "8", "--rings", "4", "-o", "out/m.obj"}, {"m.obj"}});
   commands.push_back({"render with --cache", with(render, {"out/o.png", "--cache", "cache"}), {"o.png"}});

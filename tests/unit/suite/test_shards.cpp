@@ -57,10 +57,3 @@ TEST_CASE("no part has much more to do than another") {
   CHECK(*std::max_element(sums.begin(), sums.end()) - *std::min_element(sums.begin(), sums.end()) <=
         *std::max_element(costs.begin(), costs.end()));
 }
-
-TEST_CASE("a part is I/N, I from 1 to N") {
-  CHECK(shard_from("2/8")->part == 2);
-  CHECK(shard_from("2/8")->of == 8);
-  for (const char* const wrong : {"", "2", "0/2", "3/2", "1/", "/2", "1/2x", "-1/2", "1.5/2"})
-    CHECK_FALSE(shard_from(wrong));
-}
