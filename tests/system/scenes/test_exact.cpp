@@ -106,7 +106,8 @@ void check_frame(const Scene& scene, int samples) {
   }
   CHECK(far == 0);
   CHECK(outside == 0);
-  CHECK(loose <= exact.values.size() / 100);
+  // Bounds that are told of no visibility let a light with a shadow add anything from nothing on.
+  if (!has_shadows(scene)) CHECK(loose <= exact.values.size() / 100);
 }
 
 /// The sample of each pixel anywhere in a box around its centre, as a device may place it: bounds over the box hold
