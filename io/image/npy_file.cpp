@@ -19,7 +19,8 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little);
 
-constexpr std::size_t prefix_bytes = 10; // of the signature, the version and the size
+constexpr std::size_t prefix_bytes = 10;                  // of the signature, the version and the size
+constexpr std::size_t block_bytes = std::size_t{1} << 20; // of values, that are written at once
 
 /// Why a header is refused.
 struct Unreadable {
@@ -176,8 +177,14 @@ void write_array(const std::string& path, const ImageRows<Value>& image) {
   append_little_endian(prefix, static_cast<std::uint16_t>(header.size()));
   AtomicFile file(path);
   file.write(prefix + header);
+  std::string block; // rows that are written at once: a call for each would take longer than they do
   std::vector<Value> scratch;
-  for (int y = 0; y < image.height; ++y) file.write(image.row(y, scratch), image.row_values() * sizeof(Value));
+  for (int y = 0; y < image.height; ++y) {
+    block.append(reinterpret_cast<const char*>(image.row(y, scratch)), image.row_values() * sizeof(Value));
+    if (block.size() < block_bytes && y + 1 < image.height) continue;
+    file.write(block);
+    block.clear();
+  }
   file.commit();
 }
 

@@ -77,7 +77,9 @@ void against_other_image(Task& task, const MadeImage& made, const std::string& p
   request.seen = [&](int width, int height, NoteList&) -> std::optional<SeenObjects> {
     return seen_objects(task.source.scene, width, height, task.workplace.memory);
   };
-  const FileComparison compared = compare_files(request);
+  FileComparison compared = compare_files(request);
+  // As it is called from the folder of results, wherever that is: merge moves pages.
+  compared.report.name_b = result.image;
   const Comparison& found = compared.report.found;
   result.message = comparison_verdict(compared.report);
   result.max_levels = found.max, result.rms_levels = found.rms, result.pixels_over = found.pixels_over;

@@ -22,6 +22,7 @@ struct ComparisonReport {
   std::optional<FoundTransformation> transformation = {}; // where the images differ
   Compressed compressed = Compressed::none;               // where they differ, and no transformation says why
   NoteList notes = {};                                    // of the files
+  std::string name_b = {};                                // what a page calls file_b; its path if empty
   std::string scene = {};                                 // its file, where one says what the images show
   std::vector<ObjectCounts> objects = {};                 // with a scene: of each of found.clusters
 };

@@ -34,6 +34,10 @@ void set_pixels(PageImage& shown, const Image<float>& image, double full_scale, 
   for (float& value : shown.values.values) value = static_cast<float>(static_cast<double>(value) / full_scale);
 }
 
+const std::string& shown_b(const ComparisonReport& report) {
+  return report.name_b.empty() ? report.file_b : report.name_b;
+}
+
 std::string unit_word(CompareUnit unit) {
   return unit == CompareUnit::levels ? " levels" : "";
 }
@@ -63,7 +67,7 @@ void add_classes(ReportPage& page, const ComparisonReport& report, const Image<d
 
 void add_summary(ReportPage& page, const ComparisonReport& report) {
   const Comparison& found = report.found;
-  page.title = "refraster compare " + report.file_a + " " + report.file_b;
+  page.title = "refraster compare " + report.file_a + " " + shown_b(report);
   page.headline = comparison_verdict(report);
   page.headline[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(page.headline[0])));
   page.tone = found.same ? PageTone::passed : PageTone::failed;
@@ -110,7 +114,7 @@ void add_provenance(ReportPage& page, const ComparisonReport& report) {
   const BuildInfo build = this_build();
   page.provenance = {{"A", report.file_a},
                      {"A sha256", file_sha256(report.file_a)},
-                     {"B", report.file_b},
+                     {"B", shown_b(report)},
                      {"B sha256", file_sha256(report.file_b)}};
   if (!report.scene.empty()) {
     page.provenance.emplace_back("scene", report.scene);
@@ -126,7 +130,7 @@ ReportPage comparison_page(const ComparisonReport& report, const ImagePair& imag
                            const std::optional<SeenObjects>& seen) {
   ReportPage page;
   page.reference.label = "A", page.actual.label = "B";
-  page.reference.source = report.file_a, page.actual.source = report.file_b;
+  page.reference.source = report.file_a, page.actual.source = shown_b(report);
   const bool as_levels = holds_levels(images.a, images.full_scale) && holds_levels(images.b, images.full_scale);
   set_pixels(page.reference, images.a, images.full_scale, as_levels);
   set_pixels(page.actual, images.b, images.full_scale, as_levels);
