@@ -21,6 +21,11 @@ Image<std::uint8_t> class_colours(const Image<std::uint8_t>& classes) {
   return colours;
 }
 
+JudgedSource source_of(const Entry& entry) {
+  if (entry.image_from == ImageFrom::file) return JudgedSource::file;
+  return entry.image_from == ImageFrom::gl_float ? JudgedSource::opengl_float : JudgedSource::opengl_rgb8;
+}
+
 std::string found_of(const VerdictReport& report, const char* label) {
   for (const auto& [name, content] : report.provenance)
     if (name == label) return content;
@@ -34,7 +39,7 @@ void verify_image(Task& task) {
   const Entry& entry = task.entry;
   VerifyTask verify{.scene = entry.scene,
                     .actual = entry.image_file,
-                    .source = entry.needs_gl() ? JudgedSource::opengl_rgb8 : JudgedSource::file,
+                    .source = source_of(entry),
                     .image = {},
                     .device = entry.device,
                     .renderer = {},

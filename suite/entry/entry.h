@@ -32,7 +32,12 @@ enum class ReferenceKind {
 };
 
 /// Where the image that is judged comes from.
-enum class ImageFrom { render, gl, file };
+enum class ImageFrom {
+  render,
+  gl,       ///< OpenGL, in 8 bits
+  gl_float, ///< the same of its float image: `verify` alone has bounds for floats
+  file
+};
 
 struct PixelSize {
   int width = 0, height = 0;
@@ -66,7 +71,10 @@ struct Entry {
   std::uint64_t max_memory_mib = 0; ///< likewise, beyond so much memory; 0: what its worker may take
 
   /// Whether OpenGL draws.
-  bool needs_gl() const { return action == Action::gl || (judges_image() && image_from == ImageFrom::gl); }
+  bool needs_gl() const {
+    return action == Action::gl ||
+           (judges_image() && (image_from == ImageFrom::gl || image_from == ImageFrom::gl_float));
+  }
   bool judges_image() const { return action == Action::compare || action == Action::verify; }
   /// Whether the machine must do nothing else meanwhile.
   bool is_alone() const { return action == Action::bench; }
@@ -90,6 +98,13 @@ struct EnumNames<suite::Action> {
                                                                          {suite::Action::render, "render"},
                                                                          {suite::Action::gl, "gl"},
                                                                          {suite::Action::bench, "bench"}};
+};
+
+/// What a suite file calls them; all other words are files.
+template <>
+struct EnumNames<suite::ImageFrom> {
+  static constexpr std::pair<suite::ImageFrom, std::string_view> names[] = {
+      {suite::ImageFrom::render, "render"}, {suite::ImageFrom::gl, "gl"}, {suite::ImageFrom::gl_float, "gl-float"}};
 };
 
 template <>

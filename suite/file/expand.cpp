@@ -25,13 +25,16 @@ std::vector<std::optional<Item>> each_or_none(const std::vector<Item>& items) {
 }
 
 ImageFrom image_from(const std::string& word) {
-  if (word == "render") return ImageFrom::render;
-  return word == "gl" ? ImageFrom::gl : ImageFrom::file;
+  for (const auto& [from, name] : EnumNames<ImageFrom>::names)
+    if (word == name) return from;
+  return ImageFrom::file;
 }
 
 /// What of an entry does not go together; empty if all does.
 std::string objection(const Entry& entry) {
   if (entry.action == Action::verify && entry.device.empty() && entry.image_from == ImageFrom::file) return {};
+  if (entry.action == Action::compare && entry.image_from == ImageFrom::gl_float)
+    return "floats of OpenGL to compare: `verify` judges them, and references have 8 bits";
   if (entry.reference == ReferenceKind::digest) {
     if (entry.action == Action::compare && entry.image_from != ImageFrom::render)
       return "a digest of an image that is not rendered here: only `double`, `float` and `exact` have the same bits "

@@ -87,7 +87,9 @@ void entry_keys(EntryText& text, EntryKeys which, auto&& keys) {
     keys.some("scene", text.scenes, "a scene file or model, or a pattern, as `scenes/*.json`", required);
     keys("name", text.common.name, Range{}, "in place of the scene's", otherwise("the scene's, with what lists add"));
     keys.some("image", text.images,
-              "of `compare` and `verify`: `\"render\"`, `\"gl\"`, or the image file of another program", defaulted);
+              "of `compare` and `verify`: `\"render\"`, `\"gl\"`, of `verify` `\"gl-float\"`, or the image file of another "
+              "program",
+              defaulted);
   }
   keys.some("action", text.actions, "what is done", defaulted);
   keys.some("device", text.devices, "profile of a device, for `verify`; who draws, for `gl`", defaulted);

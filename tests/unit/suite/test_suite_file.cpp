@@ -108,12 +108,13 @@ TEST_CASE("a pattern that nothing matches, a name given twice and a digest of wh
   const std::vector<std::string> faults = folder.faults(
       R"({"entries": [{"scene": "x*.json"}, {"scene": "a.json", "name": "n"}, {"scene": "b.json", "name": "n"},
           {"scene": "c.json", "reference": "digest", "precision": "fast"},
-          {"scene": "d.json", "reference": "digest", "image": "gl"}]})");
-  REQUIRE(faults.size() == 4);
+          {"scene": "d.json", "reference": "digest", "image": "gl"}, {"scene": "e.json", "image": "gl-float"}]})");
+  REQUIRE(faults.size() == 5);
   CHECK(faults[0].find("found \"x*.json\", expected a pattern that a file matches") != std::string::npos);
   CHECK(faults[1].find("/entries/3: found a digest of the precision fast") != std::string::npos);
   CHECK(faults[2].find("/entries/4: found a digest of an image that is not rendered here") != std::string::npos);
-  CHECK(faults[3].find("the name \"n\" a second time") != std::string::npos);
+  CHECK(faults[3].find("/entries/5: found floats of OpenGL to compare") != std::string::npos);
+  CHECK(faults[4].find("the name \"n\" a second time") != std::string::npos);
 }
 
 TEST_CASE("scenes of one name are told apart by their folders, whichever comes first") {
