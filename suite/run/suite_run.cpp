@@ -45,7 +45,7 @@ bool still_holds(const EntryResult& known, const Entry& entry, const Workplace& 
                  CurrentDigests& digests) {
   if (known.settings != settings_of(entry, workplace) || !files_are_there(workplace.results, known)) return false;
   if (!known.inputs.empty()) return digests.are_current(known.inputs);
-  return reuse == Reuse::resume && known.state != State::missing;
+  return reuse == Reuse::resume && known.state != State::missing && known.state != State::unwritable;
 }
 
 /// Files of an earlier result that this one does not name.

@@ -7,9 +7,9 @@
 
 namespace refraster {
 
-/// Eleven colours, from what needs no look to what does: dark for what is right to the last bit, and at the end vermilion.
-/// Any two are told apart with each of the three common colour vision deficiencies too: a test simulates them. They are
-/// the same on light and on dark pages.
+/// Eleven colours, from what needs no look to what does: dark for what is right to the last bit, and at the end
+/// vermilion. Any two are told apart with each of the three common colour vision deficiencies too: a test simulates
+/// them. They are the same on light and on dark pages.
 inline constexpr std::array<Rgb8, 11> verdict_colours = {{
     {0x2b, 0x33, 0x3c}, // charcoal
     {0x70, 0x71, 0x87}, // grey

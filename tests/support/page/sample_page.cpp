@@ -17,7 +17,19 @@
 namespace refraster::test {
 namespace {
 
-enum Kind : std::uint8_t { exact, rounding, shading, texel, branch, shadow, edge, depth, undefined, unverifiable, unexplained };
+enum Kind : std::uint8_t {
+  exact,
+  rounding,
+  shading,
+  texel,
+  branch,
+  shadow,
+  edge,
+  depth,
+  undefined,
+  unverifiable,
+  unexplained
+};
 constexpr std::array<std::pair<std::string_view, std::string_view>, 11> kinds = {{
     {"exact", "The level that the exact value rounds to."},
     {"rounding", "A neighbour of that level, as rounding of the device's numbers may give it."},

@@ -13,7 +13,7 @@ import webdriver
 
 SHOTS = {
     "report_light": ("light", "const note = model.notes[40]; pin([note.x, note.y]);"),
-    "report_dark": ("dark", "choose(9); setMode('split'); setSplit(0.42);"),
+    "report_dark": ("dark", "choose(model.classes.length - 1); setMode('split'); setSplit(0.42);"),
 }
 
 
