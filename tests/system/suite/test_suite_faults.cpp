@@ -90,14 +90,8 @@ TEST_CASE("a run that is killed goes on where it was, and ends as if nothing had
 }
 
 TEST_SUITE("slow") {
-  TEST_CASE("a run that is killed at many random moments goes on, and ends as if nothing had been") {
-    kill_and_go_on(20, 24, 2);
-  }
-}
-
-TEST_SUITE("long") {
   TEST_CASE("a run that is killed at a hundred random moments goes on, and ends as if nothing had been") {
-    kill_and_go_on(100, 24, 3);
+    kill_and_go_on(100, 24, 2);
   }
 }
 
