@@ -17,10 +17,12 @@
 #define REFRASTER_KIT_REGISTERS avx_16
 #elif defined(__SSE4_1__)
 #define REFRASTER_KIT_REGISTERS sse41_16
+#elif defined(__aarch64__)
+#define REFRASTER_KIT_REGISTERS neon_16
 #else
 #define REFRASTER_KIT_REGISTERS plain_16
 #endif
-#if defined(__FMA__)
+#if defined(__FMA__) || defined(__aarch64__)
 #define REFRASTER_KIT_FMA _fma
 #else
 #define REFRASTER_KIT_FMA

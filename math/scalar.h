@@ -64,6 +64,7 @@ template <class F>
 using BitsOf = std::conditional_t<sizeof(F) == 4, std::int32_t, std::int64_t>;
 
 static_assert(std::numeric_limits<double>::is_iec559 && std::numeric_limits<float>::is_iec559);
+static_assert(std::endian::native == std::endian::little, "lanes, files and hashes are read as bytes in this order");
 
 template <std::floating_point F>
 struct NumberTraits<F> {
@@ -114,7 +115,7 @@ F sqrt(F x) {
   return std::sqrt(x); // correctly rounded by IEEE 754: one instruction, the same on every machine
 }
 
-#if defined(__FMA__)
+#if defined(__FMA__) || defined(__aarch64__)
 /// a b - c, rounded once: only where the machine has it.
 template <std::floating_point F>
 F fused_difference(F a, F b, F c) {

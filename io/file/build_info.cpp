@@ -20,7 +20,7 @@ std::string compiler() {
 #endif
 }
 
-/// The x86-64 level (System V psABI, "Micro-Architecture Levels") whose instructions this build may use.
+/// The x86-64 level (System V psABI, "Micro-Architecture Levels") whose instructions this build may use; or ARM's name.
 constexpr const char* isa() {
 #if defined(__AVX512F__) && defined(__AVX512BW__) && defined(__AVX512CD__) && defined(__AVX512DQ__) &&                 \
     defined(__AVX512VL__)
@@ -31,8 +31,10 @@ constexpr const char* isa() {
   return "x86-64-v2";
 #elif defined(__x86_64__)
   return "x86-64";
+#elif defined(__aarch64__)
+  return "aarch64";
 #else
-  return "not x86-64";
+  return "of another kind";
 #endif
 }
 

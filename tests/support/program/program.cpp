@@ -22,10 +22,20 @@ std::vector<std::string> files_in(const TemporaryFolder& folder) {
   return names;
 }
 
+std::vector<std::string> program_words() {
+  return {REFRASTER_PROGRAM_WORDS};
+}
+
+std::string program_command() {
+  std::string command;
+  for (const std::string& word : program_words()) command += (command.empty() ? "" : " ") + word;
+  return command;
+}
+
 Running::Running(const fs::path& folder, const std::vector<std::string>& arguments, const std::string& standard_error) {
   const std::string out = texts_ / "out", in = folder;
   const std::string err = standard_error.empty() ? texts_ / "err" : standard_error;
-  std::vector<std::string> words = {REFRASTER_PROGRAM};
+  std::vector<std::string> words = program_words();
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());

@@ -15,6 +15,11 @@ using test::TemporaryFolder;
 /// Names of what is in a folder, sorted.
 std::vector<std::string> files_in(const TemporaryFolder& folder);
 
+/// What starts the program: its path, after an emulator and its options where it is built for another machine.
+std::vector<std::string> program_words();
+/// The same for a shell.
+std::string program_command();
+
 /// What a finished run left.
 struct Finished {
   int exit_code = -1; // 128 + signal if it was killed

@@ -171,7 +171,7 @@ TEST_CASE("a film by ffmpeg, with the digests of its frames; without ffmpeg a li
   CHECK(text_of(table / "turn.mp4.json").find("\"sha256\": null") == std::string::npos);
   CHECK(files_in(table) == std::vector<std::string>{"s.json", "turn.mp4", "turn.mp4.json"});
   // With a PATH on which there is none.
-  const std::string nowhere = "PATH=" + table.path.string() + " " + REFRASTER_PROGRAM + " turntable " + table / "s.json" +
+  const std::string nowhere = "PATH=" + table.path.string() + " " + program_command() + " turntable " + table / "s.json" +
                               " --size 4x4 -o " + table / "x.mp4" + " 2>" + table / "err";
   CHECK(WEXITSTATUS(std::system(nowhere.c_str())) == 4);
   CHECK(text_of(table / "err").find("which is not installed") != std::string::npos);

@@ -57,7 +57,7 @@ TEST_CASE("a file that is gone, or something else, when it is opened behind its 
 TEST_CASE("standard output that cannot be written is exit code 4") {
   const TemporaryFolder folder;
   for (const std::string words : {"list limits", "brdf synth lambert -o t.binary", "brdf info t.binary", "mesh cube"}) {
-    const std::string command = "cd " + folder.path.string() + " && " REFRASTER_PROGRAM " " + words;
+    const std::string command = "cd " + folder.path.string() + " && " + program_command() + " " + words;
     if (words != "mesh cube") // whose one word is still in the pipe's buffer when nobody reads any more
       CHECK(WEXITSTATUS(std::system((command + " > /dev/full 2> err").c_str())) == 4);
     if (words.starts_with("brdf synth")) continue;

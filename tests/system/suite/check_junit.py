@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Whether junit.xml is XML and says what results.json says: check_junit.py REFRASTER SCENE."""
+"""Whether junit.xml is XML and says what results.json says: check_junit.py SCENE REFRASTER, the words that start it."""
 
 import json
 import pathlib
@@ -9,14 +9,14 @@ import sys
 import tempfile
 import xml.etree.ElementTree as ElementTree
 
-program, scene = (pathlib.Path(word).resolve() for word in sys.argv[1:3])
+scene, program = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2:]
 ELEMENTS = {"different": "failure", "no reference": "failure", "bad input": "error", "equal": None}
 
 with tempfile.TemporaryDirectory() as folder:
     folder = pathlib.Path(folder)
 
     def suite(*words):
-        return subprocess.run([program, "suite", *words], cwd=folder, stdout=subprocess.DEVNULL).returncode
+        return subprocess.run([*program, "suite", *words], cwd=folder, stdout=subprocess.DEVNULL).returncode
 
     shutil.copy(scene, folder / "same.json")
     changed = folder / "changed.json"

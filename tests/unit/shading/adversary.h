@@ -9,7 +9,9 @@
 #include "tests/support/perturbed.h"
 #include "tests/unit/shading/laws.h"
 
+#if defined(__x86_64__)
 #include <immintrin.h>
+#endif
 
 #include <algorithm>
 #include <cfenv>
@@ -112,23 +114,46 @@ inline double rank(std::vector<double> values, double at) {
 class ProcessorMode {
 public:
   enum class Denormals { kept, flushed };
-  ProcessorMode(int rounding, Denormals denormals) : control_(_mm_getcsr()), rounding_(std::fegetround()) {
+  ProcessorMode(int rounding, Denormals denormals) : control_(control()), rounding_(std::fegetround()) {
     std::fesetround(rounding);
-    constexpr unsigned flush_to_zero = 1U << 15, denormals_are_zero = 1U << 6;
-    if (denormals == Denormals::flushed) _mm_setcsr(_mm_getcsr() | flush_to_zero | denormals_are_zero);
+    if (denormals == Denormals::flushed) set_control(control() | denormals_flushed);
   }
   ~ProcessorMode() {
     std::fesetround(rounding_);
-    _mm_setcsr(control_);
+    set_control(control_);
   }
   ProcessorMode(const ProcessorMode&) = delete;
   ProcessorMode& operator=(const ProcessorMode&) = delete;
 
   /// What is made of this vector is computed after the call: a compiler knows nothing of its value from before.
-  static void compute_after(Vec3<float>& v) { asm volatile("" : "+x"(v.x), "+x"(v.y), "+x"(v.z)); }
+  static void compute_after(Vec3<float>& v) {
+#if defined(__aarch64__)
+    asm volatile("" : "+w"(v.x), "+w"(v.y), "+w"(v.z));
+#else
+    asm volatile("" : "+x"(v.x), "+x"(v.y), "+x"(v.z));
+#endif
+  }
 
 private:
-  unsigned control_;
+  // The register that says how the processor computes: FPCR of ARM, where one bit flushes what is read and what is
+  // given; MXCSR of x86, where each has its own.
+#if defined(__aarch64__)
+  using Control = std::uint64_t;
+  static constexpr Control denormals_flushed = 1U << 24;
+  static Control control() {
+    Control value;
+    asm volatile("mrs %0, fpcr" : "=r"(value));
+    return value;
+  }
+  static void set_control(Control value) { asm volatile("msr fpcr, %0" : : "r"(value)); }
+#else
+  using Control = unsigned;
+  static constexpr Control denormals_flushed = 1U << 15 | 1U << 6;
+  static Control control() { return _mm_getcsr(); }
+  static void set_control(Control value) { _mm_setcsr(value); }
+#endif
+
+  Control control_;
   int rounding_;
 };
 
