@@ -1,7 +1,7 @@
 #pragma once
-// The instructions that compilers do not find by themselves, or not always, for vectors of the size of a register: those
-// of x86 here, those of ARM in registers_neon.h. Each does what the plain code in math/lanes/wide.h does, lane by lane
-// and bit by bit; that code is the fallback.
+// The instructions that compilers do not find by themselves, or not always, for vectors of the size of a register:
+// those of x86 here, those of ARM in registers_neon.h. Each does what the plain code in math/lanes/wide.h does, lane by
+// lane and bit by bit; that code is the fallback.
 
 #include "math/kit_namespace.h"
 

@@ -27,7 +27,8 @@ inline std::uint32_t sign_bits(float32x4_t x) {
 }
 inline std::uint32_t sign_bits(float64x2_t x) {
   constexpr std::int64_t places[] = {0, 1};
-  return static_cast<std::uint32_t>(vaddvq_u64(vshlq_u64(vshrq_n_u64(vreinterpretq_u64_f64(x), 63), vld1q_s64(places))));
+  return static_cast<std::uint32_t>(
+      vaddvq_u64(vshlq_u64(vshrq_n_u64(vreinterpretq_u64_f64(x), 63), vld1q_s64(places))));
 }
 
 // x y - z, rounded once.
