@@ -168,9 +168,8 @@ TEST_CASE("the committed textures are those that make_textures makes") {
   const fs::path made = fs::path(REFRASTER_BUILD_DIR) / "made_textures";
   const fs::path committed = fs::path(REFRASTER_SOURCE_DIR) / "scenes" / "gallery" / "assets" / "textures";
   fs::create_directories(made);
-  REQUIRE(std::system(
-              (std::string(REFRASTER_BUILD_DIR) + "/scenes/make_textures " + made.string() + " >/dev/null").c_str()) ==
-          0);
+  const std::string command = REFRASTER_EMULATOR REFRASTER_BUILD_DIR "/scenes/make_textures " + made.string();
+  REQUIRE(std::system((command + " >/dev/null").c_str()) == 0);
   const auto values = [](const fs::path& path) { return read_image(path).values; };
   int textures = 0;
   for (const auto& entry : fs::directory_iterator(made)) {
