@@ -19,6 +19,7 @@ enum class CompareUnit { levels, values };
 constexpr double full_range(CompareUnit unit) {
   return unit == CompareUnit::levels ? 255 : 1;
 }
+/// The unit in words, as reports have it.
 constexpr std::string_view unit_name(CompareUnit unit) {
   return unit == CompareUnit::levels ? "levels" : "values";
 }
@@ -59,8 +60,8 @@ struct PixelDifference {
   std::vector<double> b; ///< likewise
 };
 
-/// How many of each are told.
-inline constexpr std::size_t max_worst_pixels = 10, max_clusters = 10;
+inline constexpr std::size_t max_worst_pixels = 10; ///< how many pixels are told
+inline constexpr std::size_t max_clusters = 10;     ///< and how many clusters
 
 /// Pixels that touch each other, corners included, and the smallest rectangle around them.
 struct Cluster {

@@ -47,11 +47,13 @@ inline constexpr Range any_direction{any_number.min, any_number.max, Ends::inclu
 template <class Enum>
 struct EnumNames;
 
+/// An enumeration whose values have names.
 template <class Enum>
 concept NamedEnum = std::is_enum_v<Enum> && requires {
   EnumNames<Enum>::names;
 };
 
+/// The name of a value; empty of what is none of the listed.
 template <NamedEnum Enum>
 constexpr std::string_view name_of(Enum value) {
   for (const auto& [listed, name] : EnumNames<Enum>::names)

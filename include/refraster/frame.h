@@ -126,6 +126,7 @@ enum class Undefined {
   count_
 };
 
+/// Names of the cases, by Undefined, as run reports have them.
 inline constexpr std::array<std::string_view, static_cast<std::size_t>(Undefined::count_)> undefined_names = {
     "zero_normal",     "no_normal",  "eye_at_surface", "light_at_surface", "no_half_vector", "zero_to_the_zero",
     "unmeasured_brdf", "not_finite", "bad_uv"};

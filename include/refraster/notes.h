@@ -11,7 +11,7 @@
 
 namespace refraster {
 
-/// One fault in one input. As text: `file:line:column: /json/path: found X, expected Y`; parts that do not apply are
+/// One fault in one input. As text: `FILE:LINE:COLUMN: /json/path: found X, expected Y`; parts that do not apply are
 /// left out.
 struct InputFault {
   std::string file;     ///< its path
@@ -54,7 +54,7 @@ public:
   OutputError(const std::string& file, const std::string& reason);
 };
 
-/// One kind of remark on one file. As text: `file:line: found X, read as Y (12 times)`; parts that do not apply are
+/// One kind of remark on one file. As text: `FILE:LINE: found X, read as Y (12 times)`; parts that do not apply are
 /// left out.
 struct Note {
   std::string file;        ///< its path

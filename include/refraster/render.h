@@ -11,6 +11,7 @@
 #include <optional>
 #include <vector>
 
+/// Everything that a program calls, and what it passes and gets.
 namespace refraster {
 
 /// A rectangle of pixels; x, y from the top left.
