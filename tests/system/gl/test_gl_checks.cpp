@@ -125,6 +125,9 @@ TEST_CASE("what is to be said of several objects is said once, with their names"
   GlOptions options = small_image();
   options.want_ids = true; // links the vertex shader again
   const Lines said = render_gl(scene, options).warnings;
+  std::string all;
+  for (const std::string& line : said) all += line + "\n";
+  INFO(all);
   CHECK(said == Lines{(window.folder / "fs.glsl") + ":4:47: the compiler warns: `a' used uninitialized",
                       "quad, second, third: uniform vec4 tint is not one that refraster sets: it stays 0"});
 
