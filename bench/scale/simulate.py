@@ -54,9 +54,7 @@ def simulate(shards, nodes, start, load, losses=None, requeue=REQUEUE_SECONDS):
         if not free:
             raise ValueError("no node is left")
         now, node = heapq.heappop(free)
-        begin = max(now, ready)
-        if now < ready:  # whoever is free sooner waits for what is put back
-            begin = ready
+        begin = max(now, ready)  # whoever is free sooner waits for what is put back
         lost = losses.get(node, math.inf)
         if begin >= lost:
             heapq.heappush(queue, (ready, shard, first))
