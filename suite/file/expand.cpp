@@ -24,10 +24,9 @@ std::vector<std::optional<Item>> each_or_none(const std::vector<Item>& items) {
   return {items.begin(), items.end()};
 }
 
+/// Whatever is none of the words is a file.
 ImageFrom image_from(const std::string& word) {
-  for (const auto& [from, name] : EnumNames<ImageFrom>::names)
-    if (word == name) return from;
-  return ImageFrom::file;
+  return value_named<ImageFrom>(word).value_or(ImageFrom::file);
 }
 
 /// What of an entry does not go together; empty if all does.
