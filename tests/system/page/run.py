@@ -13,16 +13,10 @@ import tempfile
 import time
 
 sys.dont_write_bytecode = True  # into the sources
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "support/script"))
 
 import webdriver
-
-faults = []
-
-
-def check(holds, what):
-    if not holds:
-        faults.append(what)
-        print(f"FAILED: {what}", flush=True)
+from checks import check, faults
 
 
 class Pages:

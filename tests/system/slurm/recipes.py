@@ -15,14 +15,9 @@ import sys
 import tempfile
 
 sys.dont_write_bytecode = True  # into the sources
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "support/script"))
 
-faults = []
-
-
-def check(holds, what):
-    if not holds:
-        faults.append(what)
-        print(f"FAILED: {what}", flush=True)
+from checks import check, faults
 
 
 def blocks(page, language):

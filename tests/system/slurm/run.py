@@ -17,23 +17,16 @@ import tempfile
 import time
 
 sys.dont_write_bytecode = True  # into the sources
-
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "support/script"))
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[3] / "bench/scale"))
 
 import cluster
 import simulate
+from checks import check, faults
 
 ENTRIES, PARTS = 200, 8
 CHANGED = (17, 90)  # entries that differ from their reference
 MEASURED = re.compile(r'"(seconds|finished|peak_bytes)": [^\n,]*')
-
-faults = []
-
-
-def check(holds, what):
-    if not holds:
-        faults.append(what)
-        print(f"FAILED: {what}", flush=True)
 
 
 def make_suite(folder, refraster, sources):

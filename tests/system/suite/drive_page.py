@@ -11,17 +11,11 @@ import sys
 import tempfile
 
 sys.dont_write_bytecode = True  # into the sources
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "support/script"))
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "page"))
 
 import webdriver
-
-faults = []
-
-
-def check(holds, what):
-    if not holds:
-        faults.append(what)
-        print(f"FAILED: {what}", flush=True)
+from checks import check, faults
 
 
 def make_results(folder, refraster, scene):

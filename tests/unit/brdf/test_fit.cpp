@@ -186,7 +186,7 @@ TEST_CASE("the start knows the height and width of a highlight") {
 }
 
 TEST_CASE("known parameters of synthesised tables are recovered to 1 %") {
-  for (const double roughness : {0.02, 0.2, 0.9}) check_exact(roughness);
+  for (const double roughness : {0.02, 0.9}) check_exact(roughness); // the ends; those between, in "long"
 }
 
 TEST_CASE("with 1 % of noise they are recovered to 5 %") {
