@@ -61,8 +61,8 @@ struct MapConstants {
   double texels = 0;    // size / 2 for a point light, size / side for a direction light
   double half_size = 0; // of the map, in texels
   double texel = 0;     // its width: at distance 1 for a point light, anywhere for a direction light
-  double depth_scale =
-      0; // window depth is scale (z - near) for a direction light, scale - offset / z for a point light
+  // Window depth is scale (z - near) for a direction light, scale - offset / z for a point light.
+  double depth_scale = 0;
   double depth_offset = 0;
 };
 

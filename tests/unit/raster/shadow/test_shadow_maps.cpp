@@ -9,6 +9,7 @@
 #include "tests/support/invariants.h"
 #include "tests/support/random.h"
 #include "tests/support/scenes/random_scene.h"
+#include "tests/support/scenes/same_parts.h"
 #include "tests/support/scenes/shadow_scene.h"
 #include "tests/support/slow/slow_shadow_maps.h"
 
@@ -273,23 +274,7 @@ TEST_CASE("maps are the same for every number of threads, tile size and crop, an
     for (int row = 0; row < 100; ++row)
       for (int column = 0; column < 100; ++column) CHECK(one.at(0, column, row) == other.at(0, column, row));
   }
-  for (const int samples : {1, 4}) {
-    RenderOptions options = options_of(77, 51, Precision::double_, samples);
-    options.threads = 1;
-    const Frame whole = render(scene, options);
-    for (const int threads : {2, 5})
-      for (const int tile_size : {8, 128}) {
-        RenderOptions other = options;
-        other.threads = threads, other.tile_size = tile_size;
-        CHECK(difference(render(scene, other), whole) == "");
-      }
-    options.crop = PixelRect{13, 7, 40, 30};
-    const Frame part = render(scene, options);
-    for (int y = 0; y < 30; ++y)
-      for (int x = 0; x < 40; ++x)
-        CHECK(std::equal(part.radiance_double.at(x, y), part.radiance_double.at(x, y) + 3,
-                         whole.radiance_double.at(x + 13, y + 7)));
-  }
+  for (const int samples : {1, 4}) check_same_parts(scene, options_of(77, 51, Precision::double_, samples));
 }
 
 TEST_CASE("every precision has the same map's shadows, fractions too") {
