@@ -237,8 +237,9 @@ void add_text(std::vector<OddShader>& list) {
       {"UTF-16", "", "\xff\xfe#", {}, {}, 3, "found UTF-16 text, expected a GLSL file, which is ASCII or UTF-8"});
   list.push_back({"a value that is used before it is set",
                   "",
-                  fragment("vec3 a; FragColor = vec4(1.0 + 0.0 * a, 1.0);"),
-                  {"fs.glsl:5:52: the compiler warns: `a' used uninitialized"}});
+                  fragment("vec3 a; FragColor = vec4(a.x > 0.0 ? 1.0 : 1.0);"), // `a` may be NaN
+                  {"fs.glsl:5:40: the compiler warns: `a' used uninitialized"},
+                  white});
   list.push_back(
       {"an input that nobody writes",
        bare(usual_declarations, usual_position),
