@@ -40,15 +40,15 @@ std::string evaluation_json(const Brdf& brdf, std::span<const DirectionPair> pai
     json.member("brdf", brdf.label());
     json.array("points", [&] {
       for (const DirectionPair& pair : pairs) {
-        const auto [in_out, half_difference, value] = evaluated(brdf, pair);
+        const EvaluatedPair point = evaluated(brdf, pair);
         json.object([&] {
-          json.member("theta_in", in_out.theta_in);
-          json.member("theta_out", in_out.theta_out);
-          json.member("dphi", in_out.dphi);
-          json.member("theta_h", half_difference.theta_h);
-          json.member("theta_d", half_difference.theta_d);
-          json.member("phi_d", half_difference.phi_d);
-          json.optional("f", value.measured ? &value.f : nullptr, [&](const Rgb<double>& f) {
+          json.member("theta_in", point.in_out.theta_in);
+          json.member("theta_out", point.in_out.theta_out);
+          json.member("dphi", point.in_out.dphi);
+          json.member("theta_h", point.half_difference.theta_h);
+          json.member("theta_d", point.half_difference.theta_d);
+          json.member("phi_d", point.half_difference.phi_d);
+          json.optional("f", point.value.measured ? &point.value.f : nullptr, [&](const Rgb<double>& f) {
             json.value(std::vector<double>{f.x, f.y, f.z});
           });
         });

@@ -104,8 +104,8 @@ std::string references_json(const std::map<std::string, Reference>& all) {
     json.member("schema", report_schema);
     json.object("references", [&] {
       for (const auto& [name, reference] : all)
-        json.object(name, [&] {
-          Reference::fields(reference, [&]<class Value>(std::string_view key, const Value& value) {
+        json.object(name, [&, &fields_of = reference] { // clang 14 captures bindings under a name of their own alone
+          Reference::fields(fields_of, [&]<class Value>(std::string_view key, const Value& value) {
             if constexpr (NamedEnum<Value>) json.member(key, name_of(value));
             else json.member(key, value);
           });
