@@ -1,5 +1,6 @@
 // Stands in for the renderer in a program that was built without OpenGL headers.
 
+#include "gl/context/driver.h"
 #include "gl/gl_session.h"
 #include "gl/probe/probe_device.h"
 
@@ -14,6 +15,10 @@ namespace {
 } // namespace
 
 GlFrame render_gl(const Scene&, const GlOptions&) {
+  fail();
+}
+
+GlDriver driver_of(GlRenderer) {
   fail();
 }
 

@@ -1,5 +1,6 @@
 #include "gl/context/context.h"
 
+#include "gl/context/driver.h"
 #include "gl/context/driver_environment.h"
 
 #include <EGL/egl.h>
@@ -170,6 +171,10 @@ void GlContext::close() {
 
 GlContext::~GlContext() {
   close();
+}
+
+GlDriver driver_of(GlRenderer renderer) {
+  return GlContext(renderer).driver();
 }
 
 } // namespace refraster

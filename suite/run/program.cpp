@@ -2,7 +2,7 @@
 
 #include <refraster/notes.h>
 
-#include "gl/context/context.h"
+#include "gl/context/driver.h"
 #include "gl/context/driver_environment.h"
 #include "io/file/sha256.h"
 #include "suite/workers/worker.h"
@@ -67,10 +67,9 @@ std::string driver_of(const std::string& device) {
       enter_environment(profile.environment);
       renderer = profile.renderer;
     }
-    const GlContext context(renderer);
+    const GlDriver driver = refraster::driver_of(renderer);
     std::string text;
-    for (const std::string& words :
-         {context.driver().vendor, context.driver().renderer, context.driver().version, context.driver().glsl_version})
+    for (const std::string& words : {driver.vendor, driver.renderer, driver.version, driver.glsl_version})
       text += words + "\n";
     for (const std::string& variable : driver_variables(environ, {})) text += variable + "\n";
     return text;
