@@ -225,7 +225,7 @@ private:
   std::vector<CommandResult> commands(const SceneTask& task, const std::string& path) {
     const auto line = progress_line(a_.diagnostics, "measuring the whole command on " + task.name);
     show_progress(line.get());
-    CommandTask whole{std::filesystem::read_symlink("/proc/self/exe"),
+    CommandTask whole{{std::filesystem::read_symlink("/proc/self/exe")},
                       a_.scene_words,
                       task.width,
                       task.height,

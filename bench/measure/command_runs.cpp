@@ -65,9 +65,8 @@ void wait_for_end(int line, pid_t process, const std::atomic<bool>* stop) {
     if (stop && stop->load() && !std::exchange(told, true)) kill(process, SIGTERM);
 }
 
-/// Runs a program to its end. What it says of faults is not shown.
-Process run_process(const std::string& program, std::vector<std::string> words, const std::atomic<bool>* stop) {
-  words.insert(words.begin(), program);
+/// Runs a program, whose path is the first word, to its end. What it says of faults is not shown.
+Process run_process(std::vector<std::string> words, const std::atomic<bool>* stop) {
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
@@ -79,7 +78,7 @@ Process run_process(const std::string& program, std::vector<std::string> words, 
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
   const Stopwatch wall;
   pid_t id = -1;
-  const int error = posix_spawn(&id, program.c_str(), &actions, nullptr, arguments.data(), environ);
+  const int error = posix_spawn(&id, words.front().c_str(), &actions, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   close(ends[1]);
   Process process;
@@ -97,7 +96,7 @@ Process run_process(const std::string& program, std::vector<std::string> words, 
     if (WIFEXITED(status)) process.exit_code = WEXITSTATUS(status);
   }
   close(ends[0]);
-  if (error != 0) throw std::runtime_error(program + ": " + std::strerror(error));
+  if (error != 0) throw std::runtime_error(words.front() + ": " + std::strerror(error));
   return process;
 }
 
@@ -121,7 +120,8 @@ struct Parts {
 
 FrameTimes run_once(const CommandTask& task, const std::string& image, std::span<const int> cpus,
                     const std::atomic<bool>* stop, Parts& parts) {
-  std::vector<std::string> words = {"render"};
+  std::vector<std::string> words = task.program;
+  words.push_back("render");
   words.insert(words.end(), task.words.begin(), task.words.end());
   for (const std::string& word :
        {std::string("--size"), std::to_string(task.width) + "x" + std::to_string(task.height), std::string("--samples"),
@@ -133,7 +133,7 @@ FrameTimes run_once(const CommandTask& task, const std::string& image, std::span
   stay_on(cpus.first(std::min(static_cast<std::size_t>(parts.result.threads), cpus.size())));
   Process process;
   try {
-    process = run_process(task.program, words, stop);
+    process = run_process(words, stop);
   } catch (...) {
     stay_on(cpus);
     throw;

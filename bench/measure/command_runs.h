@@ -11,8 +11,8 @@ namespace refraster::bench {
 
 /// A scene to be rendered to a PNG by processes of their own.
 struct CommandTask {
-  std::string program;            // its path
-  std::vector<std::string> words; // of the scene: its file, and what is changed of it
+  std::vector<std::string> program; // its path, behind the words of what runs it if the system cannot
+  std::vector<std::string> words;   // of the scene: its file, and what is changed of it
   int width = 1280, height = 720, samples = 1;
   std::vector<std::string> precisions;
   std::vector<int> threads;

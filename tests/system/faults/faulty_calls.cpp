@@ -159,7 +159,7 @@ int linkat(int from_folder, const char* from, int to_folder, const char* to, int
 
 int rename(const char* from, const char* to) {
   if (fails("rename")) return failed();
-  return static_cast<int>(syscall(SYS_rename, from, to));
+  return static_cast<int>(syscall(SYS_renameat, AT_FDCWD, from, AT_FDCWD, to));
 }
 
 void* malloc(std::size_t size) {
