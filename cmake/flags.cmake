@@ -20,7 +20,12 @@ target_compile_options(refraster_build_flags INTERFACE
   $<$<BOOL:${REFRASTER_ISA}>:-march=${REFRASTER_ISA}>
   -Wall -Wextra -Wshadow -Wconversion -Wdouble-promotion -Wno-psabi
   # GCC 12 sees an overlap in "literal" + std::string at -O3 that is not there (GCC bug 105651).
-  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>)
+  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>
+  # Formulas join the masks of any number by & and |; those of numbers without lanes are bool.
+  $<$<CXX_COMPILER_ID:Clang>:-Wno-bitwise-instead-of-logical>
+  # From 18 on, clang tells of what libstdc++ 12 itself calls in std::stable_sort (LLVM issue 76515). What is deprecated
+  # elsewhere, the other compilers tell.
+  $<$<AND:$<CXX_COMPILER_ID:Clang>,$<VERSION_GREATER_EQUAL:$<CXX_COMPILER_VERSION>,18>>:-Wno-deprecated-declarations>)
 if(REFRASTER_WERROR)
   target_compile_options(refraster_build_flags INTERFACE -Werror)
 endif()

@@ -73,7 +73,7 @@ struct NumberTraits<F> {
   using Index = std::int32_t;
   static constexpr int lanes = 1;
   static constexpr bool has_lanes = false, decides = true, is_ieee = true;
-  static constexpr double largest = std::numeric_limits<F>::max();
+  static constexpr double largest = static_cast<double>(std::numeric_limits<F>::max());
 };
 
 /// The largest finite number of T.

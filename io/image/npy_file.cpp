@@ -145,7 +145,7 @@ std::uint64_t copy_values(std::string_view bytes, std::vector<float>& to) {
   for (std::size_t i = 0; i < to.size(); ++i) {
     const auto value = little_endian<Value>(bytes, i * sizeof(Value));
     if constexpr (std::same_as<Value, double>) {
-      constexpr double largest = std::numeric_limits<float>::max();
+      constexpr double largest = static_cast<double>(std::numeric_limits<float>::max());
       to[i] = static_cast<float>(std::isfinite(value) ? std::clamp(value, -largest, largest) : value);
     } else {
       to[i] = static_cast<float>(value);

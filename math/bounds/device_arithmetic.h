@@ -34,8 +34,8 @@ struct DeviceArithmetic {
       exp2_units{&OperationErrors::exp2_units}, exp2_units_by_exponent{&OperationErrors::exp2_units_by_exponent},
       pow_units{&OperationErrors::pow_units}, atan2_units{&OperationErrors::atan2_units},
       cut_off{&OperationErrors::cut_off};
-  static constexpr double smallest_normal = std::numeric_limits<float>::min();
-  static constexpr double largest = std::numeric_limits<float>::max();
+  static constexpr double smallest_normal = static_cast<double>(std::numeric_limits<float>::min());
+  static constexpr double largest = static_cast<double>(std::numeric_limits<float>::max());
   static constexpr Sums sums = Sums::in_any_order;
   static constexpr Powers powers = Powers::by_logarithm;
   /// Of a texture or table, at once: a place that may be among more is not known well enough for what is read to mean

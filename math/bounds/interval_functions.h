@@ -108,7 +108,7 @@ Interval<B> log2(Interval<B> x) {
   if (B::powers == Powers::by_logarithm && x.lo < B::smallest_normal) // nor is that of 0 finite elsewhere
     result.lo = -std::numeric_limits<double>::infinity();
   // What is not positive counts as the smallest positive number, of any format from float on.
-  constexpr double smallest_float = std::numeric_limits<float>::denorm_min();
+  constexpr double smallest_float = static_cast<double>(std::numeric_limits<float>::denorm_min());
   if (x.lo < smallest_float) result.hi = std::max(result.hi, log2(smallest_float));
   return result;
 }

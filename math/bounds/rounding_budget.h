@@ -47,8 +47,9 @@ struct DoubleArithmetic {
 struct FloatArithmetic {
   static constexpr double relative = 0x1p-24, absolute = 0x1p-150;
   static constexpr double quotient_relative = relative, root_relative = relative;
-  static constexpr double smallest_normal = std::numeric_limits<float>::min();
-  static constexpr double largest = std::numeric_limits<float>::max(), cut_off = lowest_power<float>;
+  static constexpr double smallest_normal = static_cast<double>(std::numeric_limits<float>::min());
+  static constexpr double largest = static_cast<double>(std::numeric_limits<float>::max()),
+                          cut_off = lowest_power<float>;
   static constexpr double log2_units = log2_error<float>.max, exp2_units = exp2_error<float>.max,
                           pow_units = pow_error<float>.max, atan2_units = 2; // likewise
   static constexpr double log2_absolute = 0, exp2_units_by_exponent = 0;

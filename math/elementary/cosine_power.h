@@ -35,7 +35,8 @@ inline constexpr double cosine_power_max_error = 24 * static_cast<double>(std::n
 
 /// The largest exponent that raise_to_whole_power takes: with it, what hi alone is off by is still within the error of
 /// small_power for results as small as min_two_product.
-inline constexpr std::uint32_t max_whole_exponent = (small_power_error_at_1 + small_power_error_per_bit * 960) / 2;
+inline constexpr auto max_whole_exponent =
+    static_cast<std::uint32_t>((small_power_error_at_1 + small_power_error_per_bit * 960) / 2);
 static_assert(min_two_product<double> == 0x1p-960);
 static_assert(whole_power_error<double>(max_whole_exponent) < small_power_error_at_1);
 static_assert(whole_power_error<float>(max_whole_exponent) < small_power_error_at_1);

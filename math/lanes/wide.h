@@ -122,7 +122,7 @@ struct NumberTraits<Wide<F, N, A>> {
   using Index = WideIndex<N>;
   static constexpr int lanes = N;
   static constexpr bool has_lanes = true, decides = true, is_ieee = true;
-  static constexpr double largest = std::numeric_limits<F>::max();
+  static constexpr double largest = static_cast<double>(std::numeric_limits<F>::max());
 };
 
 template <int N>

@@ -58,7 +58,8 @@ float before(float f) {
 
 /// The largest float that is not above x, and the smallest that is not below.
 float rounded_down(double x) {
-  const auto f = static_cast<float>(std::clamp(x, -double{largest_float}, double{largest_float}));
+  constexpr double largest = static_cast<double>(largest_float);
+  const auto f = static_cast<float>(std::clamp(x, -largest, largest));
   return static_cast<double>(f) > x ? before(f) : f;
 }
 float rounded_up(double x) {

@@ -53,7 +53,7 @@ struct Found {
 /// on its way there: by half an ulp of 1 at most, as it is no more than 1.
 enum class CutOut { no, maybe, yes };
 CutOut cut_out(const DeviceFrame& frame, const DeviceTriangle& triangle, int x, int y, double threshold) {
-  constexpr double rounding = std::numeric_limits<float>::epsilon() / 2;
+  constexpr double rounding = static_cast<double>(std::numeric_limits<float>::epsilon()) / 2;
   const ValueRange opacity = opacity_bounds(frame, triangle, x, y);
   if (opacity.lo >= threshold + rounding) return CutOut::no;
   return opacity.hi < threshold - rounding ? CutOut::yes : CutOut::maybe;

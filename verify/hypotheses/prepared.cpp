@@ -63,7 +63,7 @@ const Texture& Prepared::with_other_curve(const Texture& texture) const {
   std::call_once(variants.once, [&] {
     Texture changed{texture.full_scale, {texture.levels[0]}};
     if (is_decoded(texture))
-      for (float& value : changed.levels[0].rgb) value = static_cast<float>(srgb_encoded(double{value}));
+      for (float& value : changed.levels[0].rgb) value = static_cast<float>(srgb_encoded(static_cast<double>(value)));
     else decode_srgb(changed);
     variants.other_curve = mip_mapped(std::move(changed));
   });

@@ -114,7 +114,7 @@ void TinyFragments::ask_for(const FrameContext& context, const Group& group, std
   const double* const inverse_w = geometry.window.inverse_w.data() + geometry.first_vertex[group.object];
   const Float3 *const positions = mesh.positions.data(), *const normals = mesh.normals.data();
   for (std::uint32_t i = first + vertices_ahead; i < std::min(first + vertices_ahead + count, end); ++i)
-    for (const std::size_t k : {0, 2}) { // the other one is mostly a neighbour's as well
+    for (const std::size_t k : {0u, 2u}) { // the other one is mostly a neighbour's as well
       const std::uint32_t vertex = triangles[triangle_[i] - first_triangle][k];
       __builtin_prefetch(&placed[vertex]), __builtin_prefetch(&inverse_w[vertex]);
       __builtin_prefetch(&positions[vertex]), __builtin_prefetch(&normals[vertex]);

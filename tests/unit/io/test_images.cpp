@@ -67,7 +67,7 @@ bool same_bits(const std::vector<float>& a, const std::vector<float>& b) {
 
 TEST_CASE("a JPEG may begin with much that is no picture: what a camera notes") {
   const TemporaryFolder folder;
-  for (const std::size_t comment_bytes : {0, 900, 3000, 60000}) {
+  for (const std::size_t comment_bytes : {0u, 900u, 3000u, 60000u}) {
     CAPTURE(comment_bytes);
     const ImageFile image = read_image(file_with(folder, "a.jpg", grey_jpeg(comment_bytes)));
     CHECK(image.values.width == 17);

@@ -49,7 +49,7 @@ std::string outcome(const std::string& text, const ObjWork& work) {
 void check_same_in_chunks(const std::string& text) {
   CAPTURE(text);
   const std::string expected = outcome(text, {1, text.size() + 1});
-  for (const std::size_t chunk_bytes : {1, 2, 3, 5, 8, 13, 21, 34, 55})
+  for (const std::size_t chunk_bytes : {1u, 2u, 3u, 5u, 8u, 13u, 21u, 34u, 55u})
     CHECK(outcome(text, {1 + static_cast<int>(chunk_bytes % 3), chunk_bytes}) == expected);
 }
 

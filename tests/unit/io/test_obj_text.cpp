@@ -60,7 +60,7 @@ TEST_CASE("a colour is the last three of six or seven numbers of a v, and -1 of 
   const ObjText obj =
       parsed("v 0 0 0\nv 1 0 0 1 0.5 0\nv 1 1 0 2\nv 0 1 0 1 255 128 0\nv 0 0 1 nan 1 1e99\nv 0 0 0\nf 1 2 3\n");
   REQUIRE(obj.colours.size() == 6);
-  for (const std::size_t none : {0, 2, 5}) CHECK(obj.colours[none] == Float3(-1.0f));
+  for (const std::size_t none : {0u, 2u, 5u}) CHECK(obj.colours[none] == Float3(-1.0f));
   CHECK(obj.colours[1] == Float3(1, 0.5f, 0));
   CHECK(obj.colours[3] == Float3(255, 128, 0));
   CHECK(std::isnan(obj.colours[4].x));

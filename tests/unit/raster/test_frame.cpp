@@ -83,7 +83,7 @@ TEST_CASE("the radiance in double, rounded once, is the radiance; in the float p
     const Frame frame = render(scene, options);
     std::size_t differ = 0, only_double = 0;
     for (std::size_t i = 0; i < frame.radiance.values.size(); ++i) {
-      const double most = std::numeric_limits<float>::max();
+      const double most = static_cast<double>(std::numeric_limits<float>::max());
       const double value = std::clamp(frame.radiance_double.values[i], -most, most);
       differ += static_cast<float>(value) != frame.radiance.values[i];
       only_double += value != static_cast<double>(frame.radiance.values[i]);

@@ -162,7 +162,7 @@ TEST_CASE_TEMPLATE("a light very near or very far stays finite", F, double, floa
 }
 
 TEST_CASE_TEMPLATE("beyond the largest distance there is, attenuation is what it is at the largest", F, double, float) {
-  constexpr double largest = std::numeric_limits<F>::max(),
+  constexpr double largest = static_cast<double>(std::numeric_limits<F>::max()),
                    far = largest * 0.9; // in x and in y: their distance overflows
   const auto red = [&](double constant, double linear, double quadratic) {
     const PointLight light{{far, far, 0}, {1, 0, 0}, constant, linear, quadratic};

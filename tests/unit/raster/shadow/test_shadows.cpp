@@ -266,7 +266,7 @@ TEST_CASE("no fragment function gets light through a triangle, nor does one of t
   std::vector<int> of_sum(16);
   for (int y = 0; y < side; ++y)
     for (int x = 0; x < side; ++x) ++of_sum.at(static_cast<std::size_t>(sums.radiance_double.at(x, y)[0]));
-  for (const std::size_t sum : {2, 3, 10, 11}) CHECK(of_sum[sum] > 5);
+  for (const std::size_t sum : {2u, 3u, 10u, 11u}) CHECK(of_sum[sum] > 5);
   CHECK(of_sum[2] + of_sum[3] + of_sum[10] + of_sum[11] == side * side);
 }
 
