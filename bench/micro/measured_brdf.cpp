@@ -55,9 +55,9 @@ void add_angles(const std::string& number, const std::vector<Pair>& pairs) {
   for (std::size_t i = 0; i < few; ++i)
     vectors[0].set(i, pairs[i].n), vectors[1].set(i, pairs[i].l), vectors[2].set(i, pairs[i].v);
   for (const auto& [method, name] : EnumNames<MerlAngles>::names)
-    add("merl/angles/" + std::string(name) + "/" + number, few, [vectors, method = method] {
+    add("merl/angles/" + std::string(name) + "/" + number, few, [vectors, chosen = method] {
       for_each_packet_of<T>(few, [&](std::size_t i) {
-        return merl_point(half_difference(method, vectors[0].template at<T>(i), vectors[1].template at<T>(i),
+        return merl_point(half_difference(chosen, vectors[0].template at<T>(i), vectors[1].template at<T>(i),
                                           vectors[2].template at<T>(i)));
       });
     });

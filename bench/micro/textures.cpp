@@ -42,11 +42,11 @@ template <class T>
 void add_filters(const std::string& number, const char* order, const Places<RealOf<T>>& places,
                  const std::shared_ptr<const Texture>& texture) {
   for (const auto& [filter, name] : EnumNames<TextureFilter>::names)
-    add("texture/" + std::string(name) + "/" + order + "/" + number, many, [texture, places, filter = filter] {
+    add("texture/" + std::string(name) + "/" + order + "/" + number, many, [texture, places, chosen = filter] {
       const Vec2<T> right(as<T>(1.3 * 0.866 / side), as<T>(1.3 * 0.5 / side)); // between level 0 and level 1
       const Vec2<T> down(as<T>(-1.3 * 0.5 / side), as<T>(1.3 * 0.866 / side));
       for_each_packet_of<T>(many, [&](std::size_t i) {
-        return sample(*texture, filter, Vec2<T>(loaded<T>(&places.u[i]), loaded<T>(&places.v[i])), right, down);
+        return sample(*texture, chosen, Vec2<T>(loaded<T>(&places.u[i]), loaded<T>(&places.v[i])), right, down);
       });
     });
 }

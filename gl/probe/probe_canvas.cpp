@@ -19,7 +19,8 @@ const char* const vertex_shader = "#version 330 core\n"
 } // namespace
 
 ProbeCanvas::ProbeCanvas(const GlApi& gl) : gl_(gl) {
-  for (const GLenum switched : {GL_DITHER, GL_BLEND, GL_CULL_FACE, GL_DEPTH_TEST}) gl.Disable(switched);
+  constexpr GLenum switched_off[] = {GL_DITHER, GL_BLEND, GL_CULL_FACE, GL_DEPTH_TEST};
+  for (const GLenum capability : switched_off) gl.Disable(capability);
   gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
   GLuint array = 0;
   gl.GenVertexArrays(1, &array);

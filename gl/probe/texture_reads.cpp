@@ -82,7 +82,9 @@ constexpr Places anywhere = {"    uint c = i * 2654435761u, d = i * 2246822519u;
 struct Borders {
   int texels;
   double step; // between places, in texels
-  double place(std::uint32_t i) const { return (i >> 12) * (texels / 64) + ((i & 4095u) - 2047.5) * step; }
+  double place(std::uint32_t i) const {
+    return (i >> 12) * static_cast<std::uint32_t>(texels / 64) + ((i & 4095u) - 2047.5) * step;
+  }
   std::string glsl() const {
     return "    vec2 at = vec2(float((i >> 12u) * " + std::to_string(texels / 64) +
            "u) + (float(i & 4095u) - 2047.5) / " + std::to_string(1 / step) + ", 0.5);\n";

@@ -41,11 +41,11 @@ void DeviceTriangle::place_corners() {
   const Geometry& geometry = frame_.context().geometry;
   const double width = frame_.width(), height = frame_.height(), half = std::max(width, height) / 2;
   std::array<Double3, 3> homogeneous;
-  std::uint8_t all = 0xff, any = 0;
+  std::uint8_t any = 0;
   in_front_ = true;
   for (std::size_t i = 0; i < 3; ++i) {
     const WindowVertex v = geometry.window[ref_.vertex[i]];
-    all &= v.outcode, any |= v.outcode;
+    any |= v.outcode;
     if (v.outcode & outcode::not_finite) return;
     const Float3& p = mesh_position(i);
     const Double4 clip = clip_position(geometry.transforms[ref_.object], p);

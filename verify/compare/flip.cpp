@@ -105,9 +105,10 @@ Plane seen(const Plane& plane, const Sensitivity& sensitivity) {
   const int radius = static_cast<int>(std::ceil(3 * std::sqrt(widest / (2 * pi * pi)) * flip_pixels_per_degree));
   Plane result(plane.width, plane.height, 1);
   double whole = 0;
-  for (const auto& [a, b] : sensitivity.gaussian) {
+  for (const auto& gaussian : sensitivity.gaussian) {
+    const double a = gaussian.a, b = gaussian.b;
     if (a == 0) continue;
-    const Kernel k = kernel(radius, [&, b = b](int i) {
+    const Kernel k = kernel(radius, [&](int i) {
       const double d = i / flip_pixels_per_degree;
       return std::exp(-pi * pi * d * d / b);
     });

@@ -104,8 +104,8 @@ std::vector<Mistake> known_mistakes() {
        [](const Picture& p) { return mapped(p, [](double v) { return (v - 16) * 255 / 219; }); }},
   };
   for (const auto& [x, y] : {std::pair(1, 0), std::pair(0, -1), std::pair(-3, 2), std::pair(11, 7)})
-    mistakes.push_back(
-        {Transformation::shifted, [x = x, y = y](const Picture& p) { return shifted(p, x, y); }, 1, x, y});
+    mistakes.push_back({Transformation::shifted,
+                        [right = x, down = y](const Picture& p) { return shifted(p, right, down); }, 1, x, y});
   for (const double factor : {0.25, 0.5, 1 / std::numbers::pi, 1.2, 2.0})
     mistakes.push_back({Transformation::scaled,
                         [factor](const Picture& p) { return mapped(p, [&](double v) { return v * factor; }); },
