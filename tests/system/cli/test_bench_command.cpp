@@ -119,7 +119,7 @@ TEST_CASE("several sizes are measured one after the other") {
 TEST_CASE("a scene that shows nothing is measured too") {
   const BallFolder folder;
   save_text(folder / "empty.json", empty_scene);
-  const Finished run = folder.bench({"empty.json", "--json", "-"});
+  const Finished run = folder.bench({"empty.json", "--no-command", "--json", "-"});
   REQUIRE_MESSAGE(run.exit_code == 0, run.err);
   const Json json = parsed(run.out);
   CHECK(fault(json) == "");

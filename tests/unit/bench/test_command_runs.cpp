@@ -54,8 +54,7 @@ TEST_CASE("a process that fails is no result but a reason") {
 }
 
 TEST_CASE("a program that cannot be started is no result but a reason") {
-  if (test::skipped_in_emulator("qemu makes a copy of the process, from which posix_spawn learns of no failure"))
-    return;
+  if (test::skipped_in_emulator(test::no_failure_of_spawn)) return;
   Commands commands;
   commands.task.program = {commands.folder / "none"};
   CHECK(commands.measured().empty());
