@@ -26,6 +26,7 @@ void write_files(const fs::path& folder, const std::vector<TestFile>& files) {
       fs::create_directories(path);
       continue;
     }
+    fs::remove(path); // ext4 waits for its disk where a file is cut to nothing and written again
     std::ofstream(path, std::ios::binary) << file.content;
     if (file.size_bytes > file.content.size()) fs::resize_file(path, file.size_bytes);
     if (file.patch.empty()) continue;

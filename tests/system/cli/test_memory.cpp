@@ -100,7 +100,7 @@ TEST_CASE("with any limit a run ends well or says that it does not fit, and neve
   save_text(folder / "big.json", big_scene(900));
   for (const char* const image : {"i.png", "i.exr", "i.pfm", "i.hdr"}) {
     const Words words = {"render", "big.json", "-o", image, "--size", "1500x1000", "--aov", "depth,normal"};
-    const Outcomes found = with_limits(folder, words, 448, 48);
+    const Outcomes found = with_limits(folder, words, 448, 80);
     CHECK(found.done > 0);
     CHECK(found.refused > 0);
   }
