@@ -70,13 +70,14 @@ TEST_SUITE("long") {
   TEST_CASE("the same in every command" * doctest::skip(built_with_sanitizer)) {
     check(failing_calls(Effort::whole));
     check(failing_allocations(Effort::whole));
+    check(killed_at_calls(Effort::whole));
   }
 }
 
 TEST_SUITE("slow") {
   TEST_CASE("wherever the process is killed, outputs are old or new, and the next run is not harmed" *
             doctest::skip(built_with_sanitizer)) {
-    check(killed_at_calls(Effort::whole));
+    check(killed_at_calls(Effort::quick));
     check(killed_at_random(60));
   }
 
