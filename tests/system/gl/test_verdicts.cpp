@@ -108,8 +108,7 @@ void check_bricks(TextureFilter filter, BrickMaps maps, const DeviceProfile& pro
 } // namespace
 
 TEST_CASE("a scene through llvmpipe shows the same surfaces, in colours that are explained") {
-  for (const std::string& path : quick_scenes())
-    check_scene(path, listed_scene(path), 112, 63, entered("llvmpipe"));
+  for (const std::string& path : quick_scenes()) check_scene(path, listed_scene(path), 112, 63, entered("llvmpipe"));
 }
 
 TEST_CASE("an object that is lit from both sides shows them through llvmpipe as here, mirrored or not") {
@@ -157,6 +156,7 @@ TEST_CASE("every texture of a material, wherever it is placed and whatever its n
 }
 
 TEST_CASE("shadow maps through llvmpipe are explained, with every filter; most comparisons are decided") {
+  constexpr int width = 112, height = 63;
   const DeviceProfile profile = entered("llvmpipe");
   for (const ShadowFilter filter : {ShadowFilter::nearest, ShadowFilter::two_by_two, ShadowFilter::pcf3}) {
     double coarser = 0.5; // most pixels have bounds of less than four levels, and more of them the finer the map
@@ -165,9 +165,9 @@ TEST_CASE("shadow maps through llvmpipe are explained, with every filter; most c
       map.size = size, map.filter = filter;
       const Scene scene = with_shadows(shadow_scene(), map);
       const std::string name = "shadow maps, " + std::string(name_of(filter));
-      CHECK(check_scene(name, scene, 160, 90, profile) > 0.01);
-      const Verdict verdict = judge(scene, in_8_bits(drawn(scene, 160, 90, profile)), profile, {});
-      CHECK(verdict.count(PixelClass::shadow) < 160 * 90 / 50);
+      CHECK(check_scene(name, scene, width, height, profile) > 0.01);
+      const Verdict verdict = judge(scene, in_8_bits(drawn(scene, width, height, profile)), profile, {});
+      CHECK(verdict.count(PixelClass::shadow) < width * height / 50);
       CHECK(verdict.power.below_four > coarser);
       coarser = verdict.power.below_four;
     }
@@ -178,7 +178,7 @@ TEST_CASE("shadow maps through llvmpipe are explained, with every filter; most c
   const Scene scene = with_shadows(shadow_scene(), map);
   Scene wrong = scene;
   wrong.direction_lights[0].shadow = Shadow::none;
-  CHECK_FALSE(judge(scene, in_float(drawn(wrong, 160, 90, profile)), profile, {}).is_explained());
+  CHECK_FALSE(judge(scene, in_float(drawn(wrong, width, height, profile)), profile, {}).is_explained());
 }
 
 TEST_CASE("shadow maps through softpipe are explained") {
