@@ -1,5 +1,6 @@
 #include "brdf/angles.h"
 
+#include "io/json/json_writer.h"
 #include "math/constants.h"
 #include "shading/half_difference.h"
 
@@ -36,6 +37,18 @@ InOutAngles in_out_angles(const DirectionPair& pair) {
 HalfDifferenceAngles half_difference_angles(const DirectionPair& pair) {
   const HalfDifference<double> angles = half_difference(MerlAngles::closed, Double3(0, 0, 1), pair.i, pair.o);
   return {degrees(angles.theta_h), degrees(angles.theta_d), degrees(angles.phi_d)};
+}
+
+void write_members(JsonWriter& json, const InOutAngles& angles) {
+  json.member("theta_in", angles.theta_in);
+  json.member("theta_out", angles.theta_out);
+  json.member("dphi", angles.dphi);
+}
+
+void write_members(JsonWriter& json, const HalfDifferenceAngles& angles) {
+  json.member("theta_h", angles.theta_h);
+  json.member("theta_d", angles.theta_d);
+  json.member("phi_d", angles.phi_d);
 }
 
 } // namespace refraster

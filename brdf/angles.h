@@ -5,6 +5,8 @@
 
 namespace refraster {
 
+class JsonWriter;
+
 /// Of light and eye from the normal, 0 to 90 above the surface; and the azimuth from light to eye. 180: opposite each
 /// other, as a mirror has them; 0: both on one side.
 struct InOutAngles {
@@ -26,5 +28,9 @@ DirectionPair directions_of(const HalfDifferenceAngles& angles);
 InOutAngles in_out_angles(const DirectionPair& pair);
 /// theta_h and theta_d in [0, 90], phi_d in [0, 180).
 HalfDifferenceAngles half_difference_angles(const DirectionPair& pair);
+
+/// Members of an object that is being written, each under its own name.
+void write_members(JsonWriter& json, const InOutAngles& angles);
+void write_members(JsonWriter& json, const HalfDifferenceAngles& angles);
 
 } // namespace refraster

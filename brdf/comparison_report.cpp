@@ -26,12 +26,8 @@ void write_errors(JsonWriter& json, const BrdfErrors& errors) {
 }
 
 void write_worst(JsonWriter& json, const WorstPair& pair) {
-  json.member("theta_h", pair.half_difference.theta_h);
-  json.member("theta_d", pair.half_difference.theta_d);
-  json.member("phi_d", pair.half_difference.phi_d);
-  json.member("theta_in", pair.in_out.theta_in);
-  json.member("theta_out", pair.in_out.theta_out);
-  json.member("dphi", pair.in_out.dphi);
+  write_members(json, pair.half_difference);
+  write_members(json, pair.in_out);
   json.member("a", channels_of(pair.a));
   json.member("b", channels_of(pair.b));
   json.member("log_error", pair.log_error);

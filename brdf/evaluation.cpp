@@ -42,12 +42,8 @@ std::string evaluation_json(const Brdf& brdf, std::span<const DirectionPair> pai
       for (const DirectionPair& pair : pairs) {
         const EvaluatedPair point = evaluated(brdf, pair);
         json.object([&] {
-          json.member("theta_in", point.in_out.theta_in);
-          json.member("theta_out", point.in_out.theta_out);
-          json.member("dphi", point.in_out.dphi);
-          json.member("theta_h", point.half_difference.theta_h);
-          json.member("theta_d", point.half_difference.theta_d);
-          json.member("phi_d", point.half_difference.phi_d);
+          write_members(json, point.in_out);
+          write_members(json, point.half_difference);
           json.optional("f", point.value.measured ? &point.value.f : nullptr, [&](const Rgb<double>& f) {
             json.value(std::vector<double>{f.x, f.y, f.z});
           });

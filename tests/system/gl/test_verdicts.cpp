@@ -219,7 +219,7 @@ TEST_CASE("images of one row, of one column and of odd sides show the same surfa
   const DeviceProfile profile = entered("llvmpipe");
   for (const std::string& path : quick_scenes()) {
     const Scene scene = listed_scene(path);
-    for (const auto& [width, height] : {std::pair(64, 1), std::pair(1, 63), std::pair(31, 33), std::pair(1, 1)})
+    for (const auto& [width, height] : {std::pair(64, 1), std::pair(1, 63), std::pair(15, 17), std::pair(1, 1)})
       check_scene(path, scene, width, height, profile);
   }
 }

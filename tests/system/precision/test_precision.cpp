@@ -171,8 +171,8 @@ void check_page(int share, Judge judge) {
 } // namespace
 
 TEST_SUITE("slow") {
-  TEST_CASE("nothing exceeds its bounds on a fifteenth of the page's inputs") {
-    check_page(15, Judge::maximum);
+  TEST_CASE("nothing exceeds its bounds on a thirtieth of the page's inputs") {
+    check_page(30, Judge::maximum);
   }
 }
 

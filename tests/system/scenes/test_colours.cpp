@@ -118,7 +118,13 @@ TEST_CASE("so they are with every type of light, texture slot and vertex attribu
 
 TEST_SUITE("slow") {
   TEST_CASE("so they are in every scene of the gallery") {
-    check_colours(listed_scenes(), 19);
+    check_colours(listed_scenes(), 38);
+  }
+}
+
+TEST_SUITE("long") {
+  TEST_CASE("so they are in more rows of them") {
+    check_colours(listed_scenes(), 5);
   }
 }
 

@@ -130,14 +130,8 @@ TEST_CASE("bounds on a box contain what double makes of points in it") {
   check_boxes(100);
 }
 
-TEST_SUITE("slow") {
-  TEST_CASE("so they do of many boxes") {
-    check_boxes(40);
-  }
-}
-
 TEST_SUITE("long") {
-  TEST_CASE("so they do of boxes that lie closer") {
+  TEST_CASE("so they do of many boxes") {
     check_boxes(10);
   }
 }
