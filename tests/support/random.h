@@ -52,10 +52,15 @@ public:
     switch (below(4)) {
     case 0:
       return cases[below(10)];
-    case 1:
-      return std::nextafter(cases[below(10)], F(0.75)) * F(sign());
-    case 2:
-      return std::ldexp(F(sign()), below(2 * Limits::max_exponent) - Limits::max_exponent);
+    // In statements: in which order a compiler evaluates the arguments of a function, it chooses itself.
+    case 1: {
+      const F next = std::nextafter(cases[below(10)], F(0.75));
+      return next * F(sign());
+    }
+    case 2: {
+      const int exponent = below(2 * Limits::max_exponent) - Limits::max_exponent;
+      return std::ldexp(F(sign()), exponent);
+    }
     default:
       return any_finite<F>();
     }

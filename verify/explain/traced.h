@@ -51,6 +51,13 @@ public:
     return result;
   }
 
+  /// The same number, whose readings go where those at `other` go unless they have a log of their own.
+  Traced in_place_of(const Traced& other) const {
+    Traced result = *this;
+    if (!result.log_) result.log_ = other.log_;
+    return result;
+  }
+
   friend Traced operator+(const Traced& a, const Traced& b) { return sum(a, 1, b, 1, a.value_ + b.value_); }
   friend Traced operator-(const Traced& a, const Traced& b) { return sum(a, 1, b, -1, a.value_ - b.value_); }
   friend Traced operator*(const Traced& a, const Traced& b) {
@@ -115,14 +122,15 @@ struct NumberTraits<Traced> {
 
 } // namespace REFRASTER_KIT
 
+/// One of two. It is a place to read at where either is: a coordinate that is clamped to a constant still is one.
 inline Traced select(bool m, const Traced& x, const Traced& y) {
-  return m ? x : y;
+  return m ? x.in_place_of(y) : y.in_place_of(x);
 }
 inline Traced max(const Traced& x, const Traced& y) {
-  return x > y ? x : y;
+  return select(x > y, x, y);
 }
 inline Traced min(const Traced& x, const Traced& y) {
-  return x < y ? x : y;
+  return select(x < y, x, y);
 }
 inline Traced abs(const Traced& x) {
   return x < Traced(0) ? -x : x;

@@ -249,7 +249,8 @@ Object random_object(Random& random) {
   add_random_tangents(mesh);
   object.mesh = std::make_shared<const Mesh>(std::move(mesh));
   object.position = one_in(random, 4) ? vector(random) : Double3{random.uniform(-1, 1), random.uniform(-1, 1), 0};
-  object.rotate_degrees = vector(random) * (one_in(random, 2) ? 1.0 : 60.0);
+  const double turns = one_in(random, 2) ? 1.0 : 60.0;
+  object.rotate_degrees = vector(random) * turns;
   object.scale = one_in(random, 3) ? vector(random) : Double3(random.uniform(0.3, 2));
   const auto finite = [](Double3& a, const Double3& otherwise) {
     if (!std::isfinite(a.x + a.y + a.z)) a = otherwise;

@@ -22,7 +22,7 @@ inline std::shared_ptr<const MerlTable> ragged_table() {
     std::mt19937_64 random(1);
     return table_of([&](int, int, int) {
       if (random() % 3 == 0) return Rgb<double>(-1);
-      return Rgb<double>(uniform(random, 0, 5), uniform(random, 0, 1), random_scale(random, -4, 4));
+      return Rgb<double>{uniform(random, 0, 5), uniform(random, 0, 1), random_scale(random, -4, 4)};
     });
   }();
   return table;
