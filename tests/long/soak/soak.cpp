@@ -3,6 +3,7 @@
 
 #include "tests/support/invariants.h"
 #include "tests/support/scenes/random_scene.h"
+#include "verify/explain/explain_pixel.h"
 
 #include <charconv>
 #include <cstdio>
@@ -68,6 +69,16 @@ void check_crops(const Scene& scene, const RenderOptions& options, const Frame& 
   require(sum.undefined.counts == all.undefined.counts ? "" : "what is undefined", "crops count what the whole counts");
 }
 
+/// A pixel's story tells of the radiance that the frame has there.
+void check_story(const Scene& scene, const RenderOptions& options, const Frame& whole, Random& random) {
+  const int x = random.below(options.width), y = random.below(options.height);
+  const PixelStory story = explain_pixel(scene, {x, y, options.width, options.height, options.samples, options.transfer});
+  const Double3& told = story.in(options.precision).radiance;
+  const float* const drawn = whole.radiance.at(x, y);
+  for (int c = 0; c < 3; ++c)
+    require(static_cast<float>(told[c]) == drawn[c] ? "" : "radiance", "a pixel is explained as it is in the frame");
+}
+
 void check_scene(std::uint64_t seed, Sums& sums) {
   seed_now = seed;
   Random random(seed);
@@ -91,6 +102,7 @@ void check_scene(std::uint64_t seed, Sums& sums) {
     ++sums.frames;
   }
   check_crops(scene, options, whole, random, sums);
+  check_story(scene, options, whole, random);
   sums.pixels += whole.counts.pixels;
   sums.triangles += whole.counts.triangles;
   sums.drawn += whole.counts.drawn;
