@@ -72,7 +72,8 @@ void check_crops(const Scene& scene, const RenderOptions& options, const Frame& 
 /// A pixel's story tells of the radiance that the frame has there.
 void check_story(const Scene& scene, const RenderOptions& options, const Frame& whole, Random& random) {
   const int x = random.below(options.width), y = random.below(options.height);
-  const PixelStory story = explain_pixel(scene, {x, y, options.width, options.height, options.samples, options.transfer});
+  const PixelStory story =
+      explain_pixel(scene, {x, y, options.width, options.height, options.samples, options.transfer});
   const Double3& told = story.in(options.precision).radiance;
   const float* const drawn = whole.radiance.at(x, y);
   for (int c = 0; c < 3; ++c)

@@ -98,7 +98,8 @@ TEST_CASE("random numbers, and the scenes made of them, are the same with every 
   Random random(1);
   for (int i = 0; i < 1000; ++i) numbers.add(random.hard<double>()), numbers.add(double{random.hard<float>()});
   for (std::uint64_t seed = 0; seed < seeds; ++seed) seeded.add(seeded_scene(seed).scene);
-  for (int i = 0; i < 100; ++i) any.add(test::random_scene(random)), any.add(double(test::random_options(random).width));
+  for (int i = 0; i < 100; ++i)
+    any.add(test::random_scene(random)), any.add(double(test::random_options(random).width));
   CHECK(numbers.value() == 15862994081074062167u);
   CHECK(seeded.value() == 7123967437076483503u);
   CHECK(any.value() == 8837612969092490700u);
