@@ -94,7 +94,8 @@ std::string stated_errors() {
 template <class... Precision>
 void print_precisions(const std::tuple<Precision...>*) {
   const auto print = []<class R>(R) {
-    std::cout << padded(R::name, 8) << R::purpose << "; " << R::lanes << (R::lanes == 1 ? " lane\n" : " lanes here\n");
+    const int lanes = precision_lanes(R::id); // of the library, which may be for a newer processor than this program
+    std::cout << padded(R::name, 8) << R::purpose << "; " << lanes << (lanes == 1 ? " lane\n" : " lanes here\n");
     if (const std::string errors = stated_errors<R>(); !errors.empty())
       std::cout << padded("", 8) << "at most from double: " << errors << "\n";
   };
