@@ -1,3 +1,4 @@
+#include "brdf/channels.h"
 #include "brdf/comparison.h"
 
 #include "io/file/text.h"
@@ -8,10 +9,6 @@ namespace {
 
 std::string rgb_text(const Rgb<double>& rgb) {
   return format("%.4g %.4g %.4g", rgb.x, rgb.y, rgb.z);
-}
-
-std::vector<double> channels_of(const Rgb<double>& rgb) {
-  return {rgb.x, rgb.y, rgb.z};
 }
 
 void write_errors(JsonWriter& json, const BrdfErrors& errors) {

@@ -1,5 +1,6 @@
 // What is known of a reflectance, for people and for programs.
 
+#include "brdf/channels.h"
 #include "brdf/facts.h"
 
 #include "io/brdf/merl_file.h"
@@ -34,10 +35,6 @@ std::string source_text(const BrdfInfo& info) {
   return text + row("never measured",
                     format("%llu (%.2f %%)", static_cast<unsigned long long>(info.facts.never_measured),
                            100 * static_cast<double>(info.facts.never_measured) / double{MerlTable::samples}));
-}
-
-std::vector<double> channels_of(const Rgb<double>& rgb) {
-  return {rgb.x, rgb.y, rgb.z};
 }
 
 } // namespace

@@ -16,10 +16,9 @@ set(compiled_alone
   verify/bounds/shadow_bounds.cpp verify/compare/compare.cpp verify/device/measured_profile.cpp
   verify/explain/fragment_story.cpp verify/explain/story_text.cpp verify/explain/would_be.cpp
   verify/hypotheses/prepared.cpp verify/hypotheses/reflection.cpp verify/hypotheses/views.cpp
-  verify/hypotheses/window_geometry.cpp verify/images/image_pair.cpp verify/images/resolve_alpha.cpp
-  verify/page/page_sections.cpp verify/transformations/transformations.cpp
+  verify/hypotheses/window_geometry.cpp verify/images/image_pair.cpp verify/page/page_sections.cpp
+  verify/transformations/transformations.cpp
   verify/transformations/whole_pixel_shift.cpp
-  brdf/facts_report.cpp brdf/fit/fit_report.cpp
   bench/precision/measure_coordinates.cpp bench/precision/measure_vertices.cpp
   suite/results/journal.cpp suite/workers/supervisor.cpp
   app/commands/mesh_command.cpp app/options/completions/completions_fish.cpp
@@ -42,8 +41,6 @@ set(compiled_alone
   tests/unit/verify/test_hypotheses.cpp tests/unit/verify/test_image_pair.cpp tests/unit/verify/test_packed.cpp
   tests/unit/verify/test_transformations.cpp tests/unit/verify/verdict/test_device_triangle.cpp
   tests/unit/verify/verdict/test_judge.cpp
-  tests/unit/app/test_help.cpp tests/unit/app/test_man_page.cpp tests/unit/app/test_options.cpp
-  tests/system/extremes/test_merl.cpp
   tests/system/cli/test_compare_command.cpp tests/system/cli/test_files.cpp tests/system/cli/test_obj_files.cpp
   tests/system/cli/test_textures.cpp
   tests/system/scenes/test_affine.cpp tests/system/scenes/test_exact.cpp

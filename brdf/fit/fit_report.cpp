@@ -1,5 +1,6 @@
 // A fit, as text and as JSON.
 
+#include "brdf/channels.h"
 #include "brdf/fit/fit.h"
 #include "io/file/text.h"
 #include "io/json/report_parts.h"
@@ -11,10 +12,6 @@ template <class Block>
 constexpr bool is_of_a_scene = requires {
   Block::shader_stems;
 };
-
-std::vector<double> channels_of(const Double3& colour) {
-  return {colour.x, colour.y, colour.z};
-}
 
 void write_value(JsonWriter& json, std::string_view name, double value) {
   json.member(name, value);

@@ -1,8 +1,9 @@
 #include "verify/compare/heat_legend.h"
 
+#include "verify/report_text.h"
+
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <string>
 #include <string_view>
@@ -58,11 +59,6 @@ private:
   int top_, scale_;
 };
 
-std::string short_number(double x) {
-  std::array<char, 32> text;
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x, std::chars_format::general, 3).ptr};
-}
-
 } // namespace
 
 double ramp_position(double difference, double ramp_end, CompareUnit unit) {
@@ -74,7 +70,7 @@ std::vector<double> legend_ticks(double ramp_end, CompareUnit unit) {
   const auto place = [&](double value) { return ramp_position(value, ramp_end, unit) * (ramp_width - 1); };
   // A label begins at its tick; a letter's width is left between two.
   const auto label_width = [](double value) {
-    return letter_width * (static_cast<int>(short_number(value).size()) + 1);
+    return letter_width * (static_cast<int>(rounded_text(value, 3).size()) + 1);
   };
   std::vector<double> ticks = {ramp_end};
   // Below a tenth of a level, or of the end where that is less, there is no room.
@@ -110,7 +106,7 @@ Image<std::uint8_t> with_legend(const Image<std::uint8_t>& heat, const Compariso
       const double t = ramp_position(value, ramp_end, found.unit);
       const int tick = x + static_cast<int>(std::lround(t * (ramp_width - 1)));
       strip.fill(tick, margin + bar_height, 1, 2, ink);
-      label_end = strip.write(tick, label_y, short_number(value));
+      label_end = strip.write(tick, label_y, rounded_text(value, 3));
     }
     if (found.max > ramp_end) label_end = strip.write(label_end, label_y, "+");
     strip.write(label_end + 2, label_y, unit_name(found.unit));

@@ -1,17 +1,12 @@
 #include <refraster/notes.h>
 
 #include "verify/images/colour_image.h"
+#include "verify/report_text.h"
 
 #include <algorithm>
-#include <charconv>
 
 namespace refraster {
 namespace {
-
-std::string short_number(double x) {
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, x, std::chars_format::general, 4).ptr};
-}
 
 /// The first pixel that is not opaque.
 const float* first_not_one(const ColourImage& image) {
@@ -26,7 +21,7 @@ const float* first_not_one(const ColourImage& image) {
   const auto place = static_cast<int>(alpha - image.alpha.values.data());
   throw InputError(InputFault{
       image.path, 0, 0, "",
-      "an alpha channel that is not 1 everywhere: " + short_number(static_cast<double>(*alpha) / image.full_scale) +
+      "an alpha channel that is not 1 everywhere: " + rounded_text(static_cast<double>(*alpha) / image.full_scale, 4) +
           " at (" + std::to_string(place % image.alpha.width) + ", " + std::to_string(place / image.alpha.width) + ")",
       "--alpha ignore (compare colours as they are stored), --alpha compare (alpha too) or --alpha over:R,G,B "
       "(colours over this background)"});

@@ -7,6 +7,7 @@
 #include "tests/support/for_all.h"
 #include "tests/support/shading/table_samples.h"
 #include "tests/support/ulp.h"
+#include "tests/system/extremes/exact_vector.h"
 
 #include <doctest/doctest.h>
 
@@ -22,23 +23,12 @@
 #include <boost/math/constants/constants.hpp>
 
 using namespace refraster;
+using namespace refraster::test;
 
 namespace {
 
-using ExactVec3 = std::array<Mpfr, 3>;
-
 const Mpfr exact_pi = boost::math::constants::pi<Mpfr>();
 
-template <class T>
-ExactVec3 exact_vector(const Vec3<T>& v) {
-  return {Mpfr(v.x), Mpfr(v.y), Mpfr(v.z)};
-}
-Mpfr dot(const ExactVec3& a, const ExactVec3& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-ExactVec3 cross(const ExactVec3& a, const ExactVec3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 ExactVec3 plus(const ExactVec3& a, const ExactVec3& b, const Mpfr& factor) {
   return {a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]};
 }
@@ -58,15 +48,6 @@ HalfDifference<Mpfr> exact_angles(const ExactVec3& n_any, const ExactVec3& i_any
   Mpfr phi = atan2(dot(p, y), dot(p, x));
   if (phi < 0) phi += exact_pi;
   return {atan2(sqrt(dot(x, x)), cos_h), atan2(sqrt(dot(p, p)), cos_d), phi};
-}
-
-template <class T>
-Vec3<T> random_unit(Random& random) {
-  for (;;) {
-    const Double3 v(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
-    if (refraster::dot(v, v) > 0.01 && refraster::dot(v, v) <= 1)
-      return normalize(Vec3<T>(static_cast<T>(v.x), static_cast<T>(v.y), static_cast<T>(v.z)));
-  }
 }
 
 /// A table whose sample (h, d, p) is f(h, d, p).

@@ -6,6 +6,7 @@
 #include "raster/shade/attribute_setup.h"
 #include "tests/support/for_all.h"
 #include "tests/support/raster/window_scene.h"
+#include "tests/system/extremes/exact_vector.h"
 
 #include <doctest/doctest.h>
 
@@ -17,17 +18,6 @@ using namespace refraster::test;
 
 namespace {
 
-using ExactVec3 = std::array<Mpfr, 3>;
-
-ExactVec3 exact_vector(const Double3& v) {
-  return {Mpfr(v.x), Mpfr(v.y), Mpfr(v.z)};
-}
-Mpfr dot(const ExactVec3& a, const ExactVec3& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-ExactVec3 cross(const ExactVec3& a, const ExactVec3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 Mpfr length(const ExactVec3& a) {
   return sqrt(dot(a, a));
 }

@@ -5,6 +5,7 @@
 #include "shading/light.h"
 #include "tests/support/for_all.h"
 #include "tests/support/raster/window_scene.h"
+#include "tests/system/extremes/exact_vector.h"
 
 #include <doctest/doctest.h>
 
@@ -52,15 +53,6 @@ Incident<T> light_on_origin(const PointLight& light, UndefinedCounts& counts) {
 template <class T>
 bool is_finite(const Rgb<T>& c) {
   return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z);
-}
-
-template <class T>
-Vec3<T> random_unit(Random& random) {
-  for (;;) {
-    const Double3 v(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
-    if (dot(v, v) > 0.01 && dot(v, v) <= 1)
-      return normalize(Vec3<T>(static_cast<T>(v.x), static_cast<T>(v.y), static_cast<T>(v.z)));
-  }
 }
 
 /// 1 - |a - b|^2 / 2, the cosine for unit a and b, exactly.

@@ -1,6 +1,7 @@
 // What shells are told, of every command.
 
 #include "app/options/completions/completions.h"
+#include "tests/support/text.h"
 #include "tests/unit/app/shell.h"
 
 #include <doctest/doctest.h>
@@ -25,10 +26,6 @@ Words words_in(const std::string& line) {
 
 bool has(const Words& words, const std::string& word) {
   return std::find(words.begin(), words.end(), word) != words.end();
-}
-
-bool is_in(const std::string& part, const std::string& text) {
-  return text.find(part) != std::string::npos;
 }
 
 std::string joined(const Words& words) {
@@ -159,7 +156,7 @@ TEST_CASE("zsh is told every command and, in specifications of _arguments, every
           return group == option_name + "[" + option->meaning + "]" &&
                  parts.size() == (option->takes == Takes::nothing ? 1 : 3) &&
                  (option->takes == Takes::nothing || parts[1] == option->form) &&
-                 (option->words.empty() || is_in(joined(option->words), parts[2]));
+                 (option->words.empty() || holds(parts[2], joined(option->words)));
         });
       };
       CHECK(is_told(option->name + (option->takes == Takes::nothing ? "" : "=")));

@@ -3,6 +3,7 @@
 #include "app/options/help.h"
 #include "app/options/wrap.h"
 #include "tests/support/random.h"
+#include "tests/support/text.h"
 
 #include <doctest/doctest.h>
 
@@ -14,17 +15,6 @@ using namespace refraster;
 namespace {
 
 /// The words with one blank between them.
-std::string in_one_line(const std::string& text) {
-  std::istringstream words(text);
-  std::string line;
-  for (std::string word; words >> word;) line += (line.empty() ? "" : " ") + word;
-  return line;
-}
-
-bool is_in(const std::string& part, const std::string& text) {
-  return text.find(part) != std::string::npos;
-}
-
 } // namespace
 
 TEST_CASE("every command, option, default and note is in the help, whole, at any width") {
@@ -33,15 +23,15 @@ TEST_CASE("every command, option, default and note is in the help, whole, at any
     for (const int width : {40, 59, 60, 80, 120}) {
       INFO(full_name(path) << " in " << width << " columns");
       const std::string help = in_one_line(help_text(path, width));
-      CHECK(is_in(synopsis(path), help));
+      CHECK(holds(help, synopsis(path)));
       for (const Command& command : path.back()->commands)
-        CHECK(is_in(" " + command.name + " " + command.meaning + " ", help));
+        CHECK(holds(help, " " + command.name + " " + command.meaning + " "));
       for (const Option* const option : all_options(*path.back())) {
         INFO(option->name);
-        CHECK(is_in(usage_of(*option) + " " + meaning_with_default(*option), help));
-        if (!option->default_text.empty()) CHECK(is_in("(default " + option->default_text + ")", help));
+        CHECK(holds(help, usage_of(*option) + " " + meaning_with_default(*option)));
+        if (!option->default_text.empty()) CHECK(holds(help, "(default " + option->default_text + ")"));
       }
-      for (const std::string& note : path.back()->notes) CHECK(is_in(note, help));
+      for (const std::string& note : path.back()->notes) CHECK(holds(help, note));
     }
 }
 

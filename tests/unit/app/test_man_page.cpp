@@ -2,6 +2,7 @@
 
 #include "app/options/help.h"
 #include "app/options/man_page.h"
+#include "tests/support/text.h"
 #include "tests/unit/app/shell.h"
 
 #include <doctest/doctest.h>
@@ -15,13 +16,6 @@ using test::installed;
 
 namespace {
 
-std::string in_one_line(const std::string& text) {
-  std::istringstream words(text);
-  std::string line;
-  for (std::string word; words >> word;) line += (line.empty() ? "" : " ") + word;
-  return line;
-}
-
 /// roff's names of characters, as a terminal shows them in ASCII and '…'.
 std::string without_roff(std::string text) {
   const std::pair<std::string, std::string> names[] = {
@@ -31,10 +25,6 @@ std::string without_roff(std::string text) {
     for (std::size_t at = 0; (at = text.find(name, at)) != std::string::npos; at += shown.size())
       text.replace(at, name.size(), shown);
   return text;
-}
-
-bool is_in(const std::string& part, const std::string& text) {
-  return text.find(part) != std::string::npos;
 }
 
 } // namespace
@@ -47,17 +37,17 @@ TEST_CASE("every command, option and note has its place in a page of the manual,
     CHECK(
         std::all_of(page.begin(), page.end(), [](char byte) { return byte == '\n' || (byte >= ' ' && byte <= '~'); }));
     // What is to be typed can be copied: a plain '-' may be shown as a hyphen.
-    CHECK(is_in("\n\\fB\\-h\\fR, \\fB\\-\\-help\\fR\n", page));
+    CHECK(holds(page, "\n\\fB\\-h\\fR, \\fB\\-\\-help\\fR\n"));
     const std::string text = without_roff(page);
-    CHECK(is_in("\n.B " + full_name(path) + "\n", text));
+    CHECK(holds(text, "\n.B " + full_name(path) + "\n"));
     for (const Command& command : path.back()->commands)
-      CHECK(is_in("\n.TP\n" + command.name + "\n" + sentence(command.meaning) + "\n", text));
+      CHECK(holds(text, "\n.TP\n" + command.name + "\n" + sentence(command.meaning) + "\n"));
     for (const Option* const option : all_options(*path.back())) {
       INFO(option->name);
       const std::string name = option->is_argument() ? option->name : usage_of(*option);
-      CHECK(is_in("\n.TP\n" + name + "\n" + sentence(meaning_with_default(*option)) + "\n", text));
+      CHECK(holds(text, "\n.TP\n" + name + "\n" + sentence(meaning_with_default(*option)) + "\n"));
     }
-    for (const std::string& note : path.back()->notes) CHECK(is_in("\n" + note + "\n", text));
+    for (const std::string& note : path.back()->notes) CHECK(holds(text, "\n" + note + "\n"));
   }
 }
 
@@ -87,7 +77,7 @@ TEST_CASE("a formatted page says what the declarations say") {
     INFO(full_name(path));
     for (const Option* const option : all_options(*path.back())) {
       INFO(option->name);
-      CHECK(is_in(in_one_line(sentence(meaning_with_default(*option))), text));
+      CHECK(holds(text, in_one_line(sentence(meaning_with_default(*option)))));
     }
   }
 }
@@ -99,13 +89,13 @@ TEST_CASE("mandoc finds nothing wrong but the date, which there is none of") {
     INFO(full_name(path));
     const test::Answer found = answer("mandoc -T lint -W warning FILE", man_page(path));
     CHECK_MESSAGE(std::count(found.text.begin(), found.text.end(), '\n') == 1, found.text);
-    CHECK_MESSAGE(is_in("missing date", found.text), found.text);
+    CHECK_MESSAGE(holds(found.text, "missing date"), found.text);
   }
 }
 
 TEST_CASE("what roff would take for a request, or a character of its own, is text") {
   const Command command{.name = "x", .meaning = "Dots", .notes = {".png is what it is", "'quoted' a\\b ^ ~ ` …"}};
   const std::string page = man_page({&command});
-  CHECK(is_in("\n\\&.png is what it is\n", page));
-  CHECK(is_in("\n\\&'quoted' a\\eb \\(ha \\(ti \\(ga \\[u2026]\n", page));
+  CHECK(holds(page, "\n\\&.png is what it is\n"));
+  CHECK(holds(page, "\n\\&'quoted' a\\eb \\(ha \\(ti \\(ga \\[u2026]\n"));
 }

@@ -3,6 +3,7 @@
 #include "app/options/old_names.h"
 #include "app/options/parse.h"
 #include "app/usage_error.h"
+#include "tests/support/text.h"
 
 #include <doctest/doctest.h>
 
@@ -42,10 +43,6 @@ std::string said_of(const CommandPath& path, const Words& more) {
   Words words = words_of(path);
   words.insert(words.end(), more.begin(), more.end());
   return said_of(words);
-}
-
-bool is_in(const std::string& part, const std::string& text) {
-  return text.find(part) != std::string::npos;
 }
 
 /// Calls use(path, option) for all of the program.
@@ -89,7 +86,7 @@ TEST_CASE("an option of the same name is the same in every command: its form, or
 
 TEST_CASE("the default that the help states is accepted, where it is a value") {
   for_each_option([](const CommandPath& path, const Option& option) {
-    if (option.default_text.empty() || is_in(" ", option.default_text)) return;
+    if (option.default_text.empty() || holds(option.default_text, " ")) return;
     INFO(full_name(path) << " " << option.name << " " << option.default_text);
     CHECK_FALSE(option.read(option.default_text));
   });
@@ -104,7 +101,7 @@ TEST_CASE("every word to choose from is accepted, and one with a letter twice is
       const auto fault = option.read(word.substr(0, 1) + word);
       REQUIRE(fault);
       CHECK(fault->expected.ends_with("; did you mean " + word + "?"));
-      for (const std::string& other : option.words) CHECK(is_in(other, fault->expected));
+      for (const std::string& other : option.words) CHECK(holds(fault->expected, other));
     }
   });
 }
@@ -116,13 +113,13 @@ TEST_CASE("every option and command with a letter twice is told with the one tha
       if (option->is_argument() || option->name.size() == 3) continue; // of "--k" all two letters are as near
       const std::string slip = option->name.substr(0, 3) + option->name.substr(2);
       INFO(full_name(path) << " " << slip);
-      CHECK(is_in("found \"" + slip + "\", ", said_of(path, {slip})));
-      CHECK(is_in("; did you mean " + option->name + "?", said_of(path, {slip})));
+      CHECK(holds(said_of(path, {slip}), "found \"" + slip + "\", "));
+      CHECK(holds(said_of(path, {slip}), "; did you mean " + option->name + "?"));
     }
     for (const Command& command : path.back()->commands) {
       const std::string said = said_of(path, {command.name + command.name.back()});
-      CHECK(is_in("; did you mean " + command.name + "?", said));
-      for (const Command& other : path.back()->commands) CHECK(is_in(other.name, said));
+      CHECK(holds(said, "; did you mean " + command.name + "?"));
+      for (const Command& other : path.back()->commands) CHECK(holds(said, other.name));
     }
   }
 }
@@ -140,9 +137,9 @@ TEST_CASE("an old name is told with the one that it has now, wherever that is kn
       CHECK(std::find(words.begin(), words.end(), word) == words.end());
       if (std::find(words.begin(), words.end(), name) == words.end()) continue;
       ++places;
-      CHECK(is_in("found \"" + word + "\", expected " + name + ", as it is called now", said_of(path, {word})));
-      if (word[0] == '-') CHECK(is_in(name + ", as it is called now", said_of(path, {"a", word + "=b"})));
-      if (word[0] == '-') CHECK(is_in(name + ", as it is called now", said_of(path, {word, "b"})));
+      CHECK(holds(said_of(path, {word}), "found \"" + word + "\", expected " + name + ", as it is called now"));
+      if (word[0] == '-') CHECK(holds(said_of(path, {"a", word + "=b"}), name + ", as it is called now"));
+      if (word[0] == '-') CHECK(holds(said_of(path, {word, "b"}), name + ", as it is called now"));
     }
     CHECK(places > 0);
   }
@@ -159,7 +156,7 @@ TEST_CASE("an option without its value, given twice, or a flag with a value, is 
     }
     CHECK(said_of(path, {option.name}) == option.name + ": found nothing, expected " + option.form);
     const std::string twice = said_of(path, {option.name + "=a", option.name, "b"});
-    CHECK(is_in("found \"a\"", twice)); // by itself, or beside "b"
+    CHECK(holds(twice, "found \"a\"")); // by itself, or beside "b"
     if (option.short_name == 0) return;
     const std::string short_name = std::string("-") + option.short_name;
     CHECK(said_of(path, {short_name}) == option.name + ": found nothing, expected " + option.form);
@@ -170,7 +167,7 @@ TEST_CASE("a required argument that is missing is named with its meaning, one to
   for_each_option([](const CommandPath& path, const Option& option) {
     if (option.occurs != Occurs::once) return;
     INFO(full_name(path) << " " << option.name);
-    CHECK(is_in("found nothing, expected ", said_of(path, {})));
+    CHECK(holds(said_of(path, {}), "found nothing, expected "));
     if (option.completes == Completes::words) return;
     const auto options = all_options(*path.back());
     if (std::any_of(options.begin(), options.end(), [](const Option* const other) {
@@ -184,7 +181,7 @@ TEST_CASE("a required argument that is missing is named with its meaning, one to
                         : other->words.empty() ? other->name + "=1"
                                                : other->name + "=" + other->words.front());
     words.emplace_back("one-more");
-    CHECK(is_in("found \"one-more\", expected no argument but ", said_of(path, words)));
+    CHECK(holds(said_of(path, words), "found \"one-more\", expected no argument but "));
   });
 }
 

@@ -5,6 +5,7 @@
 #include "bench/report/report_csv.h"
 #include "bench/report/report_json.h"
 #include "bench/report/report_text.h"
+#include "tests/support/text.h"
 
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
@@ -19,10 +20,6 @@ using namespace refraster;
 using namespace refraster::bench;
 
 namespace {
-
-bool holds(const std::string& text, const std::string& words) {
-  return text.find(words) != std::string::npos;
-}
 
 /// A run of one scene on a quiet machine of four CPUs: ten repetitions of 10 ms. `light`: what one more light costs.
 Run quiet_run(const Spread& light) {

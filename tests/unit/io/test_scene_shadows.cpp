@@ -3,6 +3,7 @@
 #include <refraster/files.h>
 
 #include "tests/support/files/malformed_inputs.h"
+#include "tests/support/text.h"
 
 #include <doctest/doctest.h>
 
@@ -31,10 +32,6 @@ std::string fault_of(const std::string& point_shadow, const std::string& directi
     return error.what();
   }
   return "none";
-}
-
-bool holds(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 
 #include "raster/shade/opacity.h"
 #include "tests/support/invariants.h"
+#include "tests/support/precisions.h"
 #include "tests/support/random.h"
 #include "tests/support/scenes/leaf_scene.h"
 #include "tests/support/scenes/random_scene.h"
@@ -18,8 +19,6 @@ namespace refraster::test {
 namespace {
 
 constexpr int side = 16;
-constexpr Precision every_precision[] = {Precision::double_, Precision::float_, Precision::fast, Precision::exact};
-
 /// Rows from v = 0 upward: texel (i, j) is i + side j, of 255.
 TextureMap numbered() {
   auto texture = std::make_shared<Texture>();

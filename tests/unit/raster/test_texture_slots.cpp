@@ -4,6 +4,7 @@
 #include <refraster/render.h>
 #include <refraster/scene.h>
 
+#include "tests/support/precisions.h"
 #include "tests/support/scenes/poster.h"
 
 #include <doctest/doctest.h>
@@ -14,8 +15,6 @@ namespace refraster::test {
 namespace {
 
 constexpr int side = 16;
-constexpr Precision every_precision[] = {Precision::double_, Precision::float_, Precision::fast, Precision::exact};
-
 /// Black, but for what a test adds.
 Scene poster(float repeats = 1) {
   Phong black;

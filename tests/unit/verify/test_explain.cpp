@@ -1,5 +1,6 @@
 // The story of a pixel, on scenes small enough to work out by hand.
 
+#include "tests/support/text.h"
 #include "verify/explain/explain_pixel.h"
 
 #include <refraster/fragment_kit.h>
@@ -111,10 +112,6 @@ WouldBe likeliest(const Scene& scene, const Scene& other) {
   REQUIRE_FALSE(story.actual->same);
   REQUIRE_FALSE(story.actual->would_be.empty());
   return story.actual->would_be.front();
-}
-
-bool holds(const std::string& text, const std::string& words) {
-  return text.find(words) != std::string::npos;
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include <refraster/files.h>
 #include <refraster/notes.h>
 
+#include "tests/support/text.h"
 #include "verify/images/image_pair.h"
 
 #include "tests/support/files/malformed_inputs.h"
@@ -55,10 +56,6 @@ ColourChannels chosen(const Names& names, const std::string& layer = "") {
   ImageFile file;
   file.channels = names;
   return colour_channels("i.exr", file, layer);
-}
-
-bool holds(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 } // namespace

@@ -1,3 +1,4 @@
+#include "tests/support/text.h"
 #include "verify/page/report_page.h"
 
 #include <refraster/files.h>
@@ -29,10 +30,6 @@ ReportPage plain_page(int width, int height) {
     page.reference.rgb8.values[i] = static_cast<std::uint8_t>(i * 7);
   page.actual.rgb8 = page.reference.rgb8;
   return page;
-}
-
-bool holds(const std::string& text, std::string_view part) {
-  return text.find(part) != std::string::npos;
 }
 
 std::size_t count_of(const std::string& text, std::string_view part) {

@@ -7,6 +7,7 @@
 #include "raster/render_in.h"
 #include "raster/shadow/map/depth_map.h"
 #include "tests/support/invariants.h"
+#include "tests/support/precisions.h"
 #include "tests/support/random.h"
 #include "tests/support/scenes/random_scene.h"
 #include "tests/support/scenes/same_parts.h"
@@ -25,8 +26,6 @@ namespace refraster::test {
 namespace {
 
 constexpr ShadowFilter every_filter[] = {ShadowFilter::nearest, ShadowFilter::two_by_two, ShadowFilter::pcf3};
-constexpr Precision every_precision[] = {Precision::double_, Precision::float_, Precision::fast, Precision::exact};
-
 ShadowMap map_of(int size, ShadowFilter filter = ShadowFilter::two_by_two, double bias = 1, double slope_bias = 2) {
   ShadowMap map;
   map.size = size, map.filter = filter, map.bias = bias, map.slope_bias = slope_bias;

@@ -8,6 +8,7 @@
 #include "raster/render_in.h"
 #include "shading/user_function.h"
 #include "tests/support/invariants.h"
+#include "tests/support/precisions.h"
 #include "tests/support/scenes/leaf_scene.h"
 #include "tests/support/scenes/same_parts.h"
 #include "tests/support/scenes/shadow_scene.h"
@@ -21,8 +22,6 @@
 
 namespace refraster::test {
 namespace {
-
-constexpr Precision every_precision[] = {Precision::double_, Precision::float_, Precision::fast, Precision::exact};
 
 Phong matt(const Double3& ka = Double3(0)) {
   Phong phong;
