@@ -1,8 +1,11 @@
 # The preset release compiles the files of a library by eights (CMAKE_UNITY_BUILD): half of the time that a whole build
-# takes. These are compiled alone: each has, for itself, a name that another file of its library has for itself too.
-# Other presets compile every file alone, and find an #include that is missing.
+# takes. These are compiled alone: each has, for itself, a name that another file of its library has for itself too; and
+# the instances of the fragment functions, whose code and symbols are then those of every other build. Other presets compile
+# every file alone, and find an #include that is missing.
 set(compiled_alone
   raster/explain/why_unseen.cpp raster/render.cpp raster/shade/attribute_setup.cpp raster/shade/exact_pieces.cpp
+  raster/shade/precisions/double.cpp raster/shade/precisions/exact.cpp raster/shade/precisions/fast.cpp
+  raster/shade/precisions/float.cpp
   raster/shade/shadow/tile_shadows.cpp raster/shadow/triangle_tree.cpp raster/vertex/outside.cpp
   raster/vertex/transform.cpp raster/visibility/bin.cpp raster/visibility/draw_projective.cpp
   raster/visibility/draw_snapped.cpp raster/visibility/runs.cpp raster/visibility/setup_projective.cpp
