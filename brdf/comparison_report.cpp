@@ -1,4 +1,4 @@
-#include "brdf/channels.h"
+#include "brdf/fit/channels.h"
 #include "brdf/comparison.h"
 
 #include "io/file/text.h"

@@ -1,6 +1,6 @@
 // What is known of a reflectance, for people and for programs.
 
-#include "brdf/channels.h"
+#include "brdf/fit/channels.h"
 #include "brdf/facts.h"
 
 #include "io/brdf/merl_file.h"

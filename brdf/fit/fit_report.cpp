@@ -1,6 +1,6 @@
 // A fit, as text and as JSON.
 
-#include "brdf/channels.h"
+#include "brdf/fit/channels.h"
 #include "brdf/fit/fit.h"
 #include "io/file/text.h"
 #include "io/json/report_parts.h"
