@@ -2,6 +2,7 @@
 
 import os
 import pathlib
+import subprocess
 
 import pytest
 
@@ -20,11 +21,17 @@ def hello():
 
 @pytest.fixture
 def program():
-    """The path of the command `refraster`, which reports are compared with."""
+    """Runs the command `refraster`, which the module is compared with: program(word, ...) gives what subprocess.run does."""
     path = os.environ.get("REFRASTER_PROGRAM", "")
     if not os.path.exists(path):
         pytest.skip("no program: REFRASTER_PROGRAM")
-    return path
+    # A sanitizer's runtime must be there before Python is; the program has one within it, and ends where it finds two.
+    environment = {name: value for name, value in os.environ.items() if name != "LD_PRELOAD"}
+
+    def run(*words, **settings):
+        return subprocess.run([path, *map(str, words)], stdout=subprocess.PIPE, env=environment, **settings)
+
+    return run
 
 
 @pytest.fixture

@@ -10,7 +10,7 @@ import refraster
 
 def of_program(program, *words):
     """What a command of the program writes as JSON."""
-    run = subprocess.run([program, *map(str, words), "--json", "-"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+    run = program(*words, "--json", "-", stderr=subprocess.DEVNULL)
     assert run.returncode in (0, 1), words
     return json.loads(run.stdout)
 

@@ -1,6 +1,5 @@
 """Scenes: read, made and changed in Python; meshes and textures of arrays."""
 
-import subprocess
 
 import numpy as np
 import pytest
@@ -8,16 +7,14 @@ import refraster
 
 
 def test_a_scene_renders_as_the_program_does(hello, program, tmp_path):
-    subprocess.run([program, "render", "-q", hello, "--size", "160x90", "-o", str(tmp_path / "x.npy")], check=True,
-                   stdout=subprocess.DEVNULL)
+    program("render", "-q", hello, "--size", "160x90", "-o", tmp_path / "x.npy", check=True)
     assert np.array_equal(np.load(tmp_path / "x.npy"), refraster.load(hello).render(size=(160, 90)).color)
 
 
 def test_a_model_is_framed_and_lit_as_the_program_does(program, tmp_path):
     model = tmp_path / "model.obj"
     refraster.torus(segments=12, rings=8).save(model)
-    subprocess.run([program, "render", "-q", str(model), "--size", "80x60", "-o", str(tmp_path / "x.npy")], check=True,
-                   stdout=subprocess.DEVNULL)
+    program("render", "-q", model, "--size", "80x60", "-o", tmp_path / "x.npy", check=True)
     scene = refraster.load(model)
     frame = scene.render(size=(80, 60))
     assert np.array_equal(np.load(tmp_path / "x.npy"), frame.color)
