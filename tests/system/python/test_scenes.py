@@ -1,6 +1,5 @@
 """Scenes: read, made and changed in Python; meshes and textures of arrays."""
 
-
 import numpy as np
 import pytest
 import refraster

@@ -1,6 +1,5 @@
 """Shadows of lights, exact and by maps."""
 
-
 import numpy as np
 import pytest
 import refraster
