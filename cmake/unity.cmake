@@ -1,6 +1,6 @@
-# The preset release compiles the files of a library by eights (REFRASTER_UNITY): a whole build takes a good half of the
-# time. A file that has, for itself, a name that another of its library has for itself too cannot be among these. Other
-# presets compile every file alone, and find an #include that is missing.
+# The preset release compiles the files of a library by eights (REFRASTER_UNITY): what they include is read, and templates
+# are filled, once for eight. A file that has, for itself, a name that another of its library has for itself too cannot be
+# among these. Other presets compile every file alone, and find an #include that is missing.
 
 # With each other, by eights, but not with the rest of their library.
 set(compiled_apart
