@@ -5,7 +5,7 @@
 # With each other, by eights, but not with the rest of their library.
 set(compiled_apart
   raster/explain/why_unseen.cpp raster/shade/shadow/tile_shadows.cpp raster/vertex/outside.cpp
-  raster/visibility/bin.cpp raster/visibility/runs.cpp raster/visibility/setup_projective.cpp
+  raster/visibility/bin.cpp raster/visibility/setup_projective.cpp
   io/image/exr_check.cpp io/image/exr_header.cpp io/mesh/mtl_file.cpp io/mesh/triangulate.cpp
   io/scene/file_materials.cpp io/scene/scene_markdown.cpp io/scene/scene_reader.cpp
   gl/draw/read_back.cpp gl/probe/tie_rule.cpp gl/program/glsl_types.cpp
@@ -36,7 +36,7 @@ set(compiled_alone
   raster/render.cpp raster/shade/attribute_setup.cpp raster/shade/exact_pieces.cpp raster/shade/precisions/double.cpp
   raster/shade/precisions/exact.cpp raster/shade/precisions/fast.cpp raster/shade/precisions/float.cpp
   raster/shadow/triangle_tree.cpp raster/vertex/transform.cpp raster/visibility/draw_projective.cpp
-  raster/visibility/draw_snapped.cpp raster/visibility/tiny/draw_small.cpp
+  raster/visibility/draw_snapped.cpp raster/visibility/runs.cpp raster/visibility/tiny/draw_small.cpp
   io/image/hdr_file.cpp io/image/jpeg_file.cpp io/image/npy_file.cpp io/image/png/png_read.cpp io/image/tga_file.cpp
   io/mesh/obj/chunk.cpp io/mesh/obj/weld.cpp io/parts/image_part.cpp io/scene/scene_file.cpp io/scene/value_kinds.cpp
   gl/draw/shadow_maps.cpp gl/probe/detail.cpp gl/probe/functions.cpp gl/probe/output_levels.cpp gl/probe/planes.cpp
