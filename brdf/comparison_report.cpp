@@ -1,5 +1,5 @@
-#include "brdf/fit/channels.h"
 #include "brdf/comparison.h"
+#include "brdf/fit/channels.h"
 
 #include "io/file/text.h"
 #include "io/json/report_parts.h"

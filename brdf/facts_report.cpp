@@ -1,7 +1,7 @@
 // What is known of a reflectance, for people and for programs.
 
-#include "brdf/fit/channels.h"
 #include "brdf/facts.h"
+#include "brdf/fit/channels.h"
 
 #include "io/brdf/merl_file.h"
 #include "io/file/sha256.h"

@@ -33,7 +33,7 @@ ExactVec3 plus(const ExactVec3& a, const ExactVec3& b, const Mpfr& factor) {
   return {a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]};
 }
 ExactVec3 unit(const ExactVec3& a) {
-  const Mpfr scale = 1 / sqrt(dot(a, a));
+  const Mpfr scale = 1 / sqrt(inner(a, a));
   return {a[0] * scale, a[1] * scale, a[2] * scale};
 }
 
@@ -42,12 +42,12 @@ ExactVec3 unit(const ExactVec3& a) {
 HalfDifference<Mpfr> exact_angles(const ExactVec3& n_any, const ExactVec3& i_any, const ExactVec3& o_any) {
   const ExactVec3 n = unit(n_any), i = unit(i_any), o = unit(o_any);
   const ExactVec3 h = unit(plus(i, o, 1));
-  const Mpfr cos_h = dot(n, h), cos_d = dot(i, h);
-  const ExactVec3 x = plus({h[0] * cos_h, h[1] * cos_h, h[2] * cos_h}, n, -1), y = cross(h, x);
+  const Mpfr cos_h = inner(n, h), cos_d = inner(i, h);
+  const ExactVec3 x = plus({h[0] * cos_h, h[1] * cos_h, h[2] * cos_h}, n, -1), y = outer(h, x);
   const ExactVec3 p = plus(i, h, -cos_d);
-  Mpfr phi = atan2(dot(p, y), dot(p, x));
+  Mpfr phi = atan2(inner(p, y), inner(p, x));
   if (phi < 0) phi += exact_pi;
-  return {atan2(sqrt(dot(x, x)), cos_h), atan2(sqrt(dot(p, p)), cos_d), phi};
+  return {atan2(sqrt(inner(x, x)), cos_h), atan2(sqrt(inner(p, p)), cos_d), phi};
 }
 
 /// A table whose sample (h, d, p) is f(h, d, p).
@@ -113,7 +113,7 @@ double worst_u(double angle) {
       return normalize(Vec3<F>(static_cast<F>(v.x), static_cast<F>(v.y), static_cast<F>(v.z)));
     };
     const Vec3<F> nf = rounded(n), inf = rounded(i), of = rounded(o);
-    const Mpfr theta_h = exact_angles(exact_vector(nf), exact_vector(inf), exact_vector(of)).theta_h;
+    const Mpfr theta_h = exact_angles(exact(nf), exact(inf), exact(of)).theta_h;
     const Mpfr u = 90 * sqrt(theta_h * 2 / exact_pi);
     const F got = merl_point(half_difference(MerlAngles::closed, nf, inf, of)).u;
     worst = std::max(worst, Mpfr(abs(Mpfr(got) - u)).template convert_to<double>());
@@ -342,7 +342,7 @@ TEST_CASE("M10: turning surface, light and eye together changes nothing: there i
     const HalfDifference<double> moved = half_difference(MerlAngles::closed, turned(n), turned(i), turned(o));
     for (const auto& [angles, a, b, c] :
          {std::tuple(still, n, i, o), std::tuple(moved, turned(n), turned(i), turned(o))}) {
-      const HalfDifference<Mpfr> truth = exact_angles(exact_vector(a), exact_vector(b), exact_vector(c));
+      const HalfDifference<Mpfr> truth = exact_angles(exact(a), exact(b), exact(c));
       Mpfr off = abs(Mpfr(angles.phi_d) - truth.phi_d);
       if (off > exact_pi / 2) off = exact_pi - off;
       worst_phi = std::max(worst_phi, Mpfr(off * sin(truth.theta_h) * sin(truth.theta_d)).convert_to<double>());

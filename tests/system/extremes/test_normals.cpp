@@ -18,14 +18,10 @@ using namespace refraster::test;
 
 namespace {
 
-Mpfr length(const ExactVec3& a) {
-  return sqrt(dot(a, a));
-}
-
 /// The sine of the angle between two directions, and 2 where they point to opposite sides.
 double sine_between(const ExactVec3& a, const ExactVec3& b) {
-  if (dot(a, b) <= 0) return 2;
-  return Mpfr(length(cross(a, b)) / (length(a) * length(b))).convert_to<double>();
+  if (inner(a, b) <= 0) return 2;
+  return Mpfr(norm(outer(a, b)) / (norm(a) * norm(b))).convert_to<double>();
 }
 
 /// R n with R = Rx Ry Rz, degrees.
@@ -61,7 +57,7 @@ void check_normals(Random& random, const Double3& scale) {
   const Double3 degrees(random.uniform(-180, 180), random.uniform(-180, 180), random.uniform(-180, 180));
   const Double3 n(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
   const Double3 world = transform_of(degrees, scale).world_from_normal * n;
-  CHECK(sine_between(exact_vector(world), inverse_transpose(degrees, scale, n)) <= direction_bound);
+  CHECK(sine_between(exact(world), inverse_transpose(degrees, scale, n)) <= direction_bound);
 }
 
 // What a triangle that fills the view shows of its corners' normals: the image of normals, and the diffuse light from
@@ -116,7 +112,7 @@ TEST_CASE("N3: a flattened object has the normals of the plane it lies in; what 
       Double3 axis_direction(0);
       axis_direction[axis] = n[axis];
       const Double3 world = transform_of(degrees, scale).world_from_normal * n;
-      CHECK(sine_between(exact_vector(world), rotated(degrees, exact_vector(axis_direction))) <= direction_bound);
+      CHECK(sine_between(exact(world), rotated(degrees, exact(axis_direction))) <= direction_bound);
     }
   });
   for (const Double3 scale : {Double3(0, 0, 1), Double3(1, 0, 0), Double3(0, 0, 0)}) {
@@ -165,14 +161,14 @@ TEST_CASE("N4: normals of any finite length give a unit vector to an ulp") {
     for (const Float3& direction : directions) {
       CAPTURE(length_factor);
       const Float3 n = direction * length_factor;
-      const ExactVec3 exactly = exact_vector(Double3(n));
+      const ExactVec3 exactly = exact(Double3(n));
       for (const Precision precision : {Precision::double_, Precision::float_}) {
         CAPTURE(name_of(precision));
         const Frame frame = shown({n, n, n}, light, precision);
         Mpfr cosine = 0;
         for (std::size_t c = 0; c < 3; ++c) {
-          const Mpfr expected = exactly[c] / length(exactly);
-          cosine += expected * Mpfr(light[static_cast<int>(c)]) / length(exact_vector(light));
+          const Mpfr expected = exactly[c] / norm(exactly);
+          cosine += expected * Mpfr(light[static_cast<int>(c)]) / norm(exact(light));
           // Half an ulp is the image's. Squares and their sum are good to 4, the root and the quotient to 1 each, of
           // 2^-53.
           CHECK(abs(Mpfr(frame.aovs[0].at(1, 1)[c]) - expected) <= half_float_ulp(expected) + Mpfr(8 * 0x1p-53));
@@ -279,13 +275,13 @@ TEST_CASE("N7: the normal of a needle is good to the last bits") {
     Object object;
     object.mesh = mesh;
     scene.objects.push_back(object);
-    const auto corner = [&](std::size_t k) { return exact_vector(Double3(mesh->positions[k])); };
+    const auto corner = [&](std::size_t k) { return exact(Double3(mesh->positions[k])); };
     const auto edge = [&](std::size_t k) {
       const ExactVec3 p = corner(k), q = corner(0);
       return ExactVec3{p[0] - q[0], p[1] - q[1], p[2] - q[2]};
     };
-    const ExactVec3 exactly = cross(edge(1), edge(2));
-    if (length(exactly) == 0) return;
+    const ExactVec3 exactly = outer(edge(1), edge(2));
+    if (norm(exactly) == 0) return;
     Geometry geometry;
     RenderOptions options;
     options.width = options.height = 8, options.threads = 1;
@@ -293,7 +289,7 @@ TEST_CASE("N7: the normal of a needle is good to the last bits") {
     const FrameContext context{{scene, options}, geometry, bins};
     transform(context, geometry);
     const Double3 normal = face_normal(context, 0);
-    const double error = sine_between(exact_vector(normal), exactly);
+    const double error = sine_between(exact(normal), exactly);
     worst = std::max(worst, error);
     CHECK(error <= 4 * 0x1p-53); // the direction of three components, each rounded once, times a unit matrix
   });

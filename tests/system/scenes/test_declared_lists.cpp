@@ -4,6 +4,7 @@
 #include <refraster/render.h>
 
 #include "tests/support/invariants.h"
+#include "tests/support/precisions.h"
 #include "tests/support/scenes/declared_scenes.h"
 #include "tests/support/scenes/random_scene.h"
 
@@ -50,7 +51,7 @@ void for_each_spoiled(auto&& body) {
 
 TEST_CASE("every type of light, texture slot and vertex attribute changes the picture, in every precision") {
   for (const DeclaredEntry& entry : declared_entries())
-    for (const Precision precision : {Precision::double_, Precision::float_, Precision::fast, Precision::exact}) {
+    for (const Precision precision : test::every_precision) {
       RenderOptions options;
       options.width = 24, options.height = 16;
       options.precision = precision;

@@ -3,6 +3,7 @@
 #include <refraster/render.h>
 
 #include "raster/levels.h"
+#include "tests/support/precisions.h"
 #include "tests/support/raster/window_scene.h"
 
 #include <doctest/doctest.h>
@@ -44,7 +45,7 @@ TEST_CASE("alpha is the fraction of samples that see a surface") {
 
 TEST_CASE("a transparent image has the mean of the samples that see a surface, and is black where none does") {
   const Double3 colour(0.3, 0.6, 0.9), background(1, 0.5, 0.25);
-  for (const Precision precision : {Precision::double_, Precision::float_, Precision::fast, Precision::exact})
+  for (const Precision precision : every_precision)
     for (const int samples : {1, 2, 4, 8, 16}) {
       CAPTURE(samples);
       WindowScene window(side);
@@ -84,8 +85,7 @@ TEST_CASE("resolved, an AOV is the mean over the samples that see a surface; a n
   WindowScene window(side);
   add_strip(window, 0, middle_of_column_4, 2, Double3(1));
   add_strip(window, middle_of_column_4, 6, 4, Double3(1));
-  RenderOptions options =
-      window.options({Aov::distance, Aov::object, Aov::depth, Aov::position, Aov::normal}, 4);
+  RenderOptions options = window.options({Aov::distance, Aov::object, Aov::depth, Aov::position, Aov::normal}, 4);
   const Frame nearest = render(window.scene, options);
   options.aov_filter = AovFilter::resolve;
   const Frame resolved = render(window.scene, options);
@@ -138,7 +138,8 @@ TEST_CASE("materials of a file count from 1; the object's own comes after them, 
 }
 
 TEST_CASE("16 bits: clamped, 65535 times, rounded half to even; by the curve where that is asked for") {
-  const std::vector<double> values = {0, 1, 0.5, -1, 2, std::numeric_limits<double>::quiet_NaN(), 0.5 / 65535, 1.5 / 65535, 0.25};
+  const std::vector<double> values = {0,           1,           0.5, -1, 2, std::numeric_limits<double>::quiet_NaN(),
+                                      0.5 / 65535, 1.5 / 65535, 0.25};
   // 0.5 / 65535 times 65535 is 0.5 and 1.5 / 65535 times it 1.5, each exactly.
   std::vector<std::uint16_t> levels(values.size());
   levels16(values.data(), values.size(), Transfer::linear, levels.data());

@@ -2,6 +2,7 @@
 
 #include <refraster/render.h>
 
+#include "tests/support/precisions.h"
 #include "tests/support/raster/window_scene.h"
 
 #include <doctest/doctest.h>
@@ -64,7 +65,7 @@ const Float3 blue(0, 0, 1);
 TEST_CASE("each triangle has the material of its run; before the first run, and of none that is there, the object's") {
   const WindowScene window = stripes({{4, 1}, {6, 0}, {8, 1}, {10, no_material}, {12, 2}, {14, 7}}, 3);
   const std::vector<Float3> expected = {blue, blue, red(1), red(0), red(1), blue, red(2), blue};
-  for (const Precision precision : {Precision::double_, Precision::float_, Precision::fast, Precision::exact})
+  for (const Precision precision : every_precision)
     for (const int samples : {1, 4}) CHECK(colours(window, precision, samples) == expected);
 }
 

@@ -3,6 +3,7 @@
 #include <refraster/render.h>
 
 #include "raster/vertex/transform.h"
+#include "tests/support/precisions.h"
 #include "tests/support/raster/window_scene.h"
 
 #include <doctest/doctest.h>
@@ -13,8 +14,6 @@
 
 namespace refraster::test {
 namespace {
-
-constexpr Precision all_precisions[] = {Precision::double_, Precision::float_, Precision::fast, Precision::exact};
 
 /// A triangle over the whole view, with corners in this order, normals that differ, and light from the side.
 WindowScene lit_triangle(const std::vector<Float3>& corners, float normals) {
@@ -68,7 +67,7 @@ TEST_CASE("a two-sided triangle shows from behind what it shows with normals rev
   const WindowScene at(4);
   const Float3 a = at.place(-4, -4, 1), b = at.place(-4, 12, 2), c = at.place(12, -4, 1);
   const Float3 left = at.place(-8, 1, 4), right = at.place(12, 1, 4), behind(0, -2, 2);
-  for (const Precision precision : all_precisions)
+  for (const Precision precision : every_precision)
     for (const int samples : {1, 4})
       // Corners on the lattice, and one behind the eye.
       for (const std::vector<Float3>& front : {std::vector{a, b, c}, std::vector{left, behind, right}}) {
@@ -131,7 +130,7 @@ TEST_CASE("a model mirrors if an odd number of its scales is below 0; flattened 
 }
 
 TEST_CASE("a triangle's own normal, where the mesh gives none, is turned too") {
-  for (const Precision precision : all_precisions)
+  for (const Precision precision : every_precision)
     for (const double mirror : {1.0, -1.0}) {
       const WindowScene at(4);
       WindowScene window = lit_triangle({at.place(-4, -4, 1), at.place(12, -4, 1), at.place(-4, 12, 2)}, 0);
