@@ -129,8 +129,8 @@ private:
     // raster/vertex/vertex_stage.h, before it snaps.
     const double x = clip.x / clip.w * half_width + half_width, y = half_height - clip.y / clip.w * half_height;
     const Real w = exact.w, exact_x = window.x / w * subpixels, exact_y = window.y / w * subpixels;
-    const Real x_size = half_width * (1 + (scale.x + std::abs(exact.x / w)) * reach / w);
-    const Real y_size = half_height * (1 + (scale.y + std::abs(exact.y / w)) * reach / w);
+    const Real x_size = real(half_width) * (1 + (scale.x + std::abs(exact.x / w)) * reach / w);
+    const Real y_size = real(half_height) * (1 + (scale.y + std::abs(exact.y / w)) * reach / w);
     const auto worse = [&](std::size_t row, Real x_error, Real y_error) {
       if (x_error * y_size > y_error * x_size) add(row, x_error, x_size, describe);
       else add(row, y_error, y_size, describe);

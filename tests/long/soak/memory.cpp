@@ -1,7 +1,7 @@
-// soak_memory [ROUNDS]: a thousand times, or ROUNDS, a multiple of 100, in one process and through the library, a scene is read, rendered and written, and the
-// image read again. What is allocated after the last round is what was allocated after the same round of the first
-// ones: not a byte more. Memory of the process that is not allocated may come and go; it must not grow by a page every
-// few rounds either.
+// soak_memory [ROUNDS]: a thousand times, or ROUNDS, a multiple of 100, in one process and through the library, a scene
+// is read, rendered and written, and the image read again. What is allocated after the last round is what was allocated
+// after the same round of the first ones: not a byte more. Memory of the process that is not allocated may come and go;
+// it must not grow by a page every few rounds either.
 
 #include <refraster/files.h>
 #include <refraster/notes.h>
@@ -68,7 +68,8 @@ int main(int argc, char** argv) {
               before.resident);
   std::printf("after %4d rounds: %9zu bytes allocated, %6zu pages resident\n", rounds, after.allocated, after.resident);
   // A leak of half a page a round would be 400 pages in a thousand.
-  const bool grew = after.allocated > before.allocated || after.resident > before.resident + (rounds - warm_up) / 2;
+  const bool grew = after.allocated > before.allocated ||
+                    after.resident > before.resident + static_cast<std::size_t>((rounds - warm_up) / 2);
   if (grew) std::printf("memory grows\n");
   return grew ? 1 : 0;
 }

@@ -26,7 +26,9 @@ inline void allow_no_others(rapidjson::Value& schema, Json::AllocatorType& alloc
     for (auto& one : schema.GetArray()) allow_no_others(one, allocator);
   if (!schema.IsObject()) return;
   const bool names_members = schema.HasMember("properties") && schema["properties"].IsObject();
-  for (auto& member : schema.GetObject()) allow_no_others(member.value, allocator);
+  auto member = schema.MemberBegin();
+  for (rapidjson::SizeType left = schema.MemberCount(); left > 0; --left, ++member)
+    allow_no_others(member->value, allocator);
   if (names_members) schema.AddMember("additionalProperties", false, allocator);
 }
 

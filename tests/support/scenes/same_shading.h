@@ -11,8 +11,9 @@ namespace refraster::test {
 /// They show the same bits in every precision, with AOVs and counts. look(frame) is called with each frame.
 template <class Look>
 void check_same_frames(const Scene& expected, const Scene& scene, const Look& look) {
-  for (const auto& [precision, name] : EnumNames<Precision>::names) {
-    CAPTURE(name);
+  for (const auto& named : EnumNames<Precision>::names) {
+    const Precision precision = named.first;
+    CAPTURE(named.second);
     RenderOptions options{.width = 40, .height = 30, .precision = precision, .samples = 4, .threads = 2};
     if (precision == Precision::exact) options.width = 12, options.height = 9;
     options.want_radiance_double = true;

@@ -17,6 +17,11 @@ constexpr Real doubt = 0x1p-36L;
 constexpr Real stored_doubt = 0x1p-24L;
 /// How far the ray of a texel may be off, in texels: corners are snapped to the nearest 1/256, each axis for itself.
 constexpr Real snap = 1 / Real(256);
+/// Of the product of three vectors' greatest coordinates, by how much rounding may change their determinant. With u,
+/// half of epsilon, a coordinate in a face is off by at most 8 u of the greatest in the world, of which it is at most
+/// the root of 3; a difference of two products by 2 (2 * 8 + 2) u, and three products with a third by 3 (36 + 8 + 3) u,
+/// of three such roots: less than 2^10 u.
+constexpr Real rounded = 0x1p10L * std::numeric_limits<Real>::epsilon() / 2;
 
 Real component(Vec v, int axis) {
   return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
@@ -116,38 +121,50 @@ DepthDoubt SlowShadowMap::texel(std::size_t face, int column, int row) const {
     };
     rays[static_cast<std::size_t>(i)] = {place(column, i & 1), place(row, i & 2), 1};
   }
+  Real farthest_ray = 1;
+  for (const Vec ray : rays) farthest_ray = std::max(farthest_ray, size(ray));
   DepthDoubt result;
   for (const auto& triangle : triangles_) {
     if (!finite(triangle[0]) || !finite(triangle[1]) || !finite(triangle[2])) continue;
     std::array<Vec, 3> p;
-    std::array<Real, 3> distance;
+    std::array<Real, 3> distance, reach;
     for (std::size_t k = 0; k < 3; ++k) {
       p[k] = in_face(of, triangle[k]);
       distance[k] = p[k].z;
       if (!is_point_) p[k].z = 1;
+      reach[k] = std::max(size(triangle[k]) + size(origin_), Real(1));
     }
-    // r = sum of weight_k p_k; inside where none is negative.
+    // r = sum of weight_k p_k; inside where none is negative, that is where volumes have the determinant's sign.
     const Real determinant = dot(p[0], cross(p[1], p[2]));
-    if (determinant == 0) continue;
-    bool certain = true, possible = true;
-    Real lo = infinity, hi = -infinity;
-    std::array<std::array<Real, 4>, 3> weight{};
+    // Seen so nearly from its edge that weights, and depths by them, are not good to what a float holds.
+    const bool thin = std::abs(determinant) * stored_doubt / 4 <= rounded * reach[0] * reach[1] * reach[2];
+    bool certain = !thin, possible[2] = {thin || determinant < 0, thin || determinant > 0}; // by sign
+    std::array<std::array<Real, 4>, 3> volume{};
     for (std::size_t k = 0; k < 3; ++k) {
-      const Vec opposite = cross(p[(k + 1) % 3], p[(k + 2) % 3]);
-      Real greatest = -infinity, least = infinity;
-      for (std::size_t i = 0; i < 4; ++i) {
-        weight[k][i] = dot(rays[i], opposite) / determinant;
-        greatest = std::max(greatest, weight[k][i]), least = std::min(least, weight[k][i]);
-      }
-      certain = certain && least > 0, possible = possible && greatest >= 0;
+      const std::size_t next = (k + 1) % 3, last = (k + 2) % 3;
+      const Real off = rounded * farthest_ray * reach[next] * reach[last];
+      for (std::size_t i = 0; i < 4; ++i) volume[k][i] = dot(rays[i], cross(p[next], p[last]));
+      const auto [least, greatest] = std::minmax_element(volume[k].begin(), volume[k].end());
+      certain = certain && (determinant > 0 ? *least > off : *greatest < -off);
+      possible[0] = possible[0] && *least <= off, possible[1] = possible[1] && *greatest >= -off;
     }
-    if (!possible) continue;
-    for (std::size_t i = 0; i < 4; ++i) {
-      const Real sum = weight[0][i] + weight[1][i] + weight[2][i];
-      Real z = 0;
-      for (std::size_t k = 0; k < 3; ++k) z += weight[k][i] * distance[k];
-      const Real depth = depth_of(is_point_ ? sum : z);
-      lo = std::min(lo, depth), hi = std::max(hi, depth);
+    if (!possible[0] && !possible[1]) continue;
+    Real lo = infinity, hi = -infinity;
+    if (thin) {
+      for (const Real z : distance) {
+        const Real depth = !is_point_ ? depth_of(z) : z > near_ ? depth_of(1 / z) : 0;
+        lo = std::min(lo, depth), hi = std::max(hi, depth);
+      }
+    } else {
+      for (std::size_t i = 0; i < 4; ++i) {
+        Real sum = 0, z = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+          const Real weight = volume[k][i] / determinant;
+          sum += weight, z += weight * distance[k];
+        }
+        const Real depth = depth_of(is_point_ ? sum : z);
+        lo = std::min(lo, depth), hi = std::max(hi, depth);
+      }
     }
     if (hi < -stored_doubt || lo > 1 + stored_doubt) continue; // beyond a depth plane
     if (lo < stored_doubt || hi > 1 - stored_doubt) certain = false;

@@ -4,6 +4,7 @@
 #include "tests/support/program/json_schema.h"
 #include "tests/support/program/program.h"
 #include "tests/support/program/scenes.h"
+#include "tests/support/text.h"
 
 #include <doctest/doctest.h>
 
@@ -29,10 +30,6 @@ struct BallFolder : TemporaryFolder {
 /// Empty, or where the document is not what the schema says.
 std::string fault(const Json& json) {
   return schema_fault(json, text_of(std::string(REFRASTER_SOURCE_DIR) + "/docs/bench.schema.json"));
-}
-
-bool holds(const std::string& text, const std::string& words) {
-  return text.find(words) != std::string::npos;
 }
 
 } // namespace

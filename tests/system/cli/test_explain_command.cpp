@@ -5,6 +5,7 @@
 #include "tests/support/files/page_part.h"
 #include "tests/support/program/program.h"
 #include "tests/support/program/scenes.h"
+#include "tests/support/text.h"
 
 #include <rapidjson/document.h>
 
@@ -30,10 +31,6 @@ struct BallFolder : TemporaryFolder {
     return run_program(path, words);
   }
 };
-
-bool holds(const std::string& text, const std::string& words) {
-  return text.find(words) != std::string::npos;
-}
 
 std::size_t lines_of(const std::string& text) {
   return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));

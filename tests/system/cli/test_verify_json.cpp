@@ -9,6 +9,7 @@
 
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace refraster;
@@ -37,7 +38,7 @@ struct Folder : TemporaryFolder {
     Json json = parsed(done.out);
     CHECK(schema_fault(json, text_of(REFRASTER_SOURCE_DIR "/docs/verify.schema.json")) == "");
     std::uint64_t classes = 0;
-    for (const auto& member : json["pixels"].GetObject())
+    for (const auto& member : std::as_const(json)["pixels"].GetObject())
       if (std::string(member.name.GetString()) != "all") classes += member.value.GetUint64();
     CHECK(classes == json["pixels"]["all"].GetUint64());
     CHECK(json["passes"].GetBool() == (exit_code == 0));

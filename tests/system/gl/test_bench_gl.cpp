@@ -2,6 +2,7 @@
 
 #include "tests/support/program/program.h"
 #include "tests/support/program/scenes.h"
+#include "tests/support/text.h"
 
 #include <doctest/doctest.h>
 
@@ -23,10 +24,6 @@ struct BallFolder : TemporaryFolder {
     return run_program(path, words);
   }
 };
-
-bool holds(const std::string& text, const std::string& words) {
-  return text.find(words) != std::string::npos;
-}
 
 std::size_t count(const std::string& text, const std::string& words) {
   std::size_t found = 0;

@@ -6,6 +6,7 @@
 #include "tests/support/files/malformed_inputs.h"
 #include "tests/support/program/program.h"
 #include "tests/support/program/terminal.h"
+#include "tests/support/text.h"
 
 #include <doctest/doctest.h>
 
@@ -77,10 +78,6 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   const std::size_t at = text.find(from);
   REQUIRE(at != std::string::npos);
   return text.replace(at, from.size(), to);
-}
-
-bool holds(const std::string& text, const std::string& words) {
-  return text.find(words) != std::string::npos;
 }
 
 } // namespace
@@ -417,18 +414,20 @@ TEST_CASE("a model's own number of samples becomes one that the driver has, with
     words.insert(words.end(), more.begin(), more.end());
     return run_program(folder.path, words);
   };
-  for (const auto& [renderer, samples, said] :
-       {std::tuple{"llvmpipe", "4", "does not draw 8 samples a pixel, but 1 or 4: drawn with 4"},
-        {"softpipe", "1", "does not draw 8 samples a pixel, but 1: drawn with 1"}}) {
-    CAPTURE(renderer);
-    const Finished drawn = run("gl", renderer, {"-o", "gl.png"});
+  const struct {
+    std::string renderer, samples, said;
+  } drivers[] = {{"llvmpipe", "4", "does not draw 8 samples a pixel, but 1 or 4: drawn with 4"},
+                 {"softpipe", "1", "does not draw 8 samples a pixel, but 1: drawn with 1"}};
+  for (const auto& driver : drivers) {
+    CAPTURE(driver.renderer);
+    const Finished drawn = run("gl", driver.renderer, {"-o", "gl.png"});
     CHECK(drawn.exit_code == 0);
-    CHECK_MESSAGE(holds(drawn.out, "\"samples\": " + std::string(samples) + ",\n"), drawn.out);
-    CHECK_MESSAGE(holds(drawn.err, said), drawn.err);
-    const Finished judged = run("verify", renderer, {"--gl"});
+    CHECK_MESSAGE(holds(drawn.out, "\"samples\": " + driver.samples + ",\n"), drawn.out);
+    CHECK_MESSAGE(holds(drawn.err, driver.said), drawn.err);
+    const Finished judged = run("verify", driver.renderer, {"--gl"});
     CHECK_MESSAGE(judged.exit_code == 0, judged.err);
-    CHECK_MESSAGE(holds(judged.err, said), judged.err);
-    CHECK_MESSAGE(holds(judged.out, "\"samples\": " + std::string(samples) + ","), judged.out);
-    CHECK(run("gl", renderer, {"-o", "gl.png", "--samples", "8"}).exit_code == 5);
+    CHECK_MESSAGE(holds(judged.err, driver.said), judged.err);
+    CHECK_MESSAGE(holds(judged.out, "\"samples\": " + driver.samples + ","), judged.out);
+    CHECK(run("gl", driver.renderer, {"-o", "gl.png", "--samples", "8"}).exit_code == 5);
   }
 }

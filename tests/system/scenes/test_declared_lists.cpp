@@ -88,8 +88,9 @@ TEST_CASE("random scenes have every type of light, texture and vertex attribute,
             any_object([&](const Object& object) { return !(object.mesh.get()->*attribute.values).empty(); }));
     });
   }
-  for (const auto& [name, with] : scenes_with)
-    CHECK_MESSAGE((with > 0 && with < scenes), "tests/support/scenes/random_scene.cpp makes none of " << name);
+  for (const auto& with : scenes_with)
+    CHECK_MESSAGE((with.second > 0 && with.second < scenes),
+                  "tests/support/scenes/random_scene.cpp makes none of " << with.first);
 }
 
 } // namespace refraster

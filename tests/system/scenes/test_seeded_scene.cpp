@@ -122,9 +122,10 @@ TEST_CASE("the scenes of neighbouring seeds have nothing in common") {
 TEST_CASE("a hundred random scenes have everything that there is to verify") {
   Features features(seeds);
   const auto check_all = [&]<class Enum>(const std::string& prefix, Enum) {
-    for (const auto& [value, name] : EnumNames<Enum>::names) {
-      INFO(prefix << name);
-      CHECK(features[prefix + std::string(name)] >= 5);
+    for (const auto& named : EnumNames<Enum>::names) {
+      const std::string feature = prefix + std::string(named.second);
+      CAPTURE(feature);
+      CHECK(features[feature] >= 5);
     }
   };
   check_all("", TextureFilter{});

@@ -9,7 +9,7 @@
 
 namespace refraster::test {
 
-SuiteFolder::SuiteFolder(int scenes, const std::string& size) : scenes_(scenes), size_(size) {
+SuiteFolder::SuiteFolder(int scenes, const std::string& size) : size_(size) {
   for (int i = 0; i < scenes; ++i) {
     const std::string name = "s" + std::to_string(i) + ".json";
     save_text(*this / name, ball_scene);

@@ -25,7 +25,6 @@ public:
   void change(const std::string& scene, const std::string& from, const std::string& to) const;
 
 private:
-  int scenes_;
   std::string size_;
 };
 

@@ -73,8 +73,8 @@ void kill_and_go_on(int kills, int scenes, std::uint64_t seed) {
     // Whatever stands there is whole.
     if (fs::exists(folder / "results/results.json")) CHECK(folder.states().size() == static_cast<std::size_t>(scenes));
     const suite::KnownResults known = suite::read_journals(folder / "results");
-    for (const auto& [name, result] : known.latest)
-      CHECK_MESSAGE(suite::facts_of(result.state).is_repeatable, name << ": " << result.message);
+    for (const auto& result : known.latest)
+      CHECK_MESSAGE(suite::facts_of(result.second.state).is_repeatable, result.first << ": " << result.second.message);
     std::error_code busy; // its workers end a moment later
     if (i % 8 == 7)       // from the beginning once more
       while (fs::exists(folder / "results")) fs::remove_all(folder / "results", busy);

@@ -64,5 +64,5 @@ TEST_CASE("shards that share a folder end with the whole of it") {
   for (const auto& one : running) CHECK(one->wait().exit_code == 0);
   const auto states = folder.states();
   CHECK(states.size() == 6);
-  for (const auto& [name, state] : states) CHECK_MESSAGE(state == "equal", name);
+  for (const auto& state : states) CHECK_MESSAGE(state.second == "equal", state.first);
 }

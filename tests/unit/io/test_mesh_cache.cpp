@@ -112,9 +112,9 @@ TEST_CASE("colours come out of the cache as they are taken, each way its own fil
   const CacheFolder folder;
   write_files(folder.path, {{"ball.obj", "v 0 0 0 0.5 0.25 1\nv 1 0 0\nv 1 1 0 0.1 0.2 0.3\nf 1 2 3\n"}});
   std::size_t files = 0;
-  for (const auto& [colours, name] : EnumNames<VertexColours>::names) {
-    CAPTURE(name);
-    const ObjOptions options{{}, nullptr, colours};
+  for (const auto& colours : EnumNames<VertexColours>::names) {
+    CAPTURE(colours.second);
+    const ObjOptions options{{}, nullptr, colours.first};
     const Mesh expected = read_obj(folder.obj, options);
     for (int i = 0; i < 2; ++i) CHECK(same(read_obj_by_cache(folder.obj, folder.cache, options, 0), expected));
     CHECK(files_in(folder.cache).size() == ++files);

@@ -64,7 +64,7 @@ TEST_CASE("a transparent image has the mean of the samples that see a surface, a
           CHECK(frame.rgb8.at(x, 3)[c] == (alpha > 0 ? frame.rgb8.at(0, 3)[c] : 0));
           CHECK(frame.radiance.at(0, 3)[c] == blended.radiance.at(0, 3)[c]);
           const float over = frame.radiance.at(x, 3)[c] * alpha + static_cast<float>(background[c]) * (1 - alpha);
-          CHECK(blended.radiance.at(x, 3)[c] == doctest::Approx(over).epsilon(1e-6));
+          CHECK(blended.radiance.at(x, 3)[c] == doctest::Approx(static_cast<double>(over)).epsilon(1e-6));
         }
     }
 }
@@ -96,12 +96,13 @@ TEST_CASE("resolved, an AOV is the mean over the samples that see a surface; a n
   CHECK(*nearest.aovs[1].at(4, 2) == 1);
   CHECK(*resolved.aovs[1].at(4, 2) == 1);
   const float near_depth = *nearest.aovs[2].at(0, 2), far_depth = *nearest.aovs[2].at(5, 2);
-  CHECK(*resolved.aovs[2].at(4, 2) == doctest::Approx((near_depth + far_depth) / 2));
+  CHECK(*resolved.aovs[2].at(4, 2) == doctest::Approx(static_cast<double>(near_depth + far_depth) / 2));
   // Where one surface is seen, both are the same.
   for (std::size_t i = 0; i < resolved.aovs.size(); ++i)
     for (const int x : {0, 5, 7})
       for (int c = 0; c < kind_of(options.aovs[i]).channels; ++c)
-        CHECK(resolved.aovs[i].at(x, 2)[c] == doctest::Approx(nearest.aovs[i].at(x, 2)[c]).epsilon(1e-6));
+        CHECK(resolved.aovs[i].at(x, 2)[c] ==
+              doctest::Approx(static_cast<double>(nearest.aovs[i].at(x, 2)[c])).epsilon(1e-6));
 }
 
 TEST_CASE("resolved AOVs are the same for every number of threads and tile size") {

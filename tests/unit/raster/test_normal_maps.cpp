@@ -225,7 +225,7 @@ TEST_CASE("red leans a normal to where u grows, green to where v does, whatever 
         object.material.normal_map.texture = plain_texture(r, g, 0.9f); // 0.6, 0, 0.8
         return middle_normal(scene);
       };
-      const double along_x = scale.x > 0 ? u_grows : -u_grows, along_y = scale.y > 0 ? 1 : -1;
+      const double along_x = static_cast<double>(scale.x > 0 ? u_grows : -u_grows), along_y = scale.y > 0 ? 1 : -1;
       const auto near = [](const Double3& a, const Double3& b) { return length(a - b) < 4 * of_floats; };
       CHECK(near(leaning(0.8f, 0.5f), Double3(0.6 * along_x, 0, 0.8 * before.z)));
       CHECK(near(leaning(0.5f, 0.8f), Double3(0, 0.6 * along_y, 0.8 * before.z)));

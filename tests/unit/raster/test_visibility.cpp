@@ -247,16 +247,14 @@ TEST_CASE("behind the eye, the samples that are drawn are those that the edges c
                               : random.uniform(0x1p-1, 1) * static_cast<double>(std::int64_t{1} << random.below(61));
       return static_cast<std::int64_t>(random.below(2) == 0 ? size : -size);
     };
-    const auto sample_at = [](int first, std::uint64_t pixel) {
-      return (first + static_cast<std::int32_t>(pixel)) * subpixels + 128;
-    };
+    const auto sample_at = [](int first, int pixel) { return (first + pixel) * subpixels + 128; };
     ProjectiveTriangle triangle;
     triangle.pieces = 1;
     ProjectivePiece& piece = triangle.piece[0];
     for (ProjectiveEdge& line : piece.edge) {
       line.a = slope(), line.b = slope();
-      const std::int32_t x = sample_at(tile.x, random.below(static_cast<std::uint64_t>(tile.width))),
-                         y = sample_at(tile.y, random.below(static_cast<std::uint64_t>(tile.height)));
+      const std::int32_t x = sample_at(tile.x, random.below(tile.width)),
+                         y = sample_at(tile.y, random.below(tile.height));
       line.c =
           static_cast<Int128>(random.below(5)) - 2 - static_cast<Int128>(line.a) * x - static_cast<Int128>(line.b) * y;
     }
@@ -265,8 +263,7 @@ TEST_CASE("behind the eye, the samples that are drawn are those that the edges c
     draw_projective(triangle, 0, tile, sample_pattern(1), depths);
     for (int y = 0; y < tile.height; ++y)
       for (int x = 0; x < tile.width; ++x) {
-        const bool covers = piece.covers(sample_at(tile.x, static_cast<std::uint64_t>(x)),
-                                         sample_at(tile.y, static_cast<std::uint64_t>(y)));
+        const bool covers = piece.covers(sample_at(tile.x, x), sample_at(tile.y, y));
         const bool is_drawn = depths.nearest(depths.at(0, x, y)) == 0;
         CAPTURE(x);
         CAPTURE(y);

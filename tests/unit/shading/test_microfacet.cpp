@@ -232,15 +232,16 @@ TEST_CASE("light and eye may be exchanged") {
 }
 
 TEST_CASE("no more is reflected than arrives, and by a white mirror all of it") {
-  for (const auto& [fresnel, name] : EnumNames<MicrofacetFresnel>::names)
+  for (const auto& named : EnumNames<MicrofacetFresnel>::names)
     for (const double roughness : {0.02, 0.1, 0.3, 0.5, 0.7, 1.0})
       for (const double metallic : {0.0, 0.5, 1.0})
         for (const double cosine : {1.0, 0.7, 0.4, 0.1, 0.02}) {
+          const MicrofacetFresnel fresnel = named.first;
           Microfacet function = surface(roughness, metallic, fresnel);
           function.base_color = Double3(1);
           const double lobe = albedo_of_lobe(function, cosine, 100);
           const double ground = albedo_of_ground(function, cosine, 100), all = lobe + ground;
-          CAPTURE(name);
+          CAPTURE(named.second);
           CAPTURE(roughness);
           CAPTURE(metallic);
           CAPTURE(cosine);
@@ -252,8 +253,8 @@ TEST_CASE("no more is reflected than arrives, and by a white mirror all of it") 
             if (roughness == 1 && cosine == 1) CHECK(all == doctest::Approx(1 - std::log(2)).epsilon(1e-3));
           }
           if (std::getenv("REFRASTER_PRINT") && metallic != 0.5 && fresnel != MicrofacetFresnel::conductor)
-            MESSAGE(name << ", roughness " << roughness << ", metallic " << metallic << ", n.v " << cosine << ": "
-                         << lobe << " + " << ground);
+            MESSAGE(named.second << ", roughness " << roughness << ", metallic " << metallic << ", n.v " << cosine
+                                 << ": " << lobe << " + " << ground);
         }
 }
 

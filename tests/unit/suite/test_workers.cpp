@@ -76,8 +76,8 @@ TEST_CASE("each entry is done once, by one worker or by several") {
   for (const int jobs : {1, 3}) {
     const auto results = place.run(entries, {.jobs = jobs, .limits = {}, .done = {}});
     CHECK(results.size() == 20);
-    for (const auto& [name, result] : results)
-      CHECK_MESSAGE(result.state == State::done, name << ": " << result.message);
+    for (const auto& result : results)
+      CHECK_MESSAGE(result.second.state == State::done, result.first << ": " << result.second.message);
     CHECK(results.at("e3").frame_ms > 0);
   }
 }

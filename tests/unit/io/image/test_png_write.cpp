@@ -75,8 +75,9 @@ void check_sizes(int channels) {
   const TemporaryFolder folder;
   // One pixel, one column and one row longer than a strip, odd widths, several strips of several rows.
   constexpr int sizes[][2] = {{1, 1}, {1, 70000}, {70000, 1}, {3, 5}, {257, 129}, {1001, 333}};
-  for (const auto& [width, height] : sizes)
+  for (const auto& size : sizes)
     for (const Pattern pattern : {Pattern::random, Pattern::smooth, Pattern::flat}) {
+      const int width = size[0], height = size[1];
       CAPTURE(channels);
       CAPTURE(width);
       CAPTURE(height);
