@@ -143,7 +143,8 @@ DepthDoubt SlowShadowMap::texel(std::size_t face, int column, int row) const {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t next = (k + 1) % 3, last = (k + 2) % 3;
       const Real off = rounded * farthest_ray * reach[next] * reach[last];
-      for (std::size_t i = 0; i < 4; ++i) volume[k][i] = dot(rays[i], cross(p[next], p[last]));
+      const Vec opposite = cross(p[next], p[last]);
+      for (std::size_t i = 0; i < 4; ++i) volume[k][i] = dot(rays[i], opposite);
       const auto [least, greatest] = std::minmax_element(volume[k].begin(), volume[k].end());
       certain = certain && (determinant > 0 ? *least > off : *greatest < -off);
       possible[0] = possible[0] && *least <= off, possible[1] = possible[1] && *greatest >= -off;
