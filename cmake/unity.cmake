@@ -1,7 +1,7 @@
-# The presets release and aarch64 compile the files of a library by eights (REFRASTER_UNITY): what they include is read,
-# and templates are filled, once for eight. A file that has, for itself, a name that another of its library has for
-# itself too cannot be among these. Other presets compile every file alone, and find an #include that is missing, and
-# what compilers warn of in a file itself but not in one that it includes, such as a function without a caller.
+# The presets release, bench and aarch64 compile the files of a library by eights (REFRASTER_UNITY): what they include
+# is read, and templates are filled, once for eight. A file that has, for itself, a name that another of its library has
+# for itself too cannot be among these. Other presets compile every file alone, and find an #include that is missing,
+# and what compilers warn of in a file itself but not in one that it includes, such as a function without a caller.
 
 # With each other, by eights, but not with the rest of their library.
 set(compiled_apart

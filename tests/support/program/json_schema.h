@@ -26,6 +26,7 @@ inline void allow_no_others(rapidjson::Value& schema, Json::AllocatorType& alloc
     for (auto& one : schema.GetArray()) allow_no_others(one, allocator);
   if (!schema.IsObject()) return;
   const bool names_members = schema.HasMember("properties") && schema["properties"].IsObject();
+  // Counted, since != of iterators that may write is ambiguous in C++20: each converts to one that may only read.
   auto member = schema.MemberBegin();
   for (rapidjson::SizeType left = schema.MemberCount(); left > 0; --left, ++member)
     allow_no_others(member->value, allocator);
